@@ -1,0 +1,1 @@
+"""The cogniton engine: schemes, minds, groups and culturons, decision makers."""
