@@ -1,0 +1,82 @@
+"""What coglogo_py raises when something the user gave it is wrong."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+
+class CogLogoError(ValueError):
+    """Anything about a scheme or a mind that the user can put right."""
+
+
+class MindError(CogLogoError):
+    """A command to a mind that cannot be carried out; the mind is as it was before."""
+
+
+class SchemeError(CogLogoError):
+    """A cognitive scheme, or the file of one, is wrong: says where, what, and what to do.
+
+    Args:
+        found: what stands there; a sentence of its own where nothing is expected instead.
+        expected: what should stand there.
+        remedy: what to write or do instead.
+        file: the file at fault.
+        line: its line, counted from 1.
+
+    >>> print(SchemeError("'maybe'", "true or false", "write true", "herd.cogscheme", 8))
+    herd.cogscheme:8: found 'maybe'; expected true or false; write true
+    >>> print(SchemeError("the scheme has two groups called 'herd'"))
+    the scheme has two groups called 'herd'
+    """
+
+    def __init__(
+        self,
+        found: str,
+        expected: str | None = None,
+        remedy: str | None = None,
+        file: str | Path | None = None,
+        line: int | None = None,
+    ) -> None:
+        self.found = found
+        self.expected = expected
+        self.remedy = remedy
+        self.file = None if file is None else str(file)
+        self.line = line
+        super().__init__(self._message())
+
+    def _message(self) -> str:
+        where = "" if self.file is None else self.file
+        if self.line is not None:
+            where += f":{self.line}" if where else f"line {self.line}"
+        parts = [self.found if self.expected is None else f"found {self.found}"]
+        if self.expected is not None:
+            parts.append(f"expected {self.expected}")
+        if self.remedy is not None:
+            parts.append(self.remedy)
+        message = "; ".join(parts)
+        return f"{where}: {message}" if where else message
+
+    def at(self, file: str | Path, line: int | None = None) -> SchemeError:
+        """Return the same error, placed in a file."""
+        return SchemeError(self.found, self.expected, self.remedy, file, line)
+
+    def __reduce__(self) -> tuple[type[SchemeError], tuple[object, ...]]:
+        """Keep the fields when the error crosses a process boundary."""
+        return type(self), (self.found, self.expected, self.remedy, self.file, self.line)
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """Return the advice that follows from the known name most like a wrong one.
+
+    >>> nearest("conditionnal", ["influence", "conditional"])
+    "did you mean 'conditional'?"
+    >>> nearest("colour", []) is None
+    True
+    """
+    matches = get_close_matches(name, list(known), n=1)
+    return f"did you mean {matches[0]!r}?" if matches else None
