@@ -1,0 +1,74 @@
+"""Checks of the values that descriptions are given: each returns the value in its settled form."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from numbers import Integral, Real
+from types import MappingProxyType
+
+from coglogo_py.errors import SchemeError
+
+
+def checked_name(name: object, what: str) -> str:
+    """Return a name of something, which must be text."""
+    if not isinstance(name, str):
+        raise SchemeError(f"{name!r} as the name of {what}", "text")
+    return name
+
+
+def checked_names(names: object, where: str) -> tuple[str, ...]:
+    """Return several names; a single text is refused, since it would count letter by letter."""
+    if isinstance(names, str) or not isinstance(names, Iterable):
+        raise SchemeError(f"{names!r} as {where}", "several names", "write ('name',) for one")
+    return tuple(checked_name(name, where) for name in names)
+
+
+def checked_number(value: object, where: str) -> float:
+    """Return a finite number as a float.
+
+    >>> checked_number(2, "start_value of cogniton 'Hunger'")
+    2.0
+    """
+    if isinstance(value, Real) and not isinstance(value, bool):
+        try:
+            number = float(value)
+        except OverflowError:
+            number = math.inf
+        if math.isfinite(number):
+            return number
+    raise SchemeError(f"{value!r} as {where}", "a finite number")
+
+
+def checked_colour(value: object, where: str) -> tuple[int, int, int]:
+    """Return red, green and blue, each 0 … 255."""
+    if (
+        isinstance(value, tuple | list)
+        and len(value) == 3
+        and all(_whole(part) and 0 <= part <= 255 for part in value)
+    ):
+        return int(value[0]), int(value[1]), int(value[2])
+    raise SchemeError(f"{value!r} as the colour of {where}", "three whole numbers 0 … 255")
+
+
+def checked_position(value: object, where: str) -> tuple[int, int]:
+    """Return x and y in a drawing."""
+    if isinstance(value, tuple | list) and len(value) == 2 and all(map(_whole, value)):
+        return int(value[0]), int(value[1])
+    raise SchemeError(f"{value!r} as the position of {where}", "two whole numbers, (x, y)")
+
+
+def checked_weights(value: object, where: str) -> Mapping[str, float]:
+    """Return the weights of links, plan → weight, in a read-only mapping of their own."""
+    if not isinstance(value, Mapping):
+        raise SchemeError(f"{value!r} as {where}", "plan → weight")
+    return MappingProxyType(
+        {
+            checked_name(plan, "a plan"): checked_number(weight, f"{where} to {plan!r}")
+            for plan, weight in value.items()
+        }
+    )
+
+
+def _whole(value: object) -> bool:
+    return isinstance(value, Integral) and not isinstance(value, bool)
