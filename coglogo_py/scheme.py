@@ -384,11 +384,11 @@ def _check_links(holder: Cogniton | Culturon, where: str) -> None:
     _set(holder, "start_value", checked_number(holder.start_value, f"start_value of {where}"))
     _set(holder, "colour", checked_colour(holder.colour, where))
     if holder.position is not None:
-        _set(holder, "position", checkedchecked_position(holder.position, where))
+        _set(holder, "position", checked_position(holder.position, where))
     for links in ("influence", "reinforcement"):
         weights = checked_weights(getattr(holder, links), f"{links} links of {where}")
         _set(holder, links, weights)
-    plans = checkedchecked_names(holder.conditional, f"conditional links of {where}")
+    plans = checked_names(holder.conditional, f"conditional links of {where}")
     _set(holder, "conditional", tuple(dict.fromkeys(plans)))
 
 
