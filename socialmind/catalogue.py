@@ -1,0 +1,265 @@
+"""Finding models: by name among those that ship with socialmind, or by a folder's path.
+
+A model is a folder with a ``model.py``. In a checkout or an editable install the models that
+ship stand in ``models/`` beside the package, in a wheel they are data of the package. They are
+documents: loaded by path under a private name, never imported as a package called ``models``.
+"""
+
+from __future__ import annotations
+
+import difflib
+import hashlib
+import importlib.util
+import sys
+import traceback
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import CodeType, ModuleType
+from typing import TYPE_CHECKING, cast
+
+from socialmind.errors import ModelError, SocialmindError
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
+
+MODEL_FILE = "model.py"
+FIGURES_FILE = "figures.py"
+
+
+def catalogue() -> dict[str, Path]:
+    """The models that ship with socialmind.
+
+    Returns:
+        The folder of each model by its name, in alphabetical order.
+    """
+    package = Path(__file__).resolve().parent
+    for home in (package / "_models", package.parent / "models"):
+        if home.is_dir():
+            return {
+                folder.name: folder
+                for folder in sorted(home.iterdir())
+                if (folder / MODEL_FILE).is_file()
+            }
+    return {}
+
+
+def did_you_mean(name: str, names: Iterable[str]) -> str:
+    """The end of an error message about an unknown name: the nearest ones, or all.
+
+    >>> did_you_mean("tool_prise", ["tool_price", "food_decay"])
+    'did you mean tool_price?'
+    >>> did_you_mean("zzz", ["tool_price", "food_decay"])
+    'known: tool_price, food_decay'
+    """
+    known = list(names)
+    near = difflib.get_close_matches(name, known, n=2)
+    if near:
+        return f"did you mean {' or '.join(near)}?"
+    return f"known: {', '.join(known)}" if known else "there are none"
+
+
+def model_folder(name_or_path: str | Path) -> Path:
+    """The folder of a model.
+
+    Args:
+        name_or_path: a name of the catalogue (``farmer_artisan`` or ``farmer-artisan``), or the
+            path of a folder with a ``model.py``, or of that file. A name of the catalogue comes
+            first; write ``./name`` for a folder of that name.
+
+    Returns:
+        The folder's absolute path.
+
+    Raises:
+        SocialmindError: there is no such model, or the folder holds no ``model.py``.
+    """
+    name = str(name_or_path)
+    known = catalogue()
+    if isinstance(name_or_path, str) and name.replace("-", "_") in known:
+        return known[name.replace("-", "_")]
+    path = Path(name_or_path).expanduser()
+    if path.is_file() and path.name == MODEL_FILE:
+        return path.resolve().parent
+    if path.is_dir():
+        if not (path / MODEL_FILE).is_file():
+            raise SocialmindError(
+                f"{path}: not a model, it holds no {MODEL_FILE}; "
+                "`socialmind new FOLDER` writes one to start from"
+            )
+        return path.resolve()
+    if len(path.parts) > 1 or path.suffix:
+        raise SocialmindError(f"{path}: no such folder; a model is a folder with a {MODEL_FILE}")
+    raise SocialmindError(f"no model called {name}; {did_you_mean(name.replace('-', '_'), known)}")
+
+
+def load_model(name_or_path: str | Path) -> type[Model]:
+    """The model class that a model's folder defines.
+
+    Loading the same, unchanged folder again gives the same class.
+
+    Args:
+        name_or_path: as for `model_folder`.
+
+    Returns:
+        The one subclass of `socialmind.model.Model` that ``model.py`` defines, or the one that
+        it names with ``model = …``.
+
+    Raises:
+        SocialmindError: there is no such model.
+        ModelError: the file cannot be read or run, or which class is meant is unclear.
+    """
+    folder = model_folder(name_or_path)
+    return _model_class(_load_file(folder / MODEL_FILE))
+
+
+def load_figures(folder: Path) -> ModuleType | None:
+    """The module of a model's ``figures.py``; None where the folder has none."""
+    path = folder / FIGURES_FILE
+    if not path.is_file():
+        return None
+    module = _load_file(path)
+    if not callable(getattr(module, "draw", None)):
+        raise ModelError("no function draw(run)", file=path, remedy="define draw(run) -> figures")
+    return module
+
+
+def source_hash(folder: Path) -> str:
+    """The SHA-256 of all that decides how a model runs: its Python files but for its figures.
+
+    Args:
+        folder: the model's folder, or one Python file.
+
+    Returns:
+        64 hexadecimal digits.
+    """
+    total = hashlib.sha256()
+    if folder.is_file():
+        total.update(folder.read_bytes())
+        return total.hexdigest()
+    for path in sorted(folder.rglob("*.py")):
+        place = path.relative_to(folder)
+        hidden = any(part.startswith((".", "__pycache__")) for part in place.parts)
+        if hidden or place == Path(FIGURES_FILE):
+            continue
+        content = path.read_bytes()
+        total.update(f"{place.as_posix()}\0{len(content)}\0".encode())
+        total.update(content)
+    return total.hexdigest()
+
+
+def _load_file(path: Path) -> ModuleType:
+    """Run a Python file as a module with a private name that stands for its folder's content.
+
+    The module is the package of its folder, so ``from .rules import eat`` finds ``rules.py``
+    beside it, and two models may both have one.
+    """
+    source = path.read_bytes()
+    key = hashlib.sha256(f"{path}\0{source_hash(path.parent)}\0".encode() + source).hexdigest()
+    name = f"_socialmind_{path.parent.name}_{path.stem}_{key[:16]}"
+    if name in sys.modules:
+        return sys.modules[name]
+    spec = importlib.util.spec_from_file_location(
+        name, path, submodule_search_locations=[str(path.parent)]
+    )
+    if spec is None:
+        raise ModelError("a file that Python cannot load", file=path)
+    module = importlib.util.module_from_spec(spec)
+    code = _compile(source, path)
+    sys.modules[name] = module
+    try:
+        with _no_bytecode():
+            exec(code, module.__dict__)
+    except SocialmindError:
+        _forget(name)
+        raise
+    except Exception as error:
+        _forget(name)
+        raise _failed_import(error, path) from error
+    return module
+
+
+def _compile(source: bytes, path: Path) -> CodeType:
+    """Compile the file as it stands, past any stale bytecode."""
+    try:
+        return cast(CodeType, compile(source, str(path), "exec", dont_inherit=True))
+    except SyntaxError as error:
+        raise _failed_import(error, path) from error
+    except ValueError as error:  # null bytes
+        raise ModelError(f"not a Python file ({error})", file=path) from error
+
+
+@contextmanager
+def _no_bytecode() -> Iterator[None]:
+    """Leave no ``__pycache__`` in a model's folder, which may be the user's or read-only."""
+    before = sys.dont_write_bytecode
+    sys.dont_write_bytecode = True
+    try:
+        yield
+    finally:
+        sys.dont_write_bytecode = before
+
+
+def _forget(name: str) -> None:
+    """Take a module that failed, and its siblings, out of Python's table of modules."""
+    for loaded in [m for m in sys.modules if m == name or m.startswith(name + ".")]:
+        del sys.modules[loaded]
+
+
+def _failed_import(error: Exception, path: Path) -> ModelError:
+    """Say in one line what went wrong, at the innermost line that lies in the model's folder."""
+    if isinstance(error, SyntaxError):
+        return ModelError(
+            f"not valid Python ({error.msg})", file=error.filename or path, line=error.lineno
+        )
+    file, line = path, None
+    for frame, number in traceback.walk_tb(error.__traceback__):
+        place = Path(frame.f_code.co_filename)
+        if place.is_relative_to(path.parent):
+            file, line = place, number
+    remedy = None
+    missing = error.name if isinstance(error, ModuleNotFoundError) else None
+    if missing and (path.parent / f"{missing}.py").is_file():
+        remedy = f"write `from . import {missing}` for a file of the model's own folder"
+    elif missing:
+        remedy = f"install {missing}, or correct the name"
+    return ModelError(
+        f"loading stopped with {type(error).__name__}: {error}",
+        remedy=remedy,
+        file=file,
+        line=line,
+    )
+
+
+def _model_class(module: ModuleType) -> type[Model]:
+    """Pick the model class of a loaded ``model.py``."""
+    from socialmind.model import Model
+
+    chosen = getattr(module, "model", None)
+    if chosen is not None:
+        if isinstance(chosen, type) and issubclass(chosen, Model):
+            return chosen
+        raise ModelError(
+            f"`model` set to {chosen!r}",
+            "a subclass of socialmind.Model",
+            "write `model = YourModel`, the class itself",
+            module.__file__,
+        )
+    defined = [
+        value
+        for value in vars(module).values()
+        if isinstance(value, type)
+        and issubclass(value, Model)
+        and value.__module__ == module.__name__
+    ]
+    if len(defined) == 1:
+        return defined[0]
+    if not defined:
+        raise ModelError(
+            "no model", "one subclass of socialmind.Model", "define it", module.__file__
+        )
+    raise ModelError(
+        f"{len(defined)} models ({', '.join(c.__name__ for c in defined)})",
+        "one",
+        f"add a line `model = {defined[-1].__name__}` to say which one runs",
+        module.__file__,
+    )

@@ -1,0 +1,38 @@
+"""Runs as capsules: one folder each, that can be stopped, gone on with, replayed and read.
+
+- `run`, `resume`: run a model into a folder, go on with one;
+- `replay`: run a capsule again and compare;
+- `Run`: read a capsule's tables, parameters and scheme;
+- `draw_figures`: draw a run's figures into its folder.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from socialmind.experiments.execution import Interrupted, resume, run
+    from socialmind.experiments.figures import draw_figures
+    from socialmind.experiments.result import Run
+    from socialmind.experiments.verification import Replay, replay
+
+__all__ = ["Interrupted", "Replay", "Run", "draw_figures", "replay", "resume", "run"]
+
+_HOME = {
+    "Interrupted": "execution",
+    "Replay": "verification",
+    "Run": "result",
+    "draw_figures": "figures",
+    "replay": "verification",
+    "resume": "execution",
+    "run": "execution",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name when it is first used: starting a run needs few of them."""
+    import importlib
+
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_HOME[name]}"), name)

@@ -1,0 +1,394 @@
+"""Running a model into a capsule, and going on with a capsule.
+
+The loop advances the model to the next tick that is recorded, in pieces of at most about a
+quarter of a second; between two pieces it reports progress, writes a checkpoint when one is due,
+and sees whether the user wants to stop. What is computed never depends on where the pieces end.
+"""
+
+from __future__ import annotations
+
+import shutil
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import asdict
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from socialmind.errors import SocialmindError
+from socialmind.experiments import capsule as capsules
+from socialmind.experiments.capsule import Capsule, Manifest
+from socialmind.experiments.checkpoint import Checkpoint
+from socialmind.experiments.sources import model_of, model_source, scheme_copy
+from socialmind.experiments.tables import AGENTS, SERIES, TABLES, GrowingTable, merge
+
+if TYPE_CHECKING:
+    from coglogo_py.scheme import CognitiveScheme
+    from socialmind.model import Model
+
+Progress = Callable[[int, int], None]
+
+RECORDED = 500
+"""Rows of the series, by default, in a run of its whole length."""
+AGENTS_EVERY = 10
+"""Rows of the series for one recording of the agents, by default."""
+CHUNK_SECONDS = 0.2
+"""Length aimed at for one piece of the loop: Ctrl-C and progress wait for it."""
+PROGRESS_SECONDS = 0.1
+CHECKPOINT_COST = 20
+"""Checkpoints lie at least this many times their own cost apart."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """The user stopped a run; its capsule stands and can be gone on with.
+
+    Args:
+        folder: the run's.
+        tick: ticks that are safe.
+        signal_number: what stopped it.
+    """
+
+    def __init__(self, folder: Path, tick: int, signal_number: int) -> None:
+        super().__init__(f"stopped at tick {tick}")
+        self.folder = folder
+        self.tick = tick
+        self.signal_number = signal_number
+
+
+def run(
+    model_class: type[Model],
+    ticks: int | None = None,
+    seed: int = 0,
+    parameters: Mapping[str, Any] | None = None,
+    scheme: CognitiveScheme | str | Path | None = None,
+    every: int | None = None,
+    agents_every: int | None = None,
+    out: str | Path | None = None,
+    compiled: bool = True,
+    on_progress: Progress | None = None,
+    checkpoint_every: float = 5.0,
+) -> Path:
+    """Run a model into a folder of its own.
+
+    Args:
+        model_class: the model, for example from `socialmind.catalogue.load_model`.
+        ticks: length of the run, at least 0; the model's own by default.
+        seed: of every random draw; 0 … 2**64 − 1.
+        parameters: values by name; the model's defaults for the rest.
+        scheme: a cognitive scheme or its file in place of the model's own.
+        every: ticks between two rows of the series, at least 1; by default such that about 500
+            are recorded. The last tick is always recorded.
+        agents_every: ticks between two recordings of the agents; by default ten times `every`.
+        out: folder to make, or an empty one; by default the next number under ``runs/``.
+        compiled: False runs the rules in plain Python, with the same result.
+        on_progress: called with the ticks done and the length, about ten times a second.
+        checkpoint_every: seconds between two checkpoints.
+
+    Returns:
+        The run's folder.
+
+    Raises:
+        SocialmindError: an unknown parameter, a value out of range, a folder in use.
+        Interrupted: Ctrl-C; what was done is safe, `resume` goes on.
+    """
+    started = time.perf_counter()
+    length = model_class.ticks if ticks is None else ticks
+    _at_least(0, ticks=length)
+    step = max(1, -(-length // RECORDED)) if every is None else every
+    agents_step = step * AGENTS_EVERY if agents_every is None else agents_every
+    _at_least(1, every=step, agents_every=agents_step)
+    if not 0 <= seed < 2**64:
+        raise SocialmindError(f"seed {seed}; expected a whole number from 0 to 2**64 - 1")
+    target = None if out is None else Path(out)
+    if target is not None:
+        capsules.refuse_unless_free(target.expanduser())
+
+    model = model_class(seed=seed, compiled=compiled, scheme=scheme, **(parameters or {}))
+    scheme_record, scheme_content = scheme_copy(model, scheme)
+    manifest = Manifest(
+        model=model_source(model_class),
+        parameters=dict(model.parameter_values()),
+        seed=seed,
+        compiled=compiled,
+        scheme=scheme_record,
+        ticks=length,
+        every=step,
+        agents_every=agents_step,
+        timings={"created": datetime.now(UTC).isoformat(timespec="seconds")},
+        versions=capsules.versions(),
+        platforms=[capsules.fingerprint()],
+    )
+    capsule = Capsule.create(target, manifest, scheme_content)
+    with capsule.locked():
+        _Execution(capsule, model, None, started).go(length, on_progress, checkpoint_every)
+    return capsule.folder
+
+
+def resume(
+    folder: str | Path,
+    ticks: int | None = None,
+    compiled: bool | None = None,
+    model_class: type[Model] | None = None,
+    on_progress: Progress | None = None,
+    checkpoint_every: float = 5.0,
+) -> Path:
+    """Go on with a run that was stopped, or make a finished one longer.
+
+    The tables become those of one run that was never stopped.
+
+    Args:
+        folder: the run's.
+        ticks: length of the whole run, not less than the ticks done; as it was by default.
+        compiled: speed from here on; as it was by default.
+        model_class: the model; loaded from where the run says it stands by default.
+        on_progress: as for `run`.
+        checkpoint_every: as for `run`.
+
+    Returns:
+        The run's folder.
+
+    Raises:
+        SocialmindError: no run's folder, in use, or its model or scheme was changed since.
+        Interrupted: Ctrl-C; what was done is safe.
+    """
+    started = time.perf_counter()
+    capsule = Capsule(folder)
+    with capsule.locked():
+        checkpoint = Checkpoint.load(capsule.checkpoint) if capsule.checkpoint.is_file() else None
+        # Killed between its last tick and its last file: only the files are missing.
+        if (
+            checkpoint is not None
+            and capsule.manifest.status != capsules.FINISHED
+            and checkpoint.tick == capsule.manifest.ticks
+            and all(tick == checkpoint.tick for tick in checkpoint.recorded.values())
+        ):
+            _finish(capsule, checkpoint)
+        done = _ticks_done(capsule.manifest, checkpoint)
+        length = capsule.manifest.ticks if ticks is None else ticks
+        if length < done:
+            raise SocialmindError(
+                f"{capsule.folder}: {done} ticks are done, {length} asked for; "
+                "a run can be made longer, not shorter"
+            )
+        if capsule.manifest.status == capsules.FINISHED:
+            shutil.rmtree(capsule.parts, ignore_errors=True)
+            if length == done:
+                return capsule.folder
+        model = model_of(capsule, model_class, compiled)
+        if capsule.manifest.status == capsules.FINISHED:
+            checkpoint = _reopen(capsule, checkpoint, length)
+        machine = capsules.fingerprint()
+        known = capsule.manifest.platforms
+        capsule.update(
+            status=capsules.RUNNING,
+            ticks=length,
+            error=None,
+            compiled=capsule.manifest.compiled if compiled is None else compiled,
+            platforms=known if machine in known else [*known, machine],
+        )
+        if checkpoint is not None:
+            model.restore(dict(checkpoint.state))
+        _Execution(capsule, model, checkpoint, started).go(length, on_progress, checkpoint_every)
+    return capsule.folder
+
+
+class _Execution:
+    """One process's work on a run, from a checkpoint or the start to the last tick."""
+
+    def __init__(
+        self, capsule: Capsule, model: Model, checkpoint: Checkpoint | None, started: float
+    ) -> None:
+        self._capsule = capsule
+        self._model = model
+        self._every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
+        parts = checkpoint.parts if checkpoint else {}
+        self._tables = {
+            name: GrowingTable(name, capsule.parts, parts.get(name, ())) for name in TABLES
+        }
+        self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(TABLES, -1)
+        self._loop_seconds = checkpoint.loop_seconds if checkpoint else 0.0
+        self._started = started - (checkpoint.seconds if checkpoint else 0.0)
+
+    def go(self, length: int, on_progress: Progress | None, checkpoint_every: float) -> None:
+        """Run to the last tick and leave a finished capsule."""
+        with _deferred_signals() as arrived:
+            try:
+                self._loop(length, on_progress, checkpoint_every, arrived)
+            except Interrupted:
+                raise
+            except Exception as error:
+                # The state is in mid-tick: the last checkpoint stays the truth.
+                self._capsule.update(
+                    status=capsules.FAILED, error=f"{type(error).__name__}: {error}"
+                )
+                raise
+            checkpoint = self._checkpoint()
+            _finish(self._capsule, checkpoint)
+
+    def _loop(
+        self,
+        length: int,
+        on_progress: Progress | None,
+        checkpoint_every: float,
+        arrived: list[int],
+    ) -> None:
+        chunk = 1
+        clock = time.perf_counter
+        next_report = 0.0
+        next_checkpoint = clock() + checkpoint_every
+        while True:
+            tick = self._model.tick
+            self._record(tick, length)
+            now = clock()
+            if on_progress and (now >= next_report or tick >= length):
+                on_progress(tick, length)
+                next_report = now + PROGRESS_SECONDS
+            if tick >= length:
+                return
+            if arrived:
+                self._checkpoint(status=capsules.INTERRUPTED)
+                raise Interrupted(self._capsule.folder, tick, arrived[0])
+            if now >= next_checkpoint:
+                self._checkpoint()
+                cost = clock() - now
+                next_checkpoint = clock() + max(checkpoint_every, CHECKPOINT_COST * cost)
+            stop = min(length, *(tick - tick % k + k for k in self._every.values()))
+            count = min(stop - tick, chunk)
+            begin = clock()
+            self._model.advance(count)
+            elapsed = clock() - begin
+            self._loop_seconds += elapsed
+            # A first chunk of one tick holds the compilation; growth by four finds the pace soon.
+            rate = count / max(elapsed, 1e-9)
+            chunk = max(1, min(int(rate * CHUNK_SECONDS), 4 * chunk))
+
+    def _record(self, tick: int, length: int) -> None:
+        """Take down what is due at this tick and not in the tables yet."""
+        for name, every in self._every.items():
+            if tick > self._recorded[name] and (tick % every == 0 or tick == length):
+                if name == SERIES:
+                    row = {k: [v] for k, v in self._model.series().items()}
+                    self._tables[name].add(tick, {"tick": [tick], **row})
+                else:
+                    self._tables[name].add(tick, self._model.agents())
+                self._recorded[name] = tick
+
+    def _checkpoint(self, status: str = capsules.RUNNING) -> Checkpoint:
+        """Make everything up to now safe."""
+        for table in self._tables.values():
+            table.flush()
+        idle = self._model.idle
+        checkpoint = Checkpoint(
+            tick=self._model.tick,
+            recorded=dict(self._recorded),
+            parts={name: list(table.parts) for name, table in self._tables.items()},
+            idle={
+                "count": idle.count,
+                "first_agent": idle.first_agent,
+                "first_tick": idle.first_tick,
+            },
+            loop_seconds=self._loop_seconds,
+            seconds=time.perf_counter() - self._started,
+            state=self._model.state(),
+        )
+        checkpoint.save(self._capsule.checkpoint)
+        self._capsule.update(status=status, **_so_far(self._capsule.manifest, checkpoint))
+        return checkpoint
+
+
+def _finish(capsule: Capsule, checkpoint: Checkpoint) -> None:
+    """Merge the parts and declare the run finished; killed anywhere in here, it can be repeated."""
+    contents = {}
+    for name in TABLES:
+        parts = [capsule.parts / part for part in checkpoint.parts[name]]
+        contents[name] = asdict(merge(parts, capsule.table(name), name))
+    capsule.update(
+        status=capsules.FINISHED, tables=contents, **_so_far(capsule.manifest, checkpoint)
+    )
+    shutil.rmtree(capsule.parts, ignore_errors=True)
+
+
+def _reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Checkpoint:
+    """Turn a finished run's tables into parts of a longer run.
+
+    A last row off the grid of recorded ticks was there because the run ended; the longer run
+    does not have it. Until the manifest says otherwise the old tables are the truth.
+    """
+    if checkpoint is None or checkpoint.tick != capsule.manifest.ticks_done:
+        raise SocialmindError(
+            f"{capsule.folder}: {capsule.checkpoint.name} is missing or of another run, so the "
+            f"run cannot be made longer; run anew with --ticks {length}"
+        )
+    every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
+    capsule.parts.mkdir(exist_ok=True)
+    parts, recorded = {}, {}
+    for name, step in every.items():
+        part = f"{name}-000000.parquet"
+        off_grid = checkpoint.tick % step
+        merge(
+            [capsule.table(name)],
+            capsule.parts / part,
+            name,
+            drop_tick=checkpoint.tick if off_grid else None,
+        )
+        parts[name] = [part]
+        recorded[name] = checkpoint.tick - off_grid
+    reopened = Checkpoint(**{**vars(checkpoint), "parts": parts, "recorded": recorded})
+    reopened.save(capsule.checkpoint)
+    capsule.update(status=capsules.RUNNING, ticks=length, tables={})
+    for name in TABLES:
+        capsule.table(name).unlink(missing_ok=True)
+    return reopened
+
+
+def _so_far(manifest: Manifest, checkpoint: Checkpoint) -> dict[str, Any]:
+    """The manifest's fields that a checkpoint moves on."""
+    return {
+        "ticks_done": checkpoint.tick,
+        "idle": checkpoint.idle,
+        "timings": {
+            **manifest.timings,
+            "seconds": round(checkpoint.seconds, 3),
+            "loop_seconds": round(checkpoint.loop_seconds, 3),
+        },
+    }
+
+
+def _ticks_done(manifest: Manifest, checkpoint: Checkpoint | None) -> int:
+    if manifest.status == capsules.FINISHED:
+        return manifest.ticks_done
+    return checkpoint.tick if checkpoint else 0
+
+
+def _at_least(least: int, **values: int) -> None:
+    for name, value in values.items():
+        if not isinstance(value, int) or value < least:
+            raise SocialmindError(f"{name} {value}; expected a whole number from {least} up")
+
+
+@contextmanager
+def _deferred_signals() -> Iterator[list[int]]:
+    """Collect Ctrl-C and the request to terminate, for the loop to see between two chunks.
+
+    The second one takes effect at once. Outside the main thread, where Python allows no handlers,
+    nothing is collected.
+    """
+    arrived: list[int] = []
+
+    def note(number: int, _frame: object) -> None:
+        if arrived:
+            raise KeyboardInterrupt
+        arrived.append(number)
+
+    if threading.current_thread() is not threading.main_thread():
+        yield arrived
+        return
+    before = {number: signal.signal(number, note) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield arrived
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)

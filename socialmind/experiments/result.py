@@ -1,0 +1,98 @@
+"""Reading a run's folder, for figures and analysis."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from socialmind.errors import SocialmindError
+from socialmind.experiments.capsule import FINISHED, Capsule, Manifest
+from socialmind.experiments.checkpoint import Checkpoint
+from socialmind.experiments.tables import AGENTS, SERIES, read
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from coglogo_py.scheme import CognitiveScheme
+
+
+class Run:
+    """A run as its folder tells it; every table is read when first asked for.
+
+    A run that was stopped can be read too: it gives what its last checkpoint made safe.
+
+    >>> from socialmind.experiments import Run                              # doctest: +SKIP
+    >>> run = Run("runs/farmer_artisan-001")                                # doctest: +SKIP
+    >>> run.series.plot(x="tick", y=["farmers", "artisans"])                # doctest: +SKIP
+
+    Args:
+        folder: the run's.
+
+    Raises:
+        SocialmindError: the folder is no run's.
+    """
+
+    def __init__(self, folder: str | Path) -> None:
+        self._capsule = Capsule(folder)
+
+    @property
+    def folder(self) -> Path:
+        """The run's folder."""
+        return self._capsule.folder
+
+    @property
+    def manifest(self) -> Manifest:
+        """What the run is: model, seed, versions, timings, status."""
+        return self._capsule.manifest
+
+    @property
+    def model(self) -> str:
+        """Name of the model."""
+        return str(self.manifest.model["name"])
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """Value of every parameter, by name."""
+        return dict(self.manifest.parameters)
+
+    @property
+    def seed(self) -> int:
+        """Seed of the run."""
+        return self.manifest.seed
+
+    @property
+    def ticks(self) -> int:
+        """Ticks done."""
+        return self.manifest.ticks_done
+
+    @cached_property
+    def series(self) -> pd.DataFrame:
+        """One row a recorded tick: ``tick`` and the model's own columns."""
+        return self._table(SERIES)
+
+    @cached_property
+    def agents(self) -> pd.DataFrame:
+        """One row an agent and recorded tick: ``tick`` and the model's own columns."""
+        return self._table(AGENTS)
+
+    @cached_property
+    def scheme(self) -> CognitiveScheme | None:
+        """The cognitive scheme that the run used; None for a model without one."""
+        from coglogo_py.scheme import CognitiveScheme
+
+        path = self._capsule.scheme
+        return None if path is None else CognitiveScheme.load(path)
+
+    def _table(self, name: str) -> pd.DataFrame:
+        if self.manifest.status == FINISHED:
+            paths = [self._capsule.table(name)]
+        elif self._capsule.checkpoint.is_file():
+            parts = Checkpoint.load(self._capsule.checkpoint).parts[name]
+            paths = [self._capsule.parts / part for part in parts]
+        else:
+            raise SocialmindError(
+                f"{self.folder}: the run was stopped before its first checkpoint; "
+                "finish it with --resume"
+            )
+        return read(paths, name).to_pandas()
