@@ -11,8 +11,8 @@ from coglogo_py.errors import SchemeError
 
 
 def checked_name(name: object, what: str) -> str:
-    """Return a name of something, which must be text."""
-    if not isinstance(name, str):
+    """Return a name of something, which must be text that a file can hold."""
+    if not isinstance(name, str) or any("\ud800" <= char <= "\udfff" for char in name):
         raise SchemeError(f"{name!r} as the name of {what}", "text")
     return name
 
@@ -53,9 +53,15 @@ def checked_colour(value: object, where: str) -> tuple[int, int, int]:
 
 def checked_position(value: object, where: str) -> tuple[int, int]:
     """Return x and y in a drawing."""
-    if isinstance(value, tuple | list) and len(value) == 2 and all(map(_whole, value)):
+    if (
+        isinstance(value, tuple | list)
+        and len(value) == 2
+        and all(_whole(part) and -(2**31) <= part < 2**31 for part in value)
+    ):
         return int(value[0]), int(value[1])
-    raise SchemeError(f"{value!r} as the position of {where}", "two whole numbers, (x, y)")
+    raise SchemeError(
+        f"{value!r} as the position of {where}", "two whole numbers of 32 bits, (x, y)"
+    )
 
 
 def checked_weights(value: object, where: str) -> Mapping[str, float]:

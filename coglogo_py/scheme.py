@@ -251,14 +251,21 @@ class CognitiveScheme:
             order = checked_names(self.plan_order, f"plan_order of {where}")
             if len(set(order)) < len(order):
                 raise SchemeError(f"plan_order {list(order)} of {where}", "each plan once")
-            # One description for one order, so that equal schemes are equal.
-            _set(self, "plan_order", None if order == self.linked_plans else order)
+            _set(self, "plan_order", order)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, CognitiveScheme):
             return NotImplemented
-        described = _plain_fields(self)[:-1] == _plain_fields(other)[:-1]
-        return described and self.plans == other.plans
+        described = (
+            "name",
+            "cognitons",
+            "groups",
+            "decision_maker",
+            "breeds",
+            "plan_positions",
+            "plans",
+        )
+        return all(getattr(self, each) == getattr(other, each) for each in described)
 
     def __hash__(self) -> int:
         return hash((self.name, self.plans))
@@ -310,7 +317,8 @@ class CognitiveScheme:
             path: ends in .cogscheme, .yaml or .yml.
 
         Raises:
-            SchemeError: another suffix, or the form cannot hold the scheme.
+            SchemeError: another suffix, the form cannot hold the scheme, or the file cannot be
+                written.
         """
         from coglogo_py import cogscheme_file, yaml_file
 
@@ -326,7 +334,10 @@ class CognitiveScheme:
             raise SchemeError(
                 f"the suffix {suffix!r}", ".cogscheme, .yaml or .yml", "change the name", path
             )
-        Path(path).write_text(text, encoding="utf-8", newline="\n")
+        try:
+            Path(path).write_text(text, encoding="utf-8", newline="\n")
+        except OSError as error:
+            raise _not_done("written", error, path) from None
 
     def check(self, plans: Iterable[str] | None = None) -> list[Finding]:
         """Return what the linter finds odd in the scheme; see `coglogo_py.lint`.
@@ -358,14 +369,16 @@ def _text_of(path: Path) -> str:
     try:
         content = path.read_bytes()
     except OSError as error:
-        reason = error.strerror or type(error).__name__
-        raise SchemeError(
-            f"the file cannot be read ({reason})", remedy="check the path", file=path
-        ) from None
+        raise _not_done("read", error, path) from None
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
         return content.decode("latin-1")
+
+
+def _not_done(done: str, error: OSError, path: str | Path) -> SchemeError:
+    reason = error.strerror or type(error).__name__
+    return SchemeError(f"the file cannot be {done} ({reason})", remedy="check the path", file=path)
 
 
 def _set(described: object, name: str, value: object) -> None:

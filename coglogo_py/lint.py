@@ -1,0 +1,288 @@
+"""The linter of cognitive schemes: what is allowed and yet hardly meant.
+
+What it reports, by kind:
+
+- *plan never available*: no conditional link leads to the plan.
+- *cogniton without effect*, *culturon without effect*: no conditional link leads from it, and no
+  influence link other than 0 to a plan that can be available. It may still remember something.
+- *plan always loses*: under MaximumWeight only, for a stochastic maker gives every plan a chance.
+  Proven for each cogniton or culturon that makes the plan available, from the plans that it makes
+  available too: one has the same influence links and comes before it in the order of plans, or two
+  pull in opposite directions so that one of them always weighs as much. This holds for all values.
+- *plan loses without negative values*: the same, but with a plan whose influence links are nowhere
+  weaker; it holds while no value, and no participation, is below 0.
+- *link to unknown plan*: of the plans that are written out (those of the model, the scheme's order
+  of plans, or else its plan positions), none is the link's.
+- *duplicate name*: written twice in the file, or shared by a cogniton and a culturon.
+- *names alike*: names that differ in capitals or blanks only.
+- *odd name*: empty, or with blanks at its ends or control characters.
+
+That a plan is not reported proves nothing: it may still lose for the values that a model uses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from itertools import combinations
+
+from coglogo_py.decision import MaximumWeight
+from coglogo_py.errors import nearest
+from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that the linter finds odd.
+
+    Args:
+        kind: which of the oddities in this file's list.
+        where: what it is about, such as "plan 'eat'".
+        message: what is odd about it, and what to do.
+
+    >>> print(Finding("odd name", "plan ' eat'", "blanks count as part of a name"))
+    odd name: plan ' eat': blanks count as part of a name
+    """
+
+    kind: str
+    where: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.kind}: {self.where}: {self.message}"
+
+
+def findings(scheme: CognitiveScheme, plans: Iterable[str] | None = None) -> list[Finding]:
+    r"""Return what is odd in a scheme, kind by kind, each in the scheme's order.
+
+    Args:
+        scheme: the scheme to look through.
+        plans: the plans that the model carries out, if they are known.
+
+    >>> cow = CognitiveScheme("cow", (Cogniton("Hunger", influence={"eat": 1}),))
+    >>> print(*findings(cow, plans=["eat", "rest"]), sep="\n")
+    plan never available: plan 'eat': no conditional link leads to it; add one
+    plan never available: plan 'rest': no link leads to it; add one or drop the plan
+    cogniton without effect: cogniton 'Hunger': it sways no plan that can be available
+    """
+    model_plans = None if plans is None else tuple(plans)
+    holders = _holders(scheme)
+    available = {plan for holder in holders.values() for plan in holder.conditional}
+    found = _never_available(scheme, available, model_plans or ())
+    found += _without_effect(holders, available)
+    if isinstance(scheme.decision_maker, MaximumWeight):
+        found += _losers(scheme, holders)
+    found += _unknown_plans(scheme, holders, model_plans)
+    return found + _names(scheme, holders)
+
+
+Holders = Mapping[str, Cogniton | Culturon]
+"""What links lead from, by its description: cognitons, then each culturon of each group once."""
+
+
+def _holders(scheme: CognitiveScheme) -> Holders:
+    holders: dict[str, Cogniton | Culturon] = {
+        f"cogniton {cogniton.name!r}": cogniton for cogniton in scheme.cognitons
+    }
+    for group in scheme.groups:
+        for role in group.roles:
+            for culturon in role.culturons:
+                holders[f"culturon {culturon.name!r} of group {group.name!r}"] = culturon
+    return holders
+
+
+def _never_available(
+    scheme: CognitiveScheme, available: set[str], model_plans: tuple[str, ...]
+) -> list[Finding]:
+    found = []
+    for plan in dict.fromkeys((*scheme.plans, *model_plans)):
+        if plan not in available:
+            linked = plan in scheme.linked_plans
+            message = (
+                "no conditional link leads to it; add one"
+                if linked
+                else "no link leads to it; add one or drop the plan"
+            )
+            found.append(Finding("plan never available", f"plan {plan!r}", message))
+    return found
+
+
+def _without_effect(holders: Holders, available: set[str]) -> list[Finding]:
+    found = []
+    for where, holder in holders.items():
+        sways = any(weight and plan in available for plan, weight in holder.influence.items())
+        if not sways and not holder.conditional:
+            kind = f"{where.split()[0]} without effect"
+            found.append(Finding(kind, where, "it sways no plan that can be available"))
+    return found
+
+
+Pull = tuple[float, ...]
+"""The weights of the influence links to one plan, from every holder in order; 0 without a link."""
+
+
+def _losers(scheme: CognitiveScheme, holders: Holders) -> list[Finding]:
+    pulls: dict[str, Pull] = {
+        plan: tuple(holder.influence.get(plan, 0.0) for holder in holders.values())
+        for plan in scheme.plans
+    }
+    rank = {plan: position for position, plan in enumerate(scheme.plans)}
+    found = []
+    for plan in scheme.plans:
+        rivals = [
+            [other for other in holder.conditional if other != plan]
+            for holder in holders.values()
+            if plan in holder.conditional
+        ]
+        if not rivals:
+            continue
+        always = [_always_beaten(plan, others, pulls, rank) for others in rivals]
+        if all(always):
+            found.append(
+                Finding(
+                    "plan always loses",
+                    f"plan {plan!r}",
+                    f"{_listed(always)} weighs as much or more at all values; "
+                    "change its influence links",
+                )
+            )
+            continue
+        without_negatives = [
+            beaten or _dominated(plan, others, pulls, rank)
+            for beaten, others in zip(always, rivals, strict=True)
+        ]
+        if all(without_negatives):
+            found.append(
+                Finding(
+                    "plan loses without negative values",
+                    f"plan {plan!r}",
+                    f"{_listed(without_negatives)} is drawn as strongly or more by everything; "
+                    "change its influence links",
+                )
+            )
+    return found
+
+
+def _listed(groups_of_plans: Iterable[tuple[str, ...]]) -> str:
+    plans = dict.fromkeys(plan for group in groups_of_plans for plan in group)
+    return " or ".join(repr(plan) for plan in plans)
+
+
+def _always_beaten(
+    plan: str, others: list[str], pulls: Mapping[str, Pull], rank: Mapping[str, int]
+) -> tuple[str, ...]:
+    """Return the plans of which one wins against `plan` at all values; none if not proven."""
+    earlier = {other for other in others if rank[other] < rank[plan]}
+    for other in others:
+        if other in earlier and pulls[other] == pulls[plan]:
+            return (other,)
+    for one, two in combinations(others, 2):
+        # Where a·x ≥ 0 and −c·a·x ≥ 0 with c > 0, both are 0: a tie, which an earlier plan wins.
+        if earlier & {one, two} and _opposite(pulls[plan], pulls[one], pulls[two]):
+            return one, two
+    return ()
+
+
+def _opposite(middle: Pull, one: Pull, two: Pull) -> bool:
+    """Whether the differences of two plans' pulls to a middle one are opposite in direction."""
+    first = [a - b for a, b in zip(one, middle, strict=True)]
+    second = [a - b for a, b in zip(two, middle, strict=True)]
+    longest = max(range(len(first)), key=lambda row: abs(first[row]))
+    # Cross products rather than a quotient: equal for opposite vectors of short decimal weights,
+    # and where rounding parts them the linter says nothing.
+    return first[longest] * second[longest] < 0 and all(
+        a * second[longest] == b * first[longest] for a, b in zip(first, second, strict=True)
+    )
+
+
+def _dominated(
+    plan: str, others: list[str], pulls: Mapping[str, Pull], rank: Mapping[str, int]
+) -> tuple[str, ...]:
+    """Return a plan drawn as strongly as `plan` by every holder, or more; none if there is none."""
+    for other in others:
+        pairs = list(zip(pulls[other], pulls[plan], strict=True))
+        no_weaker = all(theirs >= ours for theirs, ours in pairs)
+        if no_weaker and (rank[other] < rank[plan] or pulls[other] != pulls[plan]):
+            return (other,)
+    return ()
+
+
+def _unknown_plans(
+    scheme: CognitiveScheme, holders: Holders, model_plans: tuple[str, ...] | None
+) -> list[Finding]:
+    if model_plans is not None:
+        known, source = model_plans, "the model"
+    elif scheme.plan_order is not None:
+        known, source = scheme.plan_order, "the scheme's order of plans"
+    elif scheme.plan_positions:
+        known, source = tuple(scheme.plan_positions), "the scheme's plan positions"
+    else:
+        return []
+    found = []
+    for where, holder in holders.items():
+        for field in ("influence", "conditional", "reinforcement"):
+            for plan in getattr(holder, field):
+                if plan not in known:
+                    advice = nearest(plan, known) or f"the plans are {', '.join(known) or 'none'}"
+                    found.append(
+                        Finding(
+                            "link to unknown plan",
+                            where,
+                            f"its {field} link leads to {plan!r}, which {source} does not have; "
+                            f"{advice}",
+                        )
+                    )
+    return found
+
+
+def _names(scheme: CognitiveScheme, holders: Holders) -> list[Finding]:
+    found = [
+        Finding("duplicate name", what, "the name stands twice in the file; taken as one")
+        for what in scheme.repeated
+    ]
+    cognitons = [cogniton.name for cogniton in scheme.cognitons]
+    culturons = {where: c for where, c in holders.items() if isinstance(c, Culturon)}
+    for where, culturon in culturons.items():
+        if culturon.name in cognitons:
+            found.append(
+                Finding("duplicate name", where, "a cogniton has the same name; rename one of them")
+            )
+    places = {
+        "cogniton": cognitons,
+        "culturon": [culturon.name for culturon in culturons.values()],
+        "group": [group.name for group in scheme.groups],
+        "role": [role.name for group in scheme.groups for role in group.roles],
+        "plan": list(scheme.plans),
+        "breed": list(scheme.breeds),
+    }
+    for noun, names in places.items():
+        found += _alike(noun, names)
+    for noun, names in {"scheme": [scheme.name], **places}.items():
+        for name in dict.fromkeys(names):
+            if name != name.strip() or not name.isprintable() or not name:
+                found.append(
+                    Finding(
+                        "odd name",
+                        f"{noun} {name!r}",
+                        "blanks and control characters count as part of a name"
+                        if name
+                        else "the name is empty; a blank line in the file, perhaps",
+                    )
+                )
+    return found
+
+
+def _alike(noun: str, names: list[str]) -> list[Finding]:
+    first: dict[str, str] = {}
+    found = []
+    for name in dict.fromkeys(names):
+        earlier = first.setdefault("".join(name.split()).casefold(), name)
+        if earlier != name:
+            found.append(
+                Finding(
+                    "names alike",
+                    f"{noun} {name!r}",
+                    f"it differs from {earlier!r} in capitals or blanks only",
+                )
+            )
+    return found
