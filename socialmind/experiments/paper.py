@@ -1,0 +1,230 @@
+"""How figures for papers look: column widths, type sizes, colours, and direct labels.
+
+Figures are made as `matplotlib.figure.Figure` inside `style()`, which sets Matplotlib's parameters
+for the block and leaves the user's own alone. Type is never under 7 points at the printed size,
+text in vector files stays text, and the colours are told apart by the colour-blind.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.ticker import MaxNLocator
+
+COLUMN = 90.0
+"""Width of a one-column figure, in mm."""
+PAGE = 180.0
+"""Width of a two-column figure, in mm."""
+
+BLUE = "#2564ae"
+RED = "#b22b19"
+GOLD = "#d99a00"
+PURPLE = "#6b4a86"
+GREY = "#767676"
+INK = "#222222"
+
+BLUE_TO_RED = (
+    "#2564ae", "#5780bc", "#839ac9", "#afb5d5", "#dccfe0",
+    "#d6a9af", "#cd837f", "#c15c50", "#b22b19",
+)  # fmt: skip
+"""A diverging scale through pale purple: equal steps in OKLab, the two ends equally light."""
+
+STYLE: Mapping[Any, object] = {
+    "font.size": 7.5,
+    "axes.titlesize": 8,
+    "axes.labelsize": 7.5,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "legend.fontsize": 7,
+    "axes.titlelocation": "left",
+    "axes.titlepad": 5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.major.size": 2.5,
+    "ytick.major.size": 2.5,
+    "lines.linewidth": 1.0,
+    "lines.solid_capstyle": "round",
+    "legend.frameon": False,
+    "axes.axisbelow": True,
+    "pdf.fonttype": 42,
+    "svg.fonttype": "none",
+}
+
+
+@contextmanager
+def style() -> Iterator[None]:
+    """Set Matplotlib's parameters for figures of a paper, within a `with` block only.
+
+    >>> before = mpl.rcParams["font.size"]
+    >>> with style():
+    ...     mpl.rcParams["font.size"]
+    7.5
+    >>> mpl.rcParams["font.size"] == before
+    True
+    """
+    with mpl.rc_context(dict(STYLE)):
+        yield
+
+
+def figure(width: float, height: float, gap: float = 1.0) -> Figure:
+    """An empty figure that belongs to no window and lays its parts out by itself.
+
+    Args:
+        width: in mm, usually `COLUMN` or `PAGE`.
+        height: in mm.
+        gap: white at the sides of each panel, in mm.
+
+    Returns:
+        The figure.
+
+    >>> figure(90, 60).get_size_inches().round(2).tolist()
+    [3.54, 2.36]
+    """
+    layout = ConstrainedLayoutEngine(w_pad=gap / 25.4)
+    return Figure(figsize=(width / 25.4, height / 25.4), layout=layout)
+
+
+def save(figures: Mapping[str, Figure], folder: Path) -> list[Path]:
+    """Write each figure as PDF and as PNG (300 dots an inch).
+
+    Args:
+        figures: figures by name.
+        folder: made where it is missing.
+
+    Returns:
+        The files written.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    written = []
+    with style():
+        for name, drawn in figures.items():
+            for suffix in (".pdf", ".png"):
+                path = folder / f"{name}{suffix}"
+                # Without its date a PDF of the same data is the same file.
+                metadata = {"CreationDate": None} if suffix == ".pdf" else None
+                drawn.savefig(path, dpi=300, metadata=metadata)
+                written.append(path)
+    return written
+
+
+def panel_title(axes: Axes, letter: str, title: str) -> None:
+    """Head a panel with its bold letter and what it shows."""
+    axes.set_title(rf"$\bf{{{letter}}}$   {title}")
+
+
+def time_axis(axes: Axes, ticks: Sequence[float]) -> float:
+    """Label the x axis with time, in thousand ticks for long runs.
+
+    Args:
+        axes: the panel.
+        ticks: the recorded ticks, ascending, at least one.
+
+    Returns:
+        What to divide ticks by.
+
+    >>> time_axis(figure(90, 60).subplots(), [0, 500_000])
+    1000.0
+    """
+    first, last = float(ticks[0]), float(ticks[-1])
+    unit = 1000.0 if last >= 10_000 else 1.0
+    axes.set_xlabel("time (thousand ticks)" if unit > 1 else "time (ticks)")
+    axes.set_xlim(first / unit, max(last, first + 1) / unit)
+    axes.xaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
+    return unit
+
+
+def label_ends(axes: Axes, ends: Sequence[tuple[float, str, str]]) -> None:
+    """Name lines at their right ends, each in its colour, moved apart where they would meet.
+
+    Args:
+        axes: the panel, its y limits set.
+        ends: for each line its last value, its name and its colour.
+    """
+    low, high = axes.get_ylim()
+    # A line of type takes about 9 points; the panel may lose a fifth of its height to labels.
+    points = 0.8 * axes.bbox.height / axes.figure.dpi * 72.0
+    step = 9.0 * (high - low) / points
+    placed: list[float] = []
+    for value, name, colour in sorted(ends, key=lambda end: end[0]):
+        height = value if not placed else max(value, placed[-1] + step)
+        placed.append(height)
+        axes.annotate(
+            name,
+            (1.0, height),
+            xycoords=("axes fraction", "data"),
+            xytext=(4, 0),
+            textcoords="offset points",
+            color=colour,
+            va="center",
+            annotation_clip=False,
+        )
+
+
+def bars(axes: Axes, values: Mapping[str, float], colours: Mapping[str, str], absent: str) -> None:
+    """Draw named horizontal bars with their numbers in a column at the right.
+
+    Args:
+        axes: the panel.
+        values: the lengths of the bars by name, from the top down; NaN for none.
+        colours: of the bars, by name; grey for the others.
+        absent: the word that stands for a missing number.
+    """
+    axes.set_ylim(len(values) - 0.4, -0.6)
+    axes.set_yticks(range(len(values)), list(values))
+    axes.tick_params(axis="y", length=0)
+    axes.spines["left"].set_visible(False)
+    axes.axvline(0, color=INK, linewidth=0.6)
+    for place, (name, value) in enumerate(values.items()):
+        known = math.isfinite(value)
+        if known:
+            axes.barh(place, value, height=0.62, color=colours.get(name, GREY))
+        axes.annotate(
+            f"{value:.1f}".replace("-", "−") if known else absent,
+            (1.0, place),
+            xycoords=("axes fraction", "data"),
+            xytext=(26, 0),
+            textcoords="offset points",
+            ha="right",
+            va="center",
+            fontsize=7,
+            color=INK if known else GREY,
+            style="normal" if known else "italic",
+            annotation_clip=False,
+        )
+
+
+def limits_with_zero(values: Sequence[float]) -> tuple[float, float]:
+    """Limits of an axis that show 0 and all values, with a little air beyond them.
+
+    Args:
+        values: any numbers; NaN is left out.
+
+    Returns:
+        The lower and the upper limit.
+
+    >>> limits_with_zero([50.0, 100.0])
+    (0.0, 104.0)
+    >>> limits_with_zero([])
+    (0.0, 1.0)
+    """
+    known = [float(value) for value in values if math.isfinite(value)]
+    low, high = min(known, default=0.0), max(known, default=0.0)
+    low, high = min(low, 0.0), max(high, 0.0)
+    if low == high:
+        return 0.0, 1.0
+    air = 0.04 * (high - low)
+    return (low - air if low < 0 else 0.0), (high + air if high > 0 else 0.0)
