@@ -1,0 +1,572 @@
+"""Every operation of a mind, as functions over the arrays of its scheme and society.
+
+Each is ordinary Python that numba compiles; `f.py_func` is the same text, interpreted. A mind is
+a slot of `MindArrays`; cogniton, plan, group, role and culturon are positions in the scheme (roles
+and culturons counted over all groups). Callers have checked these; what only the running model can
+know is checked here, before any state changes: finite values, the plan fed back from, group ids.
+
+All of it, constants too, stands in this one file because numba's cache on disk does not notice
+changes in other files. Sums run in the scheme's order, so both speeds give the same bits.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numba import njit
+
+from coglogo_py.borrow import borrowed
+from coglogo_py.streams import LOW_32, MIND_STREAMS, uniforms
+
+if TYPE_CHECKING:
+    from coglogo_py.arrays import Bools, Floats, Ints, MindArrays, SchemeArrays
+
+MAXIMUM_WEIGHT = 0
+WEIGHTED_STOCHASTIC = 1
+BIASED_WEIGHTED_STOCHASTIC = 2
+MODELLERS_OWN = 3
+"""Codes of the decision makers, as `SchemeArrays.maker[0]` holds them."""
+
+NEXT_MIND = 0
+NEXT_GROUP = 1
+FREE_MINDS = 2
+FREE_INSTANCES = 3
+ALIVE = 4
+SEED_LOW = 5
+SEED_HIGH = 6
+STREAM = 7
+"""Positions in `MindArrays.counters`."""
+
+_operation = njit(cache=True, no_cfunc_wrapper=True)
+_inlined = njit(cache=True, no_cfunc_wrapper=True, forceinline=True)
+_inner = njit(cache=True, no_cfunc_wrapper=True, no_cpython_wrapper=True, forceinline=True)
+
+# --------------------------------------------------------------------------- birth and death
+
+
+@_operation
+def new_mind(scheme: SchemeArrays, minds: MindArrays) -> int:
+    """Make a mind with the scheme's starting cognitons; return its slot, -1 when all are taken."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    counters = minds.counters
+    if counters[FREE_MINDS] == 0:
+        return -1
+    counters[FREE_MINDS] -= 1
+    slot = minds.free_minds[counters[FREE_MINDS]]
+    minds.mind_id[slot] = counters[NEXT_MIND]
+    counters[NEXT_MIND] += 1
+    counters[ALIVE] += 1
+    minds.draws[slot] = 0
+    for cogniton in range(scheme.start.shape[0]):
+        minds.values[slot, cogniton] = scheme.start[cogniton]
+    return slot
+
+
+@_operation
+def hatch(scheme: SchemeArrays, minds: MindArrays, slot: int, keep_groups: bool) -> int:
+    """Make a mind with the cogniton values of the one in `slot`; return its slot, or -1.
+
+    With `keep_groups` the child is a true member of its parent's group instances, with the
+    parent's roles and participation; otherwise it is in no group.
+    """
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    child = new_mind(scheme, minds)
+    if child < 0:
+        return child
+    for cogniton in range(minds.values.shape[1]):
+        minds.values[child, cogniton] = minds.values[slot, cogniton]
+    if keep_groups:
+        for group in range(minds.group_slot.shape[1]):
+            row = minds.group_slot[slot, group]
+            if row >= 0:
+                _enter(minds, child, group, minds.role[slot, group], row)
+                minds.participation[child, group] = minds.participation[slot, group]
+    return child
+
+
+@_operation
+def die(scheme: SchemeArrays, minds: MindArrays, slot: int) -> None:
+    """Free the slot of a mind; it leaves its groups at once. A free slot is left as it is."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    if minds.mind_id[slot] < 0:
+        return
+    leave_all_groups(minds, slot)
+    minds.mind_id[slot] = -1
+    minds.draws[slot] = 0
+    for cogniton in range(minds.values.shape[1]):
+        minds.values[slot, cogniton] = np.nan
+    counters = minds.counters
+    minds.free_minds[counters[FREE_MINDS]] = slot
+    counters[FREE_MINDS] += 1
+    counters[ALIVE] -= 1
+
+
+# --------------------------------------------------------------------------- cognitons
+
+
+@_operation
+def set_cogniton_value(minds: MindArrays, slot: int, cogniton: int, value: float) -> None:
+    """Set an active cogniton's value; an inactive one stays inactive."""
+    minds = borrowed(minds)
+    if not math.isfinite(value):
+        raise ValueError("set_cogniton_value: the value must be a finite number")
+    if not math.isnan(minds.values[slot, cogniton]):
+        minds.values[slot, cogniton] = value
+
+
+@_operation
+def add_to_cogniton_value(minds: MindArrays, slot: int, cogniton: int, value: float) -> None:
+    """Add to an active cogniton's value; an inactive one stays inactive."""
+    minds = borrowed(minds)
+    if not math.isfinite(value):
+        raise ValueError("add_to_cogniton_value: the value must be a finite number")
+    old = minds.values[slot, cogniton]
+    if not math.isnan(old):
+        if not math.isfinite(old + value):
+            raise ValueError("add_to_cogniton_value: the sum is beyond the largest number")
+        minds.values[slot, cogniton] = old + value
+
+
+@_operation
+def get_cogniton_value(minds: MindArrays, slot: int, cogniton: int) -> float:
+    """Return a cogniton's value, 0.0 when it is inactive."""
+    minds = borrowed(minds)
+    value = minds.values[slot, cogniton]
+    return 0.0 if math.isnan(value) else value
+
+
+@_operation
+def activate_cogniton(minds: MindArrays, slot: int, cogniton: int) -> None:
+    """Make an inactive cogniton active with value 0.0 (never its starting value)."""
+    minds = borrowed(minds)
+    if math.isnan(minds.values[slot, cogniton]):
+        minds.values[slot, cogniton] = 0.0
+
+
+@_operation
+def deactivate_cogniton(minds: MindArrays, slot: int, cogniton: int) -> None:
+    """Make a cogniton inactive; its value is forgotten."""
+    minds = borrowed(minds)
+    minds.values[slot, cogniton] = np.nan
+
+
+# --------------------------------------------------------------------------- decisions
+
+
+@_inner
+def _weigh(scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats) -> None:
+    """Write each plan's weight (equation 3.2), NaN where no conditional link opens the plan."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    weights = borrowed(weights)
+    # Taken out of the tuples once, before the loops: it is not free.
+    influence = scheme.influence
+    conditional = scheme.conditional
+    group_culturons = scheme.group_culturons
+    role_culturons = scheme.role_culturons
+    values = minds.values
+    group_slot = minds.group_slot
+    culturons = minds.culturons
+    n_cognitons = values.shape[1]
+    for plan in range(weights.shape[0]):
+        weight = 0.0
+        is_open = False
+        for cogniton in range(n_cognitons):
+            value = values[slot, cogniton]
+            if not math.isnan(value):
+                weight += influence[cogniton, plan] * value
+                is_open |= conditional[cogniton, plan]
+        for group in range(group_slot.shape[1]):
+            row = group_slot[slot, group]
+            if row >= 0:
+                role = minds.role[slot, group]
+                participation = minds.participation[slot, group]
+                for culturon in range(group_culturons[group, 0], group_culturons[group, 1]):
+                    if role_culturons[role, culturon]:
+                        link = n_cognitons + culturon
+                        weight += influence[link, plan] * participation * culturons[row, culturon]
+                        is_open |= conditional[link, plan]
+        if not is_open:
+            weight = np.nan
+        elif not math.isfinite(weight):
+            raise ValueError("a plan's weight is beyond the largest number")
+        weights[plan] = weight
+
+
+@_operation
+def plan_weights(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats, available: Bools
+) -> int:
+    """Write each plan's weight, and whether it is available; return how many are available.
+
+    A plan that is not available has no weight: NaN.
+    """
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    weights, available = borrowed(weights), borrowed(available)
+    _weigh(scheme, minds, slot, weights)
+    count = 0
+    for plan in range(weights.shape[0]):
+        available[plan] = not math.isnan(weights[plan])
+        if available[plan]:
+            count += 1
+    return count
+
+
+@_inlined
+def available_weights(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats, plans: Ints
+) -> int:
+    """Write the available plans and their weights, in the scheme's order; return their number."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    weights, plans = borrowed(weights), borrowed(plans)
+    _weigh(scheme, minds, slot, weights)
+    count = 0
+    for plan in range(weights.shape[0]):
+        if not math.isnan(weights[plan]):
+            weights[count] = weights[plan]
+            plans[count] = plan
+            count += 1
+    return count
+
+
+@_inlined
+def next_draw(minds: MindArrays, slot: int) -> float:
+    """Return the number in [0, 1) of the mind's next decision, without counting it as drawn."""
+    minds = borrowed(minds)
+    counters = minds.counters
+    count = int(minds.draws[slot])
+    return uniforms(
+        count & LOW_32,
+        int(minds.mind_id[slot]) & LOW_32,
+        count >> 32,
+        MIND_STREAMS | int(counters[STREAM]),
+        int(counters[SEED_LOW]),
+        int(counters[SEED_HIGH]),
+    )[0]
+
+
+@_inner
+def _choose(maker_code: int, bias: float, weights: Floats, count: int, u: float) -> int:
+    """Return the position that a built-in maker picks among the first `count` weights.
+
+    The same decision as the makers in decision.py, bit for bit, without allocating: the stochastic
+    ones overwrite the weights with their shares.
+    """
+    best = 0
+    least = weights[0]
+    for i in range(1, count):
+        if weights[i] > weights[best]:
+            best = i
+        least = min(least, weights[i])
+    if maker_code == MAXIMUM_WEIGHT:
+        return best
+
+    scale = 1.0
+    if weights[best] > 1e300 / count or least < -1e300 / count:
+        scale = 1e-10 / count
+    total = 0.0
+    for i in range(count):
+        weights[i] *= scale
+        if least < 1.0:
+            weights[i] = (weights[i] - least * scale) + scale
+        total += weights[i]
+    for i in range(count):
+        weights[i] /= total
+
+    if maker_code == WEIGHTED_STOCHASTIC:
+        cumulative = 0.0
+        for i in range(count - 1):
+            cumulative += weights[i]
+            if u <= cumulative:
+                return i
+        return count - 1
+
+    # By rank: the largest share first, the earlier first among equals (which unequal weights can
+    # become). With a bias of 1 or more u**bias is at most u: within the first share, no power.
+    best = 0
+    for i in range(1, count):
+        if weights[i] > weights[best]:
+            best = i
+    cumulative = weights[best]
+    if bias >= 1.0 and u <= cumulative:
+        return best
+    draw = math.pow(u, bias)
+    for _ in range(count - 1):
+        if draw <= cumulative:
+            return best
+        weights[best] = -1.0
+        best = 0
+        for i in range(1, count):
+            if weights[i] > weights[best]:
+                best = i
+        cumulative += weights[best]
+    return best
+
+
+@_operation
+def choose(maker_code: int, bias: float, weights: Floats, u: float) -> int:
+    """Return the position that one of the three built-in decision makers picks.
+
+    Args:
+        maker_code: `MAXIMUM_WEIGHT`, `WEIGHTED_STOCHASTIC` or `BIASED_WEIGHTED_STOCHASTIC`.
+        bias: above 0; only the third uses it.
+        weights: (n,) finite weights of the available plans in the scheme's order, n ≥ 1.
+        u: the draw, in [0, 1); MaximumWeight does without it.
+    """
+    return _choose(maker_code, bias, weights.copy(), weights.shape[0], u)
+
+
+@_inlined
+def choose_next_plan(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats, plans: Ints
+) -> int:
+    """Take the mind's next decision; return the plan, or -1 when none is available.
+
+    It counts as a draw in either case, whether or not the decision maker looks at the number.
+
+    Args:
+        scheme: the scheme's arrays.
+        minds: the society's arrays.
+        slot: the mind.
+        weights: (P,) scratch space.
+        plans: (P,) scratch space.
+    """
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    weights, plans = borrowed(weights), borrowed(plans)
+    maker_code = int(scheme.maker[0])
+    if maker_code > BIASED_WEIGHTED_STOCHASTIC:
+        raise ValueError("choose_next_plan: a modeller's own decision maker has no compiled form")
+    count = available_weights(scheme, minds, slot, weights, plans)
+    plan = -1
+    if count > 0:
+        u = 0.0 if maker_code == MAXIMUM_WEIGHT else next_draw(minds, slot)
+        plan = plans[_choose(maker_code, scheme.maker[1], weights, count, u)]
+    minds.draws[slot] += 1
+    return plan
+
+
+@_operation
+def feed_back_from_plan(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, plan: int, value: float
+) -> None:
+    """Add `value` times its reinforcement link to every active cogniton and group's culturon.
+
+    In the groups that the mind is in, the culturons of all roles change, not scaled by its
+    participation.
+    """
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    reinforcement = scheme.reinforcement
+    if plan < 0 or plan >= reinforcement.shape[1]:
+        raise ValueError("feed_back_from_plan: there is no such plan")
+    if not math.isfinite(value):
+        raise ValueError("feed_back_from_plan: the value must be a finite number")
+    n_cognitons = minds.values.shape[1]
+    # Twice over: first to see that every result is a number, then to write.
+    for writing in range(2):
+        for cogniton in range(n_cognitons):
+            old = minds.values[slot, cogniton]
+            if not math.isnan(old):
+                result = old + value * reinforcement[cogniton, plan]
+                if writing:
+                    minds.values[slot, cogniton] = result
+                elif not math.isfinite(result):
+                    raise ValueError("feed_back_from_plan: a result is beyond the largest number")
+        for group in range(minds.group_slot.shape[1]):
+            row = minds.group_slot[slot, group]
+            if row >= 0:
+                for culturon in range(
+                    scheme.group_culturons[group, 0], scheme.group_culturons[group, 1]
+                ):
+                    change = value * reinforcement[n_cognitons + culturon, plan]
+                    result = minds.culturons[row, culturon] + change
+                    if writing:
+                        minds.culturons[row, culturon] = result
+                    elif not math.isfinite(result):
+                        raise ValueError(
+                            "feed_back_from_plan: a result is beyond the largest number"
+                        )
+
+
+# --------------------------------------------------------------------------- groups
+
+
+@_inner
+def _enter(minds: MindArrays, slot: int, group: int, role: int, row: int) -> None:
+    """Make a mind a member of the instance in `row`, taking part in full."""
+    minds = borrowed(minds)
+    minds.group_slot[slot, group] = row
+    minds.role[slot, group] = role
+    minds.participation[slot, group] = 1.0
+    minds.members[row] += 1
+
+
+@_operation
+def find_group(minds: MindArrays, group: int, identity: int) -> int:
+    """Return the row of the living instance of a group with this identity, or -1."""
+    minds = borrowed(minds)
+    rows = minds.instance_id.shape[0]
+    if identity < 0 or identity >= minds.counters[NEXT_GROUP]:
+        return -1
+    # Until a first group dissolves, identities and rows are the same.
+    if identity < rows and minds.instance_id[identity] == identity:
+        return identity if minds.instance_group[identity] == group else -1
+    alive = rows - minds.counters[FREE_INSTANCES]
+    for row in range(rows):
+        if alive == 0:
+            break
+        if minds.instance_id[row] == identity:
+            return row if minds.instance_group[row] == group else -1
+        if minds.instance_id[row] >= 0:
+            alive -= 1
+    return -1
+
+
+@_operation
+def create_and_join_group(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, role: int
+) -> bool:
+    """Create an instance of a group and join it; False when already in a group of this type."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    if scheme.role_group[role] != group:
+        raise ValueError("create_and_join_group: the role is of another group")
+    if minds.group_slot[slot, group] >= 0:
+        return False
+    counters = minds.counters
+    counters[FREE_INSTANCES] -= 1
+    row = minds.free_instances[counters[FREE_INSTANCES]]
+    minds.instance_id[row] = counters[NEXT_GROUP]
+    counters[NEXT_GROUP] += 1
+    minds.instance_group[row] = group
+    for culturon in range(scheme.group_culturons[group, 0], scheme.group_culturons[group, 1]):
+        minds.culturons[row, culturon] = scheme.culturon_start[culturon]
+    _enter(minds, slot, group, role, row)
+    return True
+
+
+@_operation
+def join_group(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, role: int, identity: int
+) -> bool:
+    """Join the instance with this identity; False when already in a group of this type."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    if scheme.role_group[role] != group:
+        raise ValueError("join_group: the role is of another group")
+    row = find_group(minds, group, identity)
+    if row < 0:
+        raise ValueError("join_group: no living group of this type has this id")
+    if minds.group_slot[slot, group] >= 0:
+        return False
+    _enter(minds, slot, group, role, row)
+    return True
+
+
+@_operation
+def set_participation(minds: MindArrays, slot: int, group: int, value: float) -> None:
+    """Set the degree of participation; without effect outside the group."""
+    minds = borrowed(minds)
+    if not math.isfinite(value):
+        raise ValueError("set_participation: the value must be a finite number")
+    if minds.group_slot[slot, group] >= 0:
+        minds.participation[slot, group] = value
+
+
+@_operation
+def add_to_participation(minds: MindArrays, slot: int, group: int, value: float) -> None:
+    """Add to the degree of participation; without effect outside the group."""
+    minds = borrowed(minds)
+    if not math.isfinite(value):
+        raise ValueError("add_to_participation: the value must be a finite number")
+    if minds.group_slot[slot, group] >= 0:
+        result = minds.participation[slot, group] + value
+        if not math.isfinite(result):
+            raise ValueError("add_to_participation: the sum is beyond the largest number")
+        minds.participation[slot, group] = result
+
+
+@_operation
+def get_participation(minds: MindArrays, slot: int, group: int) -> float:
+    """Return the degree of participation, 0.0 outside the group."""
+    minds = borrowed(minds)
+    return minds.participation[slot, group]
+
+
+@_operation
+def get_group_id(minds: MindArrays, slot: int, group: int) -> int:
+    """Return the identity of the instance that the mind is in, -1 when in none of this type."""
+    minds = borrowed(minds)
+    row = minds.group_slot[slot, group]
+    return minds.instance_id[row] if row >= 0 else -1
+
+
+@_operation
+def get_group_role_id(minds: MindArrays, slot: int, group: int, role: int) -> int:
+    """Return the identity of the instance in which the mind plays this very role, or -1."""
+    minds = borrowed(minds)
+    return get_group_id(minds, slot, group) if minds.role[slot, group] == role else -1
+
+
+@_operation
+def leave_group(minds: MindArrays, slot: int, group: int) -> None:
+    """Leave the group; an instance without members dissolves. Without effect outside it."""
+    minds = borrowed(minds)
+    row = minds.group_slot[slot, group]
+    if row < 0:
+        return
+    minds.group_slot[slot, group] = -1
+    minds.role[slot, group] = -1
+    minds.participation[slot, group] = 0.0
+    minds.members[row] -= 1
+    if minds.members[row] == 0:
+        minds.instance_id[row] = -1
+        minds.instance_group[row] = -1
+        for culturon in range(minds.culturons.shape[1]):
+            minds.culturons[row, culturon] = 0.0
+        counters = minds.counters
+        minds.free_instances[counters[FREE_INSTANCES]] = row
+        counters[FREE_INSTANCES] += 1
+
+
+@_operation
+def leave_all_groups(minds: MindArrays, slot: int) -> None:
+    """Leave every group that the mind is in."""
+    minds = borrowed(minds)
+    for group in range(minds.group_slot.shape[1]):
+        leave_group(minds, slot, group)
+
+
+@_operation
+def set_culturon_value(
+    minds: MindArrays, slot: int, group: int, culturon: int, value: float
+) -> None:
+    """Set a culturon of the instance that the mind is in, for all its members."""
+    minds = borrowed(minds)
+    if not math.isfinite(value):
+        raise ValueError("set_culturon_value: the value must be a finite number")
+    row = minds.group_slot[slot, group]
+    if row >= 0:
+        minds.culturons[row, culturon] = value
+
+
+@_operation
+def add_to_culturon_value(
+    minds: MindArrays, slot: int, group: int, culturon: int, value: float
+) -> None:
+    """Add to a culturon of the instance that the mind is in, for all its members."""
+    minds = borrowed(minds)
+    if not math.isfinite(value):
+        raise ValueError("add_to_culturon_value: the value must be a finite number")
+    row = minds.group_slot[slot, group]
+    if row >= 0:
+        result = minds.culturons[row, culturon] + value
+        if not math.isfinite(result):
+            raise ValueError("add_to_culturon_value: the sum is beyond the largest number")
+        minds.culturons[row, culturon] = result
+
+
+@_operation
+def get_culturon_value(minds: MindArrays, slot: int, group: int, culturon: int) -> float:
+    """Return a culturon's value in the instance that the mind is in, 0.0 outside the group."""
+    minds = borrowed(minds)
+    row = minds.group_slot[slot, group]
+    return minds.culturons[row, culturon] if row >= 0 else 0.0
