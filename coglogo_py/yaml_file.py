@@ -209,11 +209,12 @@ def written(scheme: CognitiveScheme) -> str:
         for role in group.roles:
             lines.append(f"    {_text(role.name)}:")
             for culturon in role.culturons:
-                # Named again, it is the one that an earlier role describes.
+                if culturon.name in seen:
+                    lines.append(f"      {_text(culturon.name)}: # as described above")
+                    continue
+                seen.append(culturon.name)
                 lines.append(f"      {_text(culturon.name)}:")
-                if culturon.name not in seen:
-                    lines += _rest(culturon, "        ")
-                    seen.append(culturon.name)
+                lines += _rest(culturon, "        ")
     return HEADER + "\n".join(lines) + "\n"
 
 
