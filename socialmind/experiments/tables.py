@@ -155,19 +155,20 @@ def merge(
 
 
 def content_of(path: Path) -> TableContent:
-    """What a Parquet file written by `merge` holds.
+    """What a Parquet file holds, written by `merge` or by another program since.
 
     Raises:
-        SocialmindError: the file is missing or not a Parquet file.
+        SocialmindError: the file is missing, not a Parquet file, or has columns of other types.
     """
     import pyarrow as pa
     import pyarrow.parquet as pq
 
     try:
-        file = pq.ParquetFile(path)
-        digest = ContentDigest(file.schema_arrow)
-        for batch in file.iter_batches(ROW_GROUP):
-            digest.update(pa.Table.from_batches([batch]))
+        found = pq.read_schema(path)
+        schema = pa.schema([(f.name, _standard_type(f.type, path.name, f.name)) for f in found])
+        digest = ContentDigest(schema)
+        for rows in pieces([path], schema):
+            digest.update(rows)
     except (OSError, pa.ArrowException) as error:
         raise SocialmindError(f"{path}: cannot be read as a table ({error})") from error
     return digest.content()
@@ -270,20 +271,26 @@ def _standard(values: Sequence[Any] | np.ndarray, name: str, column: str) -> pa.
             array = pa.array(values.data, mask=np.ma.getmaskarray(values))
         else:
             array = pa.array(values)
-        kind = array.type
-        if pa.types.is_integer(kind):
-            return array.cast(pa.int64())
-        if pa.types.is_floating(kind):
-            return array.cast(pa.float64())
-        if pa.types.is_large_string(kind) or pa.types.is_dictionary(kind):
-            return array.cast(pa.string())
-        if pa.types.is_string(kind) or pa.types.is_boolean(kind) or pa.types.is_null(kind):
-            return array
+        return array.cast(_standard_type(array.type, name, column))
     except (pa.ArrowException, OverflowError, TypeError) as error:
         raise SocialmindError(f"{name}: column {column}: {error}") from error
+
+
+def _standard_type(kind: pa.DataType, name: str, column: str) -> pa.DataType:
+    """The one of the five types that holds the values of another."""
+    import pyarrow as pa
+
+    if pa.types.is_integer(kind):
+        return pa.int64()
+    if pa.types.is_floating(kind):
+        return pa.float64()
+    if pa.types.is_string(kind) or pa.types.is_large_string(kind) or pa.types.is_dictionary(kind):
+        return pa.string()
+    if pa.types.is_boolean(kind) or pa.types.is_null(kind):
+        return kind
     raise SocialmindError(
         f"{name}: column {column} holds values of type {kind}; "
-        "expected whole numbers, numbers, truth values, strings or None"
+        "expected whole numbers, numbers, truth values, texts or None"
     )
 
 
