@@ -72,7 +72,9 @@ def parse(
     cognitons = _cognitons(lines, repeated)
     groups = _groups(lines, repeated)
     if lines.next not in ("ENDCS", None):
-        expected = "GRP or ENDCS" if groups else "PLANPOS, BREEDS, COG, GRP or ENDCS"
+        expected = "PLANPOS, BREEDS, COG, GRP or ENDCS"
+        if groups or cognitons:
+            expected = "ROL, GRP or ENDCS" if groups else "COG, GRP or ENDCS"
         raise lines.unexpected(expected, "every section begins with its keyword")
     return CognitiveScheme(
         name,
