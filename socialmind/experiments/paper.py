@@ -139,7 +139,8 @@ def time_axis(axes: Axes, ticks: Sequence[float]) -> float:
     >>> time_axis(figure(90, 60).subplots(), [0, 500_000])
     1000.0
     """
-    first, last = float(ticks[0]), float(ticks[-1])
+    last = float(ticks[-1])
+    first = float(ticks[0]) if len(ticks) > 1 else 0.0
     unit = 1000.0 if last >= 10_000 else 1.0
     axes.set_xlabel("time (thousand ticks)" if unit > 1 else "time (ticks)")
     axes.set_xlim(first / unit, max(last, first + 1) / unit)
@@ -193,7 +194,7 @@ def bars(axes: Axes, values: Mapping[str, float], colours: Mapping[str, str], ab
         if known:
             axes.barh(place, value, height=0.62, color=colours.get(name, GREY))
         axes.annotate(
-            f"{value:.1f}".replace("-", "−") if known else absent,
+            f"{round(value, 1) + 0.0:.1f}".replace("-", "−") if known else absent,
             (1.0, place),
             xycoords=("axes fraction", "data"),
             xytext=(26, 0),
