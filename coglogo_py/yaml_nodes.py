@@ -96,6 +96,8 @@ class Nodes:
             raise self.wrong(node, where, "name: value", "write one name: value a line, indented")
         lines: dict[str, int] = {}
         for key, value in node.value:
+            if key.tag.endswith(":merge"):
+                raise self.error(key, f"'<<' in {where}", "a name", "write the merged fields out")
             name = self.name(key, f"a name in {where}")
             if name in lines:
                 raise self.error(
@@ -178,8 +180,12 @@ class Nodes:
         if len(parts) != 2:
             raise self.wrong(node, where, "two whole numbers", "write [97, -20]")
         for part in parts:
-            if not self.is_plain(part) or not WHOLE_NUMBER.fullmatch(part.value):
-                raise self.wrong(part, where, "a whole number", "write [97, -20]")
+            if (
+                not self.is_plain(part)
+                or not WHOLE_NUMBER.fullmatch(part.value)
+                or not -(2**31) <= int(part.value) < 2**31
+            ):
+                raise self.wrong(part, where, "a whole number of 32 bits", "write [97, -20]")
         return int(parts[0].value), int(parts[1].value)
 
     def weights(self, node: yaml.Node, where: str) -> dict[str, float]:
