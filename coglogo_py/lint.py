@@ -9,8 +9,9 @@ What it reports, by kind:
   Proven for each cogniton or culturon that makes the plan available, from the plans that it makes
   available too: one has the same influence links and comes before it in the order of plans, or two
   pull in opposite directions so that one of them always weighs as much. This holds for all values.
-- *plan loses without negative values*: the same, but with a plan whose influence links are nowhere
-  weaker; it holds while no value, and no participation, is below 0.
+- *plan loses at values above 0*: the same, but beaten by a plan whose influence links are nowhere
+  weaker and which comes before it, or has a stronger link from what makes them available. It holds
+  while no value and no participation is below 0, and what makes the plan available above 0.
 - *link to unknown plan*: of the plans that are written out (those of the model, the scheme's order
   of plans, or else its plan positions), none is the link's.
 - *duplicate name*: written twice in the file, or shared by a cogniton and a culturon.
@@ -129,37 +130,27 @@ def _losers(scheme: CognitiveScheme, holders: Holders) -> list[Finding]:
     rank = {plan: position for position, plan in enumerate(scheme.plans)}
     found = []
     for plan in scheme.plans:
-        rivals = [
-            [other for other in holder.conditional if other != plan]
-            for holder in holders.values()
+        openers = [
+            (row, [other for other in holder.conditional if other != plan])
+            for row, holder in enumerate(holders.values())
             if plan in holder.conditional
         ]
-        if not rivals:
+        if not openers:
             continue
-        always = [_always_beaten(plan, others, pulls, rank) for others in rivals]
-        if all(always):
-            found.append(
-                Finding(
-                    "plan always loses",
-                    f"plan {plan!r}",
-                    f"{_listed(always)} weighs as much or more at all values; "
-                    "change its influence links",
-                )
-            )
-            continue
-        without_negatives = [
-            beaten or _dominated(plan, others, pulls, rank)
-            for beaten, others in zip(always, rivals, strict=True)
+        always = [_always_beaten(plan, others, pulls, rank) for _, others in openers]
+        mostly = [
+            beaten or _beaten_above_0(plan, others, pulls, rank, row)
+            for beaten, (row, others) in zip(always, openers, strict=True)
         ]
-        if all(without_negatives):
-            found.append(
-                Finding(
-                    "plan loses without negative values",
-                    f"plan {plan!r}",
-                    f"{_listed(without_negatives)} is drawn as strongly or more by everything; "
-                    "change its influence links",
-                )
-            )
+        if all(always):
+            kind, message = "plan always loses", "weighs as much or more at all values"
+        elif all(mostly):
+            kind, message = "plan loses at values above 0", "is drawn as strongly or more"
+        else:
+            continue
+        winners = _listed(always if all(always) else mostly)
+        message = f"{winners} {message}; change the influence links"
+        found.append(Finding(kind, f"plan {plan!r}", message))
     return found
 
 
@@ -195,14 +186,14 @@ def _opposite(middle: Pull, one: Pull, two: Pull) -> bool:
     )
 
 
-def _dominated(
-    plan: str, others: list[str], pulls: Mapping[str, Pull], rank: Mapping[str, int]
+def _beaten_above_0(
+    plan: str, others: list[str], pulls: Mapping[str, Pull], rank: Mapping[str, int], opener: int
 ) -> tuple[str, ...]:
-    """Return a plan drawn as strongly as `plan` by every holder, or more; none if there is none."""
+    """Return a plan that wins against `plan` while no value is below 0 and the opener's above."""
     for other in others:
-        pairs = list(zip(pulls[other], pulls[plan], strict=True))
-        no_weaker = all(theirs >= ours for theirs, ours in pairs)
-        if no_weaker and (rank[other] < rank[plan] or pulls[other] != pulls[plan]):
+        no_weaker = all(a >= b for a, b in zip(pulls[other], pulls[plan], strict=True))
+        wins_ties = rank[other] < rank[plan]
+        if no_weaker and (wins_ties or pulls[other][opener] > pulls[plan][opener]):
             return (other,)
     return ()
 

@@ -198,7 +198,7 @@ def test_what_is_saved_begins_with_a_comment_and_describes_a_culturon_once():
         ("name: c\ncognitons: [a]\n", 2, "found several values as cognitons; expected name: value"),
         ("name: c\ncognitons:\n  a:\n  b:\n  a:\n", 5, "'a' stands twice in cognitons, first"),
         ("name: c\ncognitons:\n  <<: {a: }\n", 3, "found '<<' in cognitons; expected a name"),
-        ("name: c\ngroups:\n  g: {r: {k: {at_birth: true}}}\n", 3, "'at_birth' in culturon 'k' of role 'r'"),
+        ("name: c\ngroups:\n  g: {r: {k: {at_birth: true}}}\n", 3, "'at_birth' in culturon 'k'"),
         ("name: c\ndecision_maker: Maximum\n", 2, "'Maximum'; expected one of"),
         ("name: c\ndecision_maker: {bias: 2}\n", 2, "decision_maker without a name"),
         ("name: c\ndecision_maker:\n  name: MaximumWeight\n  bias: 0\n", 4, "bias 0.0 of"),
