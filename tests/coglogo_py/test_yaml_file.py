@@ -272,3 +272,12 @@ def test_a_modellers_own_decision_maker_goes_by_name(tmp_path):
     assert CognitiveScheme.load(tmp_path / "cows.yaml", decision_makers=[Loyal]) == scheme
     with pytest.raises(SchemeError, match=r"cows\.yaml:4: found decision maker 'Loyal'"):
         CognitiveScheme.load(tmp_path / "cows.yaml")
+
+
+def test_the_example_in_the_documentation_loads_and_is_sound():
+    page = (MODELS.parent / "docs" / "schemes.md").read_text(encoding="utf-8")
+    scheme = read(page.split("```yaml\n")[1].split("```")[0])
+    assert scheme.check() == []
+    assert scheme.decision_maker == BiasedWeightedStochastic(2)
+    trust = Culturon("trust", 1, influence={"lead": 10, "follow": 10}, conditional=("lead",))
+    assert [role.culturons[0] for role in scheme.groups[0].roles] == [trust, trust]
