@@ -1,1 +1,28 @@
-"""A laboratory for societies of agents."""
+"""A laboratory for societies of agents.
+
+What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Population`, `Torus`,
+`parameter`, `each` and `once`.
+"""
+
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.model import Model
+from socialmind.parameter import Parameter, parameter
+from socialmind.population import Agent, Population
+from socialmind.schedule import each, once
+from socialmind.worlds.grid import Patch, Torus
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Agent",
+    "Model",
+    "ModelError",
+    "Parameter",
+    "Patch",
+    "Population",
+    "SocialmindError",
+    "Torus",
+    "each",
+    "once",
+    "parameter",
+]

@@ -1,0 +1,10 @@
+"""The front end of rules: a documented subset of Python, typed once, run at two speeds.
+
+- `source`: a rule's syntax tree with its file and lines.
+- `refusals`: what the subset leaves out, and what to write instead.
+- `types`, `shape`: what an expression can be; what a model declares.
+- `signatures`: what rules may call on a mind, a random stream, a world.
+- `expressions`, `calls`, `statements`: the typing, which puts `arithmetic` where the speeds differ.
+- `program`: all functions that a model's phases reach, and the tree that both speeds run.
+- `lowering`, `loop`: the same tree for numba, and the tick loop around it.
+"""

@@ -1,0 +1,215 @@
+"""Lowering: the tree that both speeds share, rewritten for numba.
+
+Agents become records, patches whole numbers, the model one record; names of plans and cognitons
+become look-ups in tables, so that a scheme stays data. Every function takes the model's record,
+`_model`, before its own parameters.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+from typing import Any
+
+from socialmind.fields import Field, presence
+from socialmind.language.program import TypedFunction
+
+
+def lowered(function: TypedFunction) -> str:
+    """Return the source of a function for numba."""
+    tree = copy.deepcopy(function.tree)
+    tree = _Lowering().visit(tree)
+    tree.args.args.insert(0, ast.arg("_model"))
+    return ast.unparse(ast.fix_missing_locations(tree))
+
+
+def _name(name: str) -> ast.Name:
+    return ast.Name(name, ast.Load())
+
+
+def _call(name: str, *arguments: ast.expr) -> ast.Call:
+    return ast.Call(_name(name), [_name("_model"), *arguments], [])
+
+
+def _parsed(text: str) -> Any:
+    return ast.parse(text, mode="eval").body
+
+
+class _Lowering(ast.NodeTransformer):
+    """Rewrites the marked nodes of a tree, the inner ones first."""
+
+    def __init__(self) -> None:
+        self.loops = 0
+
+    def visit(self, node: ast.AST) -> Any:
+        mark = getattr(node, "mark", None)
+        handler = None if mark is None else getattr(self, f"lower_{mark[0]}", None)
+        if handler is not None:
+            return handler(node, mark)
+        return self.generic_visit(node)
+
+    # Fields -----------------------------------------------------------------------------------
+
+    def holder(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        """Return the record that holds a field."""
+        base = self.visit(node.value)
+        if mark[0] == "model":
+            return _name("_model")
+        if mark[0] == "patch":
+            return ast.Subscript(_call("_patches"), base, ast.Load())
+        return base  # type: ignore[no-any-return]  # an expression
+
+    def lower_field(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        field: Field = mark[-1]
+        made = ast.Attribute(self.holder(node, mark), node.attr, ast.Load())
+        if field.limits is not None:
+            return ast.Call(_name("_int64"), [made], [])
+        return made
+
+    lower_agent = lower_model = lower_patch = lower_field
+
+    def lower_present(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        there, value = self.both(node.args[0])
+        return ast.Call(_name("_some"), [there, value], [])
+
+    def both(self, node: Any) -> tuple[ast.expr, ast.expr]:
+        """Return whether an optional field holds a value, and the value."""
+        there = ast.Attribute(self.holder(node, node.mark), presence(node.attr), ast.Load())
+        return there, self.lower_field(node, node.mark)
+
+    def lower_none(self, node: ast.Compare, mark: tuple[Any, ...]) -> ast.expr:
+        _, negated, is_plan = mark
+        if is_plan:
+            operator = ast.GtE() if negated else ast.Lt()
+            return ast.Compare(self.visit(node.left), [operator], [ast.Constant(0)])
+        there, _ = self.both(node.left)
+        return there if negated else ast.UnaryOp(ast.Not(), there)
+
+    def lower_store(self, node: ast.Assign, mark: tuple[Any, ...]) -> list[ast.stmt]:
+        place: Any = node.targets[0]
+        value = self.visit(node.value)
+        field = getattr(place, "mark", (None,))[-1]
+        if isinstance(place, ast.Subscript):
+            return [ast.Assign([self.visit(place)], value)]
+        if not isinstance(field, Field):  # a plan
+            target = ast.Attribute(self.visit(place.value), "_plan", ast.Store())
+            return [ast.Assign([target], value)]
+        holder = self.holder(place, place.mark)
+        target = ast.Attribute(holder, place.attr, ast.Store())
+        if not field.optional:
+            return [ast.Assign([target], value)]
+        there = ast.Attribute(holder, presence(place.attr), ast.Store())
+        if mark[1]:
+            zero = ast.Constant(field.kind(0))
+            return [ast.Assign([target], zero), ast.Assign([there], ast.Constant(False))]
+        return [ast.Assign([target], value), ast.Assign([there], ast.Constant(True))]
+
+    # The model and its world ------------------------------------------------------------------
+
+    def lower_tick(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+        return _parsed("_model._tick")  # type: ignore[no-any-return]
+
+    def lower_population(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+        return _name("_model")
+
+    lower_world = lower_population
+
+    def lower_world_size(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+        return _parsed(f"_model._world_{mark[1]}")  # type: ignore[no-any-return]
+
+    def lower_patch_place(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        operator = "//" if mark[1] == "x" else "%"
+        made = _parsed(f"_place {operator} _model._world_size + _model._world_low")
+        made.left.left = self.visit(node.value)
+        return made  # type: ignore[no-any-return]
+
+    def lower_patch_at(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        arguments = [self.visit(argument) for argument in node.args]
+        low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
+        return ast.Call(_name("_patch_index"), [*arguments, low, size], [])
+
+    # Agents -----------------------------------------------------------------------------------
+
+    def lower_id(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        return ast.Attribute(self.visit(node.value), "_id", ast.Load())
+
+    def lower_mind_of(self, node: ast.Attribute) -> ast.expr:
+        return self.visit(node.value)  # type: ignore[no-any-return]
+
+    def lower_plan(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        return ast.Attribute(self.visit(node.value), "_plan", ast.Load())
+
+    def lower_no_plan(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+        return ast.Constant(-1)
+
+    def lower_name(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+        return ast.Subscript(_call(f"_names_{mark[1]}"), ast.Constant(mark[2]), ast.Load())
+
+    def lower_agent_of(self, node: ast.Subscript, mark: tuple[Any, ...]) -> ast.expr:
+        return _call(f"_agent_{mark[1]}", self.visit(node.slice))
+
+    def lower_count(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+        return _call(f"_living_{mark[1]}")
+
+    def lower_method(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        """Lower what an agent or a population does by a function of the same name."""
+        arguments = [self.visit(argument) for argument in node.args]
+        owner = [] if mark[0] in ("create", "one_of", "contains") else [self.visit(node.func.value)]
+        if mark[0] == "run_plan":
+            arguments = arguments[1:]  # the model goes first anyway
+        return _call(f"_{mark[0]}_{mark[1]}", *owner, *arguments)
+
+    lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
+    lower_run_plan = lower_method
+
+    def lower_mind(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        if isinstance(node, ast.Attribute):
+            return self.lower_mind_of(node)
+        _, population, method, places = mark
+        arguments = [
+            self.visit(argument)
+            if place is None
+            else self.lower_name(node, ("name", population, place))
+            for argument, place in zip(node.args, places, strict=True)
+        ]
+        agent = self.visit(node.func.value)
+        return _call(f"_mind_{method}_{population}", agent, *arguments)
+
+    def lower_draw(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        arguments = [self.visit(argument) for argument in node.args]
+        if mark[1:] == ("integers", 1):
+            arguments.insert(0, ast.Constant(0))
+        stream = self.visit(node.func.value)
+        return ast.Call(_name(f"_rng_{mark[1]}"), [stream, *arguments], [])
+
+    def lower_helper(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        return _call(mark[1], *[self.visit(argument) for argument in node.args])
+
+    # Loops ------------------------------------------------------------------------------------
+
+    def lower_agents(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
+        population = mark[1]
+        self.loops += 1
+        place = f"_place_{self.loops}"
+        assert isinstance(node.target, ast.Name)  # the typing refuses others
+        head = ast.parse(
+            f"for {place} in range(_entries_{population}(_model)):\n"
+            f"    if not _is_living_{population}(_model, {place}):\n"
+            f"        continue\n"
+            f"    {node.target.id} = _entry_{population}(_model, {place})\n"
+        ).body[0]
+        assert isinstance(head, ast.For)  # just written
+        self.generic_visit(node)
+        head.body += node.body
+        head.orelse = node.orelse
+        return head
+
+    def lower_patches(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
+        self.generic_visit(node)
+        call: Any = node.iter
+        low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
+        if call.func.id == "_all_patches":
+            node.iter = _parsed("range(_model._world_size * _model._world_size)")
+        else:
+            node.iter = ast.Call(_name("_patches_in_radius"), [*call.args[1:], low, size], [])
+        return node

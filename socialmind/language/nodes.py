@@ -1,0 +1,39 @@
+"""Building blocks of the trees that the front end writes, and of its messages."""
+
+from __future__ import annotations
+
+import ast
+import difflib
+from collections.abc import Iterable
+from typing import Any
+
+from socialmind.language.types import AnyType
+
+Typed = tuple[ast.expr, AnyType]
+"""An expression as both speeds run it, and its type."""
+
+
+def marked(node: Any, mark: tuple[Any, ...]) -> Any:
+    """Attach to a node what the lowering must know about it."""
+    node.mark = mark
+    return node
+
+
+def call(name: str, arguments: list[ast.expr], near: ast.AST) -> ast.Call:
+    """Return a call of one of the functions that both speeds share."""
+    node = ast.Call(ast.Name(name, ast.Load()), arguments, [])
+    return ast.fix_missing_locations(ast.copy_location(node, near))
+
+
+def constant(value: Any, near: ast.AST) -> ast.expr:
+    """Return a written number at the place of a node."""
+    return ast.copy_location(ast.Constant(value), near)
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """Return a hint at the known name that a misspelt one resembles, or what there is."""
+    names = list(known)
+    close = difflib.get_close_matches(name, names, n=1)
+    if close:
+        return f"did you mean {close[0]!r}?"
+    return "there is " + ", ".join(names) if names else "there is none"

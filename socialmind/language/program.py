@@ -1,0 +1,289 @@
+"""A program: every function that a model's phases reach, typed, as the tree both speeds run."""
+
+from __future__ import annotations
+
+import ast
+import types as python_types
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from socialmind.errors import ModelError
+from socialmind.language import arithmetic
+from socialmind.language.nodes import nearest
+from socialmind.language.shape import ModelShape, PhaseShape
+from socialmind.language.source import RuleSource, rule_source
+from socialmind.language.statements import FunctionTyper
+from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TextType
+
+
+@dataclass(frozen=True)
+class WrittenName:
+    """A name of a scheme's part, as written in a rule.
+
+    Attributes:
+        part: "plan", "cogniton", "group", "role" or "culturon".
+        keys: the name; for roles and culturons the group's name before it.
+        file, line: where it was first met.
+    """
+
+    part: str
+    keys: tuple[str, ...]
+    file: str
+    line: int
+
+
+@dataclass(frozen=True)
+class TypedFunction:
+    """A function for given types of its parameters.
+
+    Attributes:
+        symbol: its name in the program.
+        source: what its author wrote.
+        kinds: the types of its parameters.
+        tree: the function as both speeds run it; nodes carry marks for the lowering.
+        result: the type of what it returns.
+    """
+
+    symbol: str
+    source: RuleSource
+    kinds: tuple[AnyType, ...]
+    tree: ast.FunctionDef
+    result: AnyType
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A phase with its typed rule, and which of agent, model and stream the rule takes."""
+
+    shape: PhaseShape
+    symbol: str
+    takes: tuple[str, ...]
+
+
+class Program:
+    """The typed functions of a model.
+
+    Args:
+        shape: the model's shape.
+        compiled: whether it will be compiled; `print` and `breakpoint` are for interpreted runs.
+
+    Raises:
+        ModelError: a rule outside the language, with file, line and what to write instead.
+    """
+
+    def __init__(self, shape: ModelShape, compiled: bool) -> None:
+        self.shape = shape
+        self.compiled = compiled
+        self.functions: dict[str, TypedFunction] = {}
+        self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
+        self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
+        self._sources: dict[Callable[..., Any], RuleSource] = {}
+        self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
+        self._open: list[Callable[..., Any]] = []
+        self.setup = tuple(self._phase(phase) for phase in shape.setup)
+        self.schedule = tuple(self._phase(phase) for phase in shape.schedule)
+
+    def source(self, function: Callable[..., Any]) -> RuleSource:
+        """Return the source of a function, read once."""
+        if function not in self._sources:
+            self._sources[function] = rule_source(function)
+        return self._sources[function]
+
+    def _phase(self, shape: PhaseShape) -> Phase:
+        symbol, takes = self._entry(shape.rule, shape.population)
+        return Phase(shape, symbol, takes)
+
+    def _entry(self, rule: Callable[..., Any], population: str | None) -> tuple[str, tuple[str, ...]]:
+        """Type a function that the schedule or a plan calls; return its symbol and what it takes."""
+        source = self.source(rule)
+        names = source.parameters
+        known: dict[str, AnyType] = {"model": MODEL, "rng": RNG}
+        kinds: list[AnyType] = []
+        takes: list[str] = []
+        for place, name in enumerate(names):
+            if place == 0 and population is not None:
+                kinds.append(RowType(population))
+                takes.append("agent")
+            elif name in known:
+                kinds.append(known[name])
+                takes.append(name)
+            else:
+                first = "" if population is None else "an agent, then "
+                raise ModelError(
+                    f"the parameter {name!r} of the rule {source.name!r}",
+                    f"{first}`model` and `rng`, as far as it needs them",
+                    "values reach a rule through the fields of the agent and the model",
+                    source.file,
+                    source.line,
+                )
+        if population is not None and not names:
+            raise ModelError(
+                f"the rule {source.name!r} without parameters",
+                f"an agent of {population!r} first",
+                f"write def {source.name}({population.rstrip('s')}, model, rng)",
+                source.file,
+                source.line,
+            )
+        symbol, result = self.specialised(source, tuple(kinds), None, source.tree)
+        if result != NONE:
+            raise ModelError(
+                f"the rule {source.name!r}, which returns {result}",
+                "a rule that returns nothing",
+                "write what it found into a field",
+                source.file,
+                source.line,
+            )
+        return symbol, tuple(takes)
+
+    def runs_plans(self, population: str, typer: Any, node: ast.AST) -> None:
+        """Type the functions of a population's plans, once a rule runs them."""
+        if population in self.plans:
+            return
+        self.plans[population] = {}
+        for plan, function in self.shape.populations[population].plans.items():
+            self.plans[population][plan] = self._entry(function, population)
+        if not self.plans[population]:
+            typer.refuse(
+                node,
+                f"run_plan() of {population!r}, which has no plans",
+                "give the population plans: Population(…, plans={'GrowWheat': grow_wheat})",
+            )
+
+    def name(self, population: str, part: str, keys: tuple[str, ...], file: str, line: int) -> int:
+        """Return the place of a written name in the population's table of names."""
+        written = self.names[population]
+        for place, one in enumerate(written):
+            if (one.part, one.keys) == (part, keys):
+                return place
+        written.append(WrittenName(part, keys, file, line))
+        return len(written) - 1
+
+    def specialised(
+        self, source: RuleSource, kinds: tuple[AnyType, ...], typer: Any, node: ast.AST
+    ) -> tuple[str, AnyType]:
+        """Return the symbol and the result of a function for given types of its parameters."""
+        key = (source.function, kinds)
+        if key in self._symbols:
+            symbol = self._symbols[key]
+            return symbol, self.functions[symbol].result
+        if source.function in self._open:
+            typer.refuse(
+                node, f"{source.name}(), which calls itself", "write a loop: rules do not call themselves"
+            )
+        _check_definition(source)
+        self._open.append(source.function)
+        body, result = FunctionTyper(self, source, kinds).typed()
+        self._open.pop()
+        symbol = self._symbol(source.name)
+        names = [
+            name
+            for name, kind in zip(source.parameters, kinds, strict=True)
+            if not isinstance(kind, TextType)
+        ]
+        arguments = ast.arguments([], [ast.arg(name) for name in names], None, [], [], None, [])
+        tree = ast.FunctionDef(symbol, arguments, body, [], None, None)
+        if hasattr(tree, "type_params"):
+            tree.type_params = []
+        ast.fix_missing_locations(ast.copy_location(tree, source.tree))
+        self.functions[symbol] = TypedFunction(symbol, source, kinds, tree, result)
+        self._symbols[key] = symbol
+        return symbol, result
+
+    def _symbol(self, name: str) -> str:
+        # A leading underscore is what the trees' own names have.
+        name = name.lstrip("_") or "rule"
+        symbol, count = name, 1
+        while symbol in self.functions or symbol in RUNTIME:
+            count += 1
+            symbol = f"{name}_{count}"
+        return symbol
+
+    def interpreted(self, namespace: dict[str, Any]) -> dict[str, Callable[..., Any]]:
+        """Return the functions as ordinary Python, with the author's files and lines.
+
+        Args:
+            namespace: further names that the tree calls (the world's, the rows').
+        """
+        names: dict[str, Any] = {**RUNTIME, **namespace}
+        for function in self.functions.values():
+            module = ast.Module([function.tree], [])
+            exec(compile(module, function.source.file, "exec"), names)
+        return {symbol: names[symbol] for symbol in self.functions}
+
+    def placed(self, population: str, tables: dict[str, dict[Any, int]], scheme: str) -> list[int]:
+        """Return the index in a scheme of every written name of a population.
+
+        Args:
+            population: whose names.
+            tables: the scheme's parts: part -> key -> index; keys are names, and for roles and
+                culturons pairs of group and name.
+            scheme: what to call the scheme in an error.
+
+        Raises:
+            ModelError: a rule names a part that the scheme does not have.
+        """
+        indices = []
+        for written in self.names[population]:
+            table = tables[written.part]
+            key = written.keys[0] if len(written.keys) == 1 else written.keys
+            if key not in table:
+                known = [
+                    one if isinstance(one, str) else one[1]
+                    for one in table
+                    if isinstance(one, str) or one[0] == written.keys[0]
+                ]
+                raise ModelError(
+                    f"the {written.part} {written.keys[-1]!r}, which {scheme} does not have",
+                    None,
+                    nearest(written.keys[-1], known),
+                    written.file,
+                    written.line,
+                )
+            indices.append(table[key])
+        return indices
+
+
+def present(value: Any) -> Any:
+    """Return an optional field's value; raise when it is None."""
+    if value is None:
+        raise ValueError("a field that is None was used as a number; ask `is None` before")
+    return value
+
+
+RUNTIME: dict[str, Any] = {
+    **{
+        f"_{name}": function
+        for name, function in vars(arithmetic).items()
+        if isinstance(function, python_types.FunctionType) and not name.startswith("_")
+    },
+    "_present": present,
+    "_as_int": int,
+    "_as_float": float,
+    "_abs": abs,
+    "_len": len,
+    "_range": range,
+    "_print": print,
+    "_breakpoint": breakpoint,
+}
+"""What the trees of both speeds call by name."""
+
+
+def _check_definition(source: RuleSource) -> None:
+    arguments = source.tree.args
+    odd = [
+        (arguments.vararg, "*arguments"),
+        (arguments.kwarg, "**arguments"),
+        (arguments.kwonlyargs, "keyword-only parameters"),
+        (arguments.posonlyargs, "positional-only parameters"),
+        (source.tree.decorator_list, "a decorator"),
+    ]
+    for found, what in odd:
+        if found:
+            raise ModelError(
+                f"{what} on the rule {source.name!r}",
+                "plain parameters",
+                "write def rule(agent, model, rng)",
+                source.file,
+                source.line,
+            )

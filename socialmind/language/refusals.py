@@ -1,0 +1,111 @@
+"""What the rule language leaves out, and what to write instead."""
+
+from __future__ import annotations
+
+import ast
+
+REFUSED: dict[type[ast.AST], tuple[str, str]] = {
+    ast.AsyncFunctionDef: ("an async function", "write a plain function"),
+    ast.FunctionDef: ("a function inside a rule", "move it to the top of the file"),
+    ast.ClassDef: ("a class inside a rule", "declare agents at the top of the file"),
+    ast.Delete: ("del", "set the value to 0 or None; an agent dies with `agent.die()`"),
+    ast.AsyncFor: ("async for", "write a plain for loop"),
+    ast.With: ("with", "rules open no files; report through `series()` and `agents()`"),
+    ast.AsyncWith: ("async with", "rules open no files"),
+    ast.Match: ("match", "write if … elif … else"),
+    ast.Raise: ("raise", "count the case in a field, and look at it in `series()`"),
+    ast.Try: ("try", "ask before: `if price > 0:` rather than catching the error after"),
+    ast.TryStar: ("try", "ask before: `if price > 0:` rather than catching the error after"),
+    ast.Assert: ("assert", "write the case as an if, or check it in a test of the model"),
+    ast.Import: (
+        "import inside a rule",
+        "import at the top of the file (only `math` is for rules)",
+    ),
+    ast.ImportFrom: (
+        "import inside a rule",
+        "import at the top of the file (only `math` is for rules)",
+    ),
+    ast.Global: ("global", "declare the variable on the model and write `model.name`"),
+    ast.Nonlocal: ("nonlocal", "declare the variable on the model and write `model.name`"),
+    ast.NamedExpr: (":=", "assign on a line of its own"),
+    ast.Lambda: ("lambda", "write a function at the top of the file"),
+    ast.Dict: ("a dictionary", "give each entry a field, or use an array field and whole numbers"),
+    ast.Set: ("a set", "use an array field of truth values"),
+    ast.ListComp: ("a list comprehension", "write a for loop that adds up or counts"),
+    ast.SetComp: ("a set comprehension", "write a for loop"),
+    ast.DictComp: ("a dictionary comprehension", "write a for loop"),
+    ast.GeneratorExp: ("a generator expression", "write a for loop that adds up or counts"),
+    ast.Await: ("await", "rules run to their end at once"),
+    ast.Yield: ("yield", "return the value"),
+    ast.YieldFrom: ("yield", "return the value"),
+    ast.JoinedStr: ("an f-string", "rules hold no texts; print from outside, after `advance()`"),
+    ast.FormattedValue: ("an f-string", "rules hold no texts"),
+    ast.List: ("a list", "declare an array field: `visits: list[int] = [0] * 9`"),
+    ast.Starred: ("*", "write the values out"),
+    ast.Slice: ("a slice", "write a for loop over `range(…)`"),
+}
+
+OPERATORS: dict[type[ast.AST], str] = {
+    ast.BitAnd: "&",
+    ast.BitOr: "|",
+    ast.BitXor: "^",
+    ast.LShift: "<<",
+    ast.RShift: ">>",
+    ast.Invert: "~",
+    ast.MatMult: "@",
+}
+
+NAMES: dict[str, str] = {
+    "print": "run with --interpreted to print from a rule, or report through `series()`",
+    "input": "make it a parameter",
+    "open": "rules open no files; report through `series()` and `agents()`",
+    "sorted": "keep the best so far in a for loop",
+    "reversed": "write `for i in range(n - 1, -1, -1)`",
+    "enumerate": "write `for i in range(len(…))`",
+    "zip": "write `for i in range(len(…))`",
+    "map": "write a for loop",
+    "filter": "write a for loop with an if",
+    "any": "set a flag in a for loop",
+    "all": "set a flag in a for loop",
+    "list": "declare an array field: `visits: list[int] = [0] * 9`",
+    "dict": "give each entry a field",
+    "set": "use an array field of truth values",
+    "tuple": "write the values out, separated by commas",
+    "str": "rules hold no texts; name plans and cognitons as written texts",
+    "isinstance": "each parameter of a rule has one type",
+    "type": "each parameter of a rule has one type",
+    "getattr": "write `agent.field`",
+    "setattr": "write `agent.field = value`",
+    "hasattr": "every agent of a population has the same fields",
+    "divmod": "write `a // b` and `a % b`",
+    "pow": "write `a ** b`",
+    "eval": "write the expression out",
+    "exec": "write the statements out",
+    "next": "write a for loop with `break`",
+    "iter": "write a for loop",
+    "super": "rules are plain functions, without classes",
+}
+
+MODULES: dict[str, str] = {
+    "numpy": "use `math` and plain numbers inside rules; NumPy works outside them, in `series()`",
+    "random": "draw from the rule's own stream: `rng.random()`, `rng.integers(6)`, `rng.uniform(0, 1)`",
+    "pandas": "rules hold no tables; use pandas on what the run recorded",
+    "time": "the time of the model is `model.tick`",
+    "datetime": "the time of the model is `model.tick`",
+    "os": "rules know no files; make it a parameter",
+    "sys": "rules know no interpreter; make it a parameter",
+}
+
+METHODS: dict[str, str] = {
+    "append": "an array field has a fixed size; count in an int field how many places are used",
+    "pop": "an array field has a fixed size; count in an int field how many places are used",
+    "sort": "keep the best so far in a for loop",
+    "items": "rules hold no dictionaries",
+    "keys": "rules hold no dictionaries",
+    "choice": "write `model.population.one_of(rng)`, or index with `rng.integers(n)`",
+    "shuffle": "agents come in a fresh random order by themselves",
+    "randint": "write `rng.integers(low, high + 1)`",
+    "gauss": "write `rng.normal(mean, deviation)`",
+    "rand": "write `rng.random()`",
+    "format": "rules hold no texts",
+}

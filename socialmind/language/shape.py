@@ -1,0 +1,57 @@
+"""The shape of a model: what its rules may read and write, without any values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from socialmind.fields import Field
+
+
+@dataclass(frozen=True)
+class PopulationShape:
+    """A population: its fields, whether its agents have minds, and the functions of its plans."""
+
+    name: str
+    fields: Mapping[str, Field]
+    minded: bool = False
+    plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class PhaseShape:
+    """One phase of a tick: a rule, once or for each agent of a population.
+
+    Attributes:
+        rule: the rule.
+        population: whose agents it is for, or None for once a tick.
+        shuffled: whether the agents come in a fresh random order.
+    """
+
+    rule: Callable[..., Any]
+    population: str | None = None
+    shuffled: bool = True
+
+
+@dataclass(frozen=True)
+class ModelShape:
+    """A model: parameters, globals, populations, the fields of its patches, its phases.
+
+    Attributes:
+        name: the model's name, as error messages give it.
+        parameters: fields that rules only read.
+        variables: fields that rules read and write (NetLogo's globals).
+        populations: by name.
+        patch: the fields of a patch, or None for a model without a world.
+        setup: the phases that run once, before the first tick.
+        schedule: the phases of a tick.
+    """
+
+    name: str
+    parameters: Mapping[str, Field]
+    variables: Mapping[str, Field]
+    populations: Mapping[str, PopulationShape]
+    patch: Mapping[str, Field] | None
+    setup: tuple[PhaseShape, ...]
+    schedule: tuple[PhaseShape, ...]

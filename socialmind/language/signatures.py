@@ -1,0 +1,80 @@
+"""What a rule may call: on a mind, on a random stream, in `math` and among the built-ins."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from socialmind.language.types import BOOL, FLOAT, INT, NONE, Type
+
+
+@dataclass(frozen=True)
+class Named:
+    """An argument that names a part of the cognitive scheme, written out as a text."""
+
+    part: str
+
+
+@dataclass(frozen=True)
+class Signature:
+    """The arguments of a call, how many of them may be left out at the front, and its result."""
+
+    arguments: tuple[Type | Named, ...]
+    result: Type
+
+
+COGNITON, GROUP, ROLE, CULTURON = (
+    Named("cogniton"),
+    Named("group"),
+    Named("role"),
+    Named("culturon"),
+)
+PLAN = Named("plan")
+CHOSEN = Type("the plan that was chosen")
+
+MIND: dict[str, Signature] = {
+    "choose_next_plan": Signature((), CHOSEN),
+    "feed_back_from_plan": Signature((PLAN, FLOAT), NONE),
+    "set_cogniton_value": Signature((COGNITON, FLOAT), NONE),
+    "add_to_cogniton_value": Signature((COGNITON, FLOAT), NONE),
+    "get_cogniton_value": Signature((COGNITON,), FLOAT),
+    "activate_cogniton": Signature((COGNITON,), NONE),
+    "deactivate_cogniton": Signature((COGNITON,), NONE),
+    "create_and_join_group": Signature((GROUP, ROLE), BOOL),
+    "join_group": Signature((GROUP, ROLE, INT), BOOL),
+    "set_participation": Signature((GROUP, FLOAT), NONE),
+    "add_to_participation": Signature((GROUP, FLOAT), NONE),
+    "get_participation": Signature((GROUP,), FLOAT),
+    "get_group_id": Signature((GROUP,), INT),
+    "get_group_role_id": Signature((GROUP, ROLE), INT),
+    "leave_group": Signature((GROUP,), NONE),
+    "leave_all_groups": Signature((), NONE),
+    "set_culturon_value": Signature((GROUP, CULTURON, FLOAT), NONE),
+    "add_to_culturon_value": Signature((GROUP, CULTURON, FLOAT), NONE),
+    "get_culturon_value": Signature((GROUP, CULTURON), FLOAT),
+}
+"""The commands of a mind, as `coglogo_py.Mind` spells them."""
+
+RNG: dict[str, tuple[Signature, ...]] = {
+    "random": (Signature((), FLOAT),),
+    "uniform": (Signature((FLOAT, FLOAT), FLOAT),),
+    "integers": (Signature((INT,), INT), Signature((INT, INT), INT)),
+    "normal": (Signature((FLOAT, FLOAT), FLOAT),),
+    "exponential": (Signature((FLOAT,), FLOAT),),
+}
+"""The draws of a random stream, spelled as NumPy's Generator spells them."""
+
+MATH: dict[str, Signature] = {
+    **{
+        name: Signature((FLOAT,), FLOAT)
+        for name in ("sin cos tan asin acos atan exp log log10 sqrt radians degrees fabs").split()
+    },
+    **{name: Signature((FLOAT,), BOOL) for name in ("isnan", "isinf", "isfinite")},
+    "atan2": Signature((FLOAT, FLOAT), FLOAT),
+    "hypot": Signature((FLOAT, FLOAT), FLOAT),
+    "floor": Signature((FLOAT,), INT),
+    "ceil": Signature((FLOAT,), INT),
+}
+"""The functions of `math` that rules may call; `arithmetic` defines them for both speeds."""
+
+MATH_CONSTANTS = ("pi", "e", "tau", "inf", "nan")
+"""The constants of `math` that rules may use."""

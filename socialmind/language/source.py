@@ -1,0 +1,75 @@
+"""A rule's source: its syntax tree with the author's file and line numbers."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import textwrap
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from socialmind.errors import ModelError
+
+
+@dataclass(frozen=True)
+class RuleSource:
+    """A plain Python function as its author wrote it.
+
+    Attributes:
+        function: the function itself.
+        name: its name.
+        file: the file it stands in.
+        line: the line of its `def`.
+        tree: its syntax tree, with line numbers of the file.
+        names: the module names it can see.
+    """
+
+    function: Callable[..., Any]
+    name: str
+    file: str
+    line: int
+    tree: ast.FunctionDef
+    names: Mapping[str, Any]
+
+    @property
+    def parameters(self) -> list[str]:
+        """The names of its parameters, in order."""
+        return [argument.arg for argument in self.tree.args.args]
+
+
+def rule_source(function: Any) -> RuleSource:
+    """Read the source of a rule.
+
+    Raises:
+        ModelError: what is given is no plain function, or its source cannot be read.
+    """
+    if not inspect.isfunction(function):
+        raise ModelError(f"{function!r}", "a plain function", "write the rule with `def`")
+    code = function.__code__
+    file, line = code.co_filename, code.co_firstlineno
+    if function.__name__ == "<lambda>":
+        raise ModelError("a lambda", "a rule with a name", "write it with `def`", file, line)
+    if function.__closure__:
+        raise ModelError(
+            f"the rule {function.__name__!r} inside another function",
+            "a rule at the top of its file",
+            "move it there, and pass what it needs as parameters",
+            file,
+            line,
+        )
+    try:
+        lines, start = inspect.getsourcelines(function)
+    except (OSError, TypeError):
+        raise ModelError(
+            f"the rule {function.__name__!r} without a source",
+            "a function written in a file or a notebook cell",
+            "save the model in a file",
+        ) from None
+    tree = ast.parse(textwrap.dedent("".join(lines))).body[0]
+    ast.increment_lineno(tree, start - 1)
+    if isinstance(tree, ast.AsyncFunctionDef):
+        raise ModelError("an async rule", "a plain function", "write `def`", file, tree.lineno)
+    if not isinstance(tree, ast.FunctionDef):
+        raise ModelError(f"{function!r}", "a plain function", "write `def`", file, line)
+    return RuleSource(function, function.__name__, file, tree.lineno, tree, function.__globals__)

@@ -1,0 +1,157 @@
+"""The types of the rule language: what an expression in a rule can be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Type:
+    """A type without parts; its name is what error messages call it."""
+
+    name: str
+
+    def __str__(self) -> str:
+        return self.name
+
+
+BOOL = Type("a truth value")
+INT = Type("a whole number")
+FLOAT = Type("a number")
+NONE = Type("None")
+MODEL = Type("the model")
+RNG = Type("the random stream")
+NUMBERS = (BOOL, INT, FLOAT)
+
+
+@dataclass(frozen=True)
+class OptionalType:
+    """A field's value that may be None."""
+
+    of: Type
+
+    def __str__(self) -> str:
+        return f"{self.of} or None"
+
+
+@dataclass(frozen=True)
+class ArrayType:
+    """A fixed-size array of a field."""
+
+    of: Type
+    size: int
+
+    def __str__(self) -> str:
+        return f"an array of {self.size}"
+
+
+@dataclass(frozen=True)
+class RowType:
+    """An agent of a population."""
+
+    population: str
+
+    def __str__(self) -> str:
+        return f"an agent of {self.population!r}"
+
+
+@dataclass(frozen=True)
+class MindType:
+    """The mind of an agent of a population."""
+
+    population: str
+
+    def __str__(self) -> str:
+        return f"the mind of an agent of {self.population!r}"
+
+
+@dataclass(frozen=True)
+class PopulationType:
+    """A population."""
+
+    population: str
+
+    def __str__(self) -> str:
+        return f"the population {self.population!r}"
+
+
+@dataclass(frozen=True)
+class WorldType:
+    """The torus that the agents stand on."""
+
+    def __str__(self) -> str:
+        return "the world"
+
+
+@dataclass(frozen=True)
+class PatchType:
+    """A patch of the world."""
+
+    def __str__(self) -> str:
+        return "a patch"
+
+
+@dataclass(frozen=True)
+class PlanType:
+    """A plan of the scheme of a population's minds, or None."""
+
+    population: str
+
+    def __str__(self) -> str:
+        return "a plan"
+
+
+@dataclass(frozen=True)
+class TextType:
+    """A written text: the name of a plan, a cogniton, a group, a role or a culturon."""
+
+    value: str
+
+    def __str__(self) -> str:
+        return f"the text {self.value!r}"
+
+
+@dataclass(frozen=True)
+class TupleType:
+    """Several values at once, as in `x, y = place(human)`."""
+
+    items: tuple[AnyType, ...]
+
+    def __str__(self) -> str:
+        return f"{len(self.items)} values"
+
+
+AnyType = (
+    Type
+    | OptionalType
+    | ArrayType
+    | RowType
+    | MindType
+    | PopulationType
+    | WorldType
+    | PatchType
+    | PlanType
+    | TextType
+    | TupleType
+)
+
+
+def unified(one: AnyType, other: AnyType) -> AnyType | None:
+    """Return the type that can hold both, or None when there is none.
+
+    >>> unified(INT, FLOAT) is FLOAT
+    True
+    >>> unified(BOOL, INT) is None
+    True
+    """
+    if one == other:
+        return one
+    if {one, other} == {INT, FLOAT}:
+        return FLOAT
+    if isinstance(one, TupleType) and isinstance(other, TupleType):
+        if len(one.items) != len(other.items):
+            return None
+        items = [unified(a, b) for a, b in zip(one.items, other.items, strict=True)]
+        found = tuple(item for item in items if item is not None)
+        return TupleType(found) if len(found) == len(items) else None
+    return None

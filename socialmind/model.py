@@ -1,0 +1,514 @@
+"""Models: what a modeller subclasses and declares, and what runs.
+
+A model class declares parameters, variables, populations, a world and the order of its rules; an
+instance is a running society:
+
+    society = FarmerArtisan(seed=1, n_agents=30)
+    society.advance(1000)
+    society.humans.wheat.mean()
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coglogo_py import CognitiveScheme
+from coglogo_py.society import Society
+from socialmind.connection import connect, names_of_scheme
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.fields import Field, declared, presence
+from socialmind.language.compiled import compiled_module
+from socialmind.language.loop import births, model_dtype, module_text
+from socialmind.language.nodes import nearest
+from socialmind.language.program import Program
+from socialmind.language.shape import ModelShape
+from socialmind.parameter import Parameter
+from socialmind.population import Population, Table
+from socialmind.rows import ArrayField
+from socialmind.schedule import PhaseDeclaration, run_setup, run_tick, taken
+from socialmind.streams import STREAM
+from socialmind.worlds.grid import Grid, Torus
+
+if TYPE_CHECKING:
+    from coglogo_py.receipt import Receipt
+    from types import ModuleType
+
+CHUNK_SECONDS = 0.2
+"""How long compiled code runs before Ctrl-C is heard."""
+SNAPSHOT_BYTES = 64 * 2**20
+"""The largest state of which a copy is kept, to find the line of an error in compiled code."""
+
+Loaded = TypeVar("Loaded", bound="Model")
+
+
+class Idle(NamedTuple):
+    """Decisions that found no plan available: how many, and the first agent and tick of them."""
+
+    count: int
+    first_agent: int | None
+    first_tick: int | None
+
+
+class Variable:
+    """A variable of a model (a NetLogo global), readable and writable on its instances."""
+
+    def __init__(self, field: Field) -> None:
+        self.field = field
+
+    def __get__(self, model: Any, owner: type) -> Any:
+        if model is None:
+            return self
+        if self.field.size is not None:
+            return ArrayField(model.context[self.field.name])
+        if self.field.optional and not model.context[presence(self.field.name)]:
+            return None
+        return model.context[self.field.name].item()
+
+    def __set__(self, model: Any, value: Any) -> None:
+        if self.field.optional:
+            model.context[presence(self.field.name)] = value is not None
+            value = 0 if value is None else value
+        model.context[self.field.name] = value
+
+
+class Model:
+    """A society of agents.
+
+    Class attributes that a modeller declares:
+
+    - `ticks`: how long a run is unless it says otherwise;
+    - parameters: `price: float = parameter(167.0, unit="wheat", low=0.0)`;
+    - variables: `warmth: float = 0.0`;
+    - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;
+    - `world = Torus("world_size", Land)`;
+    - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`.
+
+    And two methods that say what a run records: `series()` and `agents()`.
+
+    Args:
+        seed: the key of all random draws, 0 … 2⁶⁴ − 1.
+        compiled: run the rules compiled, or interpreted with the same results.
+        scheme: a scheme to use instead of the model's own: a file, or a `CognitiveScheme`; with
+            several populations that have minds, a mapping from their names.
+        parameters: values of parameters that differ from the defaults.
+
+    Raises:
+        ModelError: the model's class or rules are wrong, with file and line.
+        SocialmindError: a parameter is unknown or out of range.
+    """
+
+    name: ClassVar[str] = ""
+    ticks: ClassVar[int] = 1000
+    setup: ClassVar[tuple[PhaseDeclaration, ...]] = ()
+    schedule: ClassVar[tuple[PhaseDeclaration, ...]] = ()
+    parameters: ClassVar[dict[str, Parameter]] = {}
+    variables: ClassVar[dict[str, Field]] = {}
+    populations: ClassVar[dict[str, Population]] = {}
+    torus: ClassVar[Torus | None] = None
+    shape: ClassVar[ModelShape]
+
+    def __init_subclass__(cls, **keywords: Any) -> None:
+        super().__init_subclass__(**keywords)
+        cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
+        own = {name: value for base in reversed(cls.__mro__) for name, value in vars(base).items()}
+        cls.parameters = {n: v for n, v in own.items() if isinstance(v, Parameter)}
+        cls.populations = {n: v for n, v in own.items() if isinstance(v, Population)}
+        torus = own.get("world")
+        cls.torus = torus if isinstance(torus, Torus) else None
+        cls.variables = {n: v.field for n, v in own.items() if isinstance(v, Variable)}
+        for name, annotation in inspect.get_annotations(cls, eval_str=True).items():
+            value = cls.__dict__.get(name)
+            if isinstance(value, Parameter) or str(annotation).startswith("typing.ClassVar"):
+                continue
+            if hasattr(Model, name):
+                raise ModelError(f"a variable called {name!r}", "a name that models do not use")
+            missing: tuple[Any, ...] = () if name not in cls.__dict__ else (value,)
+            cls.variables[name] = declared(cls, name, annotation, *missing)
+            setattr(cls, name, Variable(cls.variables[name]))
+        for name in (*cls.parameters, *cls.populations):
+            if hasattr(Model, name):
+                raise ModelError(f"a part of the model called {name!r}", "a name that models do not use")
+        cls.shape = cls._shape()
+        cls._programs = {}
+
+    _programs: ClassVar[dict[bool, Program]] = {}
+
+    @classmethod
+    def _shape(cls) -> ModelShape:
+        for phase in (*cls.setup, *cls.schedule):
+            if not isinstance(phase, PhaseDeclaration):
+                raise ModelError(
+                    f"{phase!r} in the schedule of {cls.name}",
+                    "each(population, rule) or once(rule)",
+                )
+        stored = {float: "f8", int: "i8", bool: "?"}
+        return ModelShape(
+            name=cls.name,
+            parameters={
+                name: Field(name, one.kind, stored[one.kind], one.default)
+                for name, one in cls.parameters.items()
+            },
+            variables=cls.variables,
+            populations={name: one.shape for name, one in cls.populations.items()},
+            patch=None if cls.torus is None else cls.torus.fields,
+            setup=tuple(phase.shape for phase in cls.setup),
+            schedule=tuple(phase.shape for phase in cls.schedule),
+        )
+
+    @classmethod
+    def typed(cls, compiled: bool = True) -> Program:
+        """Return the typed rules of the model; they are typed once.
+
+        Raises:
+            ModelError: a rule outside the language.
+        """
+        if compiled not in cls._programs:
+            cls._programs[compiled] = Program(cls.shape, compiled)
+        return cls._programs[compiled]
+
+    @classmethod
+    def folder(cls) -> Path:
+        """Return the folder in which the model's class stands."""
+        return Path(inspect.getfile(cls)).parent
+
+    def __init__(
+        self,
+        seed: int = 0,
+        compiled: bool = True,
+        scheme: str | Path | CognitiveScheme | Mapping[str, Any] | None = None,
+        **parameters: Any,
+    ) -> None:
+        if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**64:
+            raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 … 2**64 - 1")
+        self.seed = seed
+        self.compiled = compiled
+        self._scheme = scheme
+        self.watch: tuple[str, int] | None = None
+        self.watched: Receipt | None = None
+        self.program = self.typed(compiled)
+        self.contexts = np.zeros(1, model_dtype(self.shape))
+        self.context: Any = self.contexts[0]
+        self._set_values(parameters)
+        torus = type(self).torus
+        self.grid = None if torus is None else Grid(torus.fields, self._size(torus.size))
+        self.schemes = self._schemes()
+        self.tables = self._tables()
+        self.stream = np.zeros(1, STREAM)
+        self.stream["key_0"], self.stream["key_1"] = seed & 0xFFFFFFFF, seed >> 32
+        self.names = {
+            name: np.array(names_of_scheme(self.program, name, self.schemes.get(name)), np.int64)
+            for name in self.populations
+        }
+        self._functions: dict[str, Callable[..., Any]] | None = None
+        self._module: ModuleType | None = None
+        self._births = births(self.program)
+        self._ticks_per_chunk = 1
+        if compiled:
+            connect(self)
+            self._guarded(lambda: self.module.prepare(self.contexts), run_setup)
+        else:
+            run_setup(self, self.functions)
+
+    def _set_values(self, parameters: Mapping[str, Any]) -> None:
+        for name in parameters:
+            if name not in self.parameters:
+                raise SocialmindError(
+                    f"{self.name} has no parameter {name!r}; {nearest(name, self.parameters)}"
+                )
+        for name, one in self.parameters.items():
+            self.context[name] = one.checked(parameters.get(name, one.default))
+        for field in self.variables.values():
+            default: Any = field.default
+            if field.optional:
+                self.context[presence(field.name)] = default is not None
+            self.context[field.name] = 0 if default is None else default
+
+    def _size(self, size: int | str) -> int:
+        if isinstance(size, str):
+            if size not in self.parameters:
+                raise ModelError(f"the size {size!r}", "a number or the name of a parameter")
+            size = self.context[size].item()
+        return int(size)
+
+    def _schemes(self) -> dict[str, CognitiveScheme]:
+        minded = {name: one for name, one in self.populations.items() if one.mind is not None}
+        given = self._scheme
+        if given is not None and not isinstance(given, Mapping):
+            if len(minded) != 1:
+                raise SocialmindError(
+                    f"a scheme for {self.name}, which has {len(minded)} populations with minds; "
+                    f"give a mapping from {', '.join(minded) or 'their names'}"
+                )
+            given = {next(iter(minded)): given}
+        schemes = {}
+        for name, population in minded.items():
+            source: Any = (given or {}).get(name, population.mind)
+            if isinstance(source, CognitiveScheme):
+                schemes[name] = source
+                continue
+            own = given is None or name not in given
+            path = self.folder() / source if own else Path(source)
+            schemes[name] = CognitiveScheme.load(path, decision_makers=population.decision_makers)
+        return schemes
+
+    def _tables(self) -> dict[str, Table]:
+        societies: dict[int, Society] = {}
+        tables: dict[str, Table] = {}
+        for place, (name, population) in enumerate(self.populations.items()):
+            society = None
+            if name in self.schemes:
+                scheme = self.schemes[name]
+                # Breeds that share a scheme share its groups.
+                same = [n for n in self.schemes if self.schemes[n] == scheme and n in tables]
+                society = tables[same[0]].society if same else Society(scheme, self.seed, place)
+                societies[place] = society
+            shape = self.shape.populations[name]
+            tables[name] = Table(self, shape, self._size(population.size), society)
+        return tables
+
+    # Running ----------------------------------------------------------------------------------
+
+    @property
+    def tick(self) -> int:
+        """How many ticks have run."""
+        return int(self.context["_tick"])
+
+    @property
+    def module(self) -> Any:
+        """The compiled loops."""
+        if self._module is None:
+            own = {
+                name: type(scheme.decision_maker).choose
+                for name, scheme in self.schemes.items()
+                if self.tables[name].society.arrays.maker[0] > 2  # type: ignore[union-attr]  # it has one
+            }
+            self._module = compiled_module(module_text(self.program, frozenset(own)), own)
+        return self._module
+
+    @property
+    def functions(self) -> dict[str, Callable[..., Any]]:
+        """The rules as interpreted Python."""
+        if self._functions is None:
+            world = {
+                "_in_radius": lambda world, x, y, radius: world.around(x, y, radius),
+                "_all_patches": lambda world: world.patches,
+            }
+            self._functions = self.program.interpreted(world)
+        return self._functions
+
+    def advance(self, ticks: int = 1) -> None:
+        """Run a number of ticks.
+
+        Args:
+            ticks: 0 or more.
+
+        Raises:
+            RuleError: a rule failed, with its file, line, agent and tick.
+        """
+        if not self.compiled:
+            for _ in range(ticks):
+                run_tick(self, self.functions)
+            return
+        left = ticks
+        while left > 0:
+            begin = time.perf_counter()
+            wanted = min(left, self._ticks_per_chunk)
+            connect(self)
+            done = self._guarded(
+                lambda wanted=wanted: self.module.advance(self.contexts, wanted), run_tick
+            )
+            if done < wanted:
+                self._make_room()
+            left -= done
+            took = time.perf_counter() - begin
+            if done == wanted and took < CHUNK_SECONDS / 2:
+                self._ticks_per_chunk *= 2
+            elif took > CHUNK_SECONDS and self._ticks_per_chunk > 1:
+                self._ticks_per_chunk //= 2
+
+    def step(self) -> None:
+        """Run one tick."""
+        self.advance(1)
+
+    def _make_room(self) -> None:
+        for name in self._births:
+            if self.tables[name].short_of_room:
+                self.tables[name].grow()
+
+    def _guarded(self, run: Callable[[], Any], again: Callable[..., None]) -> int:
+        """Run compiled code; when it fails, do its last tick again, interpreted.
+
+        The interpreted tick fails alike, and knows the line. If it does not fail, it was room for
+        births that the compiled one lacked, and the run goes on behind it.
+        """
+        begin = self.tick
+        before = self.state() if self._bytes() <= SNAPSHOT_BYTES else None
+        try:
+            return int(run() or 0)
+        except Exception as error:
+            failed = self.tick
+            if before is None:
+                raise SocialmindError(
+                    f"{type(error).__name__} in tick {failed}: {error}; run with --interpreted to see where"
+                ) from error
+            self.restore(before)
+            connect(self)
+            if failed > begin:
+                self.module.advance(self.contexts, failed - begin)
+            again(self, self.functions)
+            return self.tick - begin
+
+    def _bytes(self) -> int:
+        arrays = [table.rows.nbytes + 64 * len(table.rows) for table in self.tables.values()]
+        return sum(arrays) + (0 if self.grid is None else self.grid.rows.nbytes)
+
+    def run_plan(self, population: str, plan: int, agent: Any, rng: Any) -> None:
+        """Carry out a plan, by its number in the population's scheme, in an interpreted run."""
+        name = self.schemes[population].plans[plan]
+        symbol, takes = self.program.plans[population][name]
+        self.functions[symbol](*taken(takes, agent, self, rng).values())
+
+    # Observing --------------------------------------------------------------------------------
+
+    def series(self) -> dict[str, Any]:
+        """Return what a run records of the society at a tick: a name and a number for each column.
+
+        A model overrides it. Unless it does: the size of each population, and the variables.
+        """
+        sizes: dict[str, Any] = {name: len(table) for name, table in self.tables.items()}
+        plain = {
+            name: getattr(self, name) for name, one in self.variables.items() if one.size is None
+        }
+        return sizes | plain
+
+    def agents(self) -> dict[str, Any]:
+        """Return what a run records of each agent at a tick: a name and a sequence for each column.
+
+        A model overrides it. Unless it does: identity, place, plan and fields of the first
+        population. None stands for no value.
+        """
+        if not self.tables:
+            return {}
+        table = next(iter(self.tables.values()))
+        columns: dict[str, Any] = {"agent": table.id}
+        if table.shape.minded:
+            columns["plan"] = self.plans(table)
+        for name, field in table.shape.fields.items():
+            if field.size is None and name != "heading":
+                columns[name] = getattr(table, name)
+        return columns
+
+    def plans(self, table: Table) -> list[str | None]:
+        """Return the names of the plans of a population's living, None where there is none."""
+        names = [*self.schemes[table.shape.name].plans, None]
+        return [names[plan] for plan in table.columns["_plan"][table.slots].tolist()]
+
+    def parameter_values(self) -> dict[str, float | int | bool]:
+        """Return the values of the parameters."""
+        return {name: getattr(self, name) for name in self.parameters}
+
+    @property
+    def idle(self) -> Idle:
+        """The decisions that found no plan available."""
+        count = int(self.context["_idle"])
+        if count == 0:
+            return Idle(0, None, None)
+        return Idle(count, int(self.context["_idle_agent"]), int(self.context["_idle_tick"]))
+
+    def count_idle(self, agent: int) -> None:
+        """Count a decision that found no plan available."""
+        if self.context["_idle"] == 0:
+            self.context["_idle_agent"] = agent
+            self.context["_idle_tick"] = self.tick
+        self.context["_idle"] += 1
+
+    def fresh(self: Loaded) -> Loaded:
+        """Return the same society before its first tick."""
+        return type(self)(self.seed, self.compiled, self._scheme, **self.parameter_values())
+
+    def explain(self, agent: int, tick: int) -> Receipt:
+        """Explain the decision that was in force at a tick: the agent's last one up to it.
+
+        The run is repeated up to the decision, from its seed and parameters.
+
+        Args:
+            agent: the agent's identity, in the first population with minds.
+            tick: 1 or more.
+
+        Raises:
+            SocialmindError: there is no such agent at that tick, or it has not decided yet.
+        """
+        if not self.schemes:
+            raise SocialmindError(f"the agents of {self.name} have no minds")
+        population = next(iter(self.schemes))
+        seen = self.fresh()
+        seen.advance(tick)
+        table = seen.tables[population]
+        if not table.contains(agent):
+            living = table.id
+            known = f"{living[0]} … {living[-1]}" if len(living) else "none"
+            raise SocialmindError(f"no agent {agent} lives at tick {tick}; the living are {known}")
+        decided = table.columns["_decided"].item(table[agent]._slot)
+        if decided < 0:
+            raise SocialmindError(f"agent {agent} has taken no decision up to tick {tick}")
+        again = self.fresh()
+        again.advance(decided)
+        again.watch = (population, agent)
+        run_tick(again, again.functions)
+        if again.watched is None:
+            raise SocialmindError(f"agent {agent} took no decision in tick {decided}")
+        return again.watched
+
+    # State ------------------------------------------------------------------------------------
+
+    def state(self) -> dict[str, NDArray[Any]]:
+        """Return copies of all arrays that change in a run, by name; `restore` takes them back."""
+        state: dict[str, NDArray[Any]] = {"context": self.contexts.copy()}
+        if self.grid is not None:
+            state["world.rows"] = self.grid.rows.copy()
+        for name, table in self.tables.items():
+            for part, array in table.state().items():
+                state[f"{name}.{part}"] = array
+            if table.society is not None:
+                for part, array in table.society.state().items():
+                    state[f"{name}.minds.{part}"] = array
+        return state
+
+    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
+        """Take back the arrays of a checkpoint of the same model with the same parameters."""
+        if state["context"].dtype != self.contexts.dtype:
+            raise SocialmindError(f"the checkpoint is not one of {self.name}")
+        self.contexts[:] = state["context"]
+        if self.grid is not None:
+            self.grid.restore({"rows": state["world.rows"]})
+        for name, table in self.tables.items():
+            own = _part(state, name)
+            minds = _part(own, "minds")
+            table.restore({key: own[key] for key in own if not key.startswith("minds.")})
+            if table.society is not None:
+                table.society.restore(minds)
+
+    def mesa(self) -> Any:
+        """Return a real `mesa.Model` over this society; see docs/mesa.md."""
+        from socialmind.mesa_model import mesa_model
+
+        return mesa_model(self)
+
+
+def _part(state: Mapping[str, NDArray[Any]], name: str) -> dict[str, NDArray[Any]]:
+    begin = f"{name}."
+    return {key.removeprefix(begin): value for key, value in state.items() if key.startswith(begin)}
+
+
+def _snake_case(name: str) -> str:
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+

@@ -1,0 +1,64 @@
+"""Observation of minds: their cognitons and the weights of their plans as columns of a table."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from socialmind.population import Table
+
+
+def mind_columns(table: Table) -> dict[str, NDArray[Any]]:
+    """Return the minds of a population's living as columns.
+
+    Args:
+        table: a population whose agents have minds.
+
+    Returns:
+        For every cogniton `cogniton_<Name>`, its value, and for every plan `weight_<Plan>`, its
+        weight by equation 3.2; NaN where the cogniton is inactive or the plan unavailable. Rows
+        are in order of birth.
+    """
+    society = table.society
+    if society is None:
+        return {}
+    scheme, arrays, minds = society.scheme, society.arrays, society.minds
+    slots = table.columns["_mind"][table.slots]
+    values = minds.values[slots]
+    columns = {
+        f"cogniton_{one.name}": values[:, place] for place, one in enumerate(scheme.cognitons)
+    }
+    weights = np.zeros((len(slots), len(scheme.plans)))
+    opened = np.zeros(weights.shape, np.bool_)
+    for place in range(values.shape[1]):
+        active = ~np.isnan(values[:, place])
+        value = np.where(active, values[:, place], 0.0)
+        weights += value[:, None] * arrays.influence[place]
+        opened |= active[:, None] & arrays.conditional[place]
+    for group in range(len(scheme.groups)):
+        _add_culturons(society, slots, group, weights, opened)
+    weights[~opened] = np.nan
+    return columns | {f"weight_{plan}": weights[:, place] for place, plan in enumerate(scheme.plans)}
+
+
+def _add_culturons(
+    society: Any, slots: NDArray[np.int64], group: int, weights: Any, opened: Any
+) -> None:
+    """Add what the culturons of the minds' roles in a group bring to plans."""
+    arrays, minds = society.arrays, society.minds
+    own = len(arrays.start)
+    row = minds.group_slot[slots, group]
+    role = minds.role[slots, group]
+    member = row >= 0
+    begin, end = arrays.group_culturons[group]
+    for culturon in range(begin, end):
+        holds = np.zeros(len(slots), np.bool_)
+        holds[member] = arrays.role_culturons[role[member], culturon]
+        value = np.zeros(len(slots))
+        value[holds] = minds.culturons[row[holds], culturon]
+        value *= minds.participation[slots, group]
+        weights += value[:, None] * arrays.influence[own + culturon]
+        opened |= holds[:, None] & arrays.conditional[own + culturon]

@@ -1,0 +1,112 @@
+"""The schedule: which rules run in a tick, in what order, and the tick as interpreted Python.
+
+Within a phase agents come in a fresh random order, one after another, and each sees what the
+earlier ones did (NetLogo's `ask`). Those born in a tick act from the next tick on, the dead no
+more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from socialmind.errors import ModelError
+from socialmind.language.shape import PhaseShape
+from socialmind.population import Population
+from socialmind.streams import ORDER_TAG, SCHEDULE_TAG, SETUP_TAG, Stream, shuffle
+
+if TYPE_CHECKING:
+    from socialmind.language.program import Phase
+    from socialmind.model import Model
+
+Rule = Callable[..., Any]
+
+
+class PhaseDeclaration:
+    """One entry of a model's schedule; `each` and `once` make them."""
+
+    def __init__(self, rule: Rule, population: Population | None, shuffled: bool) -> None:
+        self.rule = rule
+        self.population = population
+        self.shuffled = shuffled
+
+    @property
+    def shape(self) -> PhaseShape:
+        """The phase, with its population by name."""
+        name = None if self.population is None else self.population.name
+        return PhaseShape(self.rule, name, self.shuffled)
+
+    def __str__(self) -> str:
+        if self.population is None:
+            return f"once: {self.rule.__name__}"
+        order = "random order" if self.shuffled else "order of birth"
+        return f"each of {self.population.name}, {order}: {self.rule.__name__}"
+
+
+def each(population: Population, rule: Rule, *, shuffled: bool = True) -> PhaseDeclaration:
+    """Declare a phase in which each agent of a population follows a rule.
+
+    Args:
+        population: the population, as declared in the same class.
+        rule: a plain function `rule(agent, model, rng)`; it may leave out `model` and `rng`.
+        shuffled: a fresh random order each tick (NetLogo's), or the order of birth.
+    """
+    if not isinstance(population, Population):
+        raise ModelError(
+            f"each({population!r}, …)", "a population of the class", "write each(humans, rule)"
+        )
+    return PhaseDeclaration(rule, population, shuffled)
+
+
+def once(rule: Rule) -> PhaseDeclaration:
+    """Declare a phase in which a rule runs once a tick.
+
+    Args:
+        rule: a plain function `rule(model, rng)`; it may leave out `rng`.
+    """
+    return PhaseDeclaration(rule, None, False)
+
+
+def run_setup(model: Model, functions: dict[str, Rule]) -> None:
+    """Run the setup of a model in interpreted Python."""
+    for place, phase in enumerate(model.program.setup):
+        _run(model, functions, phase, SETUP_TAG + place)
+    _settle(model)
+
+
+def run_tick(model: Model, functions: dict[str, Rule]) -> None:
+    """Run one tick of a model in interpreted Python."""
+    for place, phase in enumerate(model.program.schedule):
+        _run(model, functions, phase, SCHEDULE_TAG + place)
+    _settle(model)
+    model.context["_tick"] += 1
+
+
+def _run(model: Model, functions: dict[str, Rule], phase: Phase, tag: int) -> None:
+    stream = Stream(model.seed)
+    rule = functions[phase.symbol]
+    if phase.shape.population is None:
+        stream.begin(tag, 0, model.tick)
+        rule(**taken(phase.takes, None, model, stream))
+        return
+    table = model.tables[phase.shape.population]
+    acting = table.acting_order
+    if phase.shape.shuffled:
+        stream.begin(ORDER_TAG, tag, model.tick)
+        shuffle(stream, acting, len(acting))
+    for slot in acting.tolist():
+        if table.alive[slot]:
+            agent = table.row_class(table, slot)
+            stream.begin(tag, agent.id, model.tick)
+            rule(*taken(phase.takes, agent, model, stream).values())
+
+
+def taken(takes: tuple[str, ...], agent: Any, model: Model, rng: Stream) -> dict[str, Any]:
+    """Return those of agent, model and stream that a rule takes, in its order."""
+    values = {"agent": agent, "model": model, "rng": rng}
+    return {name: values[name] for name in takes}
+
+
+def _settle(model: Model) -> None:
+    for table in model.tables.values():
+        table.settle()

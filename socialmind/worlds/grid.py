@@ -1,0 +1,120 @@
+"""The torus of a model: its declaration, and its patches in a running model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.fields import Field, class_fields
+from socialmind.language.loop import row_dtype
+from socialmind.population import set_default
+from socialmind.rows import PatchRow, patch_class
+from socialmind.worlds.torus import patch_index, patches_in_radius
+
+
+class Patch:
+    """The base of annotated classes that declare the fields of a patch.
+
+    >>> class Land(Patch):
+    ...     taken: bool = False
+    """
+
+
+class Torus:
+    """The declaration of a square torus of patches, as the attribute `world` of a model.
+
+    Args:
+        size: patches along a side, 1 or more: a number, or the name of a parameter.
+        patch: the annotated class of its patches, which inherits from `Patch`.
+    """
+
+    def __init__(self, size: int | str = 33, patch: type = Patch) -> None:
+        self.size = size
+        self.patch = patch
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        if name != "world":
+            raise ModelError(f"a torus called {name!r}", "world", "write world = Torus(…)")
+        if not (isinstance(self.patch, type) and issubclass(self.patch, Patch)):
+            raise ModelError(
+                f"{self.patch!r} as the patches of the world",
+                "a class that inherits from socialmind.Patch",
+                "write class Land(Patch): …",
+            )
+
+    def __get__(self, model: Any, owner: type) -> Any:
+        return self if model is None else model.grid
+
+    @property
+    def fields(self) -> dict[str, Field]:
+        """The fields of its patches."""
+        return class_fields(self.patch)
+
+
+class Grid:
+    """The torus of a running model.
+
+    It is what `model.world` gives: its size, a patch, the patches around an agent, and each field
+    of the patches as a NumPy array of shape (size, size), column by column from the south-west:
+
+        model.world.size, model.world.low, model.world.high
+        model.world.patch(3, -2).taken
+        model.world.taken[x - model.world.low, y - model.world.low]
+
+    Args:
+        fields: the fields of a patch.
+        size: patches along a side.
+    """
+
+    def __init__(self, fields: dict[str, Field], size: int) -> None:
+        self.fields = fields
+        self.size = size
+        self.low = -(size // 2)
+        self.high = self.low + size - 1
+        self.rows = np.zeros(size * size, row_dtype(fields, None))
+        for field in fields.values():
+            set_default(self.rows, field)
+        self.row_class = patch_class(fields)
+        self._see_columns()
+
+    def _see_columns(self) -> None:
+        names = self.rows.dtype.names or ()
+        self.columns = {name: self.rows[name] for name in names}
+
+    def __getattr__(self, name: str) -> NDArray[Any]:
+        """Return a field of all patches."""
+        fields = self.__dict__.get("fields", {})
+        if name not in fields:
+            raise AttributeError(f"no field {name!r} of a patch; there is {', '.join(fields)}")
+        column = self.columns[name]
+        return column.reshape((self.size, self.size, *column.shape[1:]))
+
+    def patch(self, x: float, y: float) -> PatchRow:
+        """Return the patch around a point."""
+        return self.row_class(self, int(patch_index(x, y, self.low, self.size)))
+
+    def in_radius(self, agent: Any, radius: float) -> Iterator[PatchRow]:
+        """Yield the patches whose centre is at most a radius from an agent or a patch."""
+        return self.around(agent.x, agent.y, radius)
+
+    def around(self, x: float, y: float, radius: float) -> Iterator[PatchRow]:
+        """Yield the patches whose centre is at most a radius from a point."""
+        for place in patches_in_radius(x, y, radius, self.low, self.size):
+            yield self.row_class(self, place)
+
+    @property
+    def patches(self) -> Iterator[PatchRow]:
+        """Yield all patches, column by column."""
+        for place in range(len(self.rows)):
+            yield self.row_class(self, place)
+
+    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
+        """Take the patches of a checkpoint."""
+        if state["rows"].dtype != self.rows.dtype or len(state["rows"]) != len(self.rows):
+            raise SocialmindError("the checkpoint's patches are not those of the model")
+        self.rows = np.array(state["rows"])
+        self._see_columns()
