@@ -1,0 +1,105 @@
+"""Where the names of a scheme stand in its arrays; the errors about a name that is not there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from numbers import Integral, Real
+
+from coglogo_py.arrays import culturons_of
+from coglogo_py.errors import MindError, nearest
+from coglogo_py.scheme import CognitiveScheme
+
+
+class Names:
+    """The positions of a scheme's cognitons, plans, groups, roles and culturons, by name.
+
+    Roles and culturons are counted over all groups, as in `SchemeArrays`.
+
+    Args:
+        scheme: the description.
+
+    >>> from coglogo_py import Cogniton
+    >>> names = Names(CognitiveScheme("herd", (Cogniton("Hunger", influence={"eat": 1.0}),)))
+    >>> names.cogniton("Hunger")
+    0
+    >>> names.plan("Eat")
+    Traceback (most recent call last):
+    coglogo_py.errors.MindError: no plan 'Eat' in scheme 'herd'; did you mean 'eat'? there are: eat
+    """
+
+    def __init__(self, scheme: CognitiveScheme) -> None:
+        self.scheme_name = scheme.name
+        self.cognitons = {c.name: position for position, c in enumerate(scheme.cognitons)}
+        self.plans = {plan: position for position, plan in enumerate(scheme.plans)}
+        self.groups = {g.name: position for position, g in enumerate(scheme.groups)}
+        self.roles: dict[str, dict[str, int]] = {}
+        self.culturons: dict[str, dict[str, int]] = {}
+        roles = culturons = 0
+        for group in scheme.groups:
+            self.roles[group.name] = {r.name: roles + k for k, r in enumerate(group.roles)}
+            roles += len(group.roles)
+            distinct = culturons_of(group)
+            self.culturons[group.name] = {c.name: culturons + k for k, c in enumerate(distinct)}
+            culturons += len(distinct)
+
+    def cogniton(self, name: str) -> int:
+        """Return the position of a cogniton; MindError when there is none of that name."""
+        return self._position("cogniton", name, self.cognitons, f"scheme {self.scheme_name!r}")
+
+    def plan(self, name: str) -> int:
+        """Return the position of a plan; MindError when there is none of that name."""
+        return self._position("plan", name, self.plans, f"scheme {self.scheme_name!r}")
+
+    def group(self, name: str) -> int:
+        """Return the position of a group; MindError when there is none of that name."""
+        return self._position("group", name, self.groups, f"scheme {self.scheme_name!r}")
+
+    def role(self, group: str, name: str) -> tuple[int, int]:
+        """Return the positions of a group and of one of its roles."""
+        position = self.group(group)
+        return position, self._position("role", name, self.roles[group], f"group {group!r}")
+
+    def culturon(self, group: str, name: str) -> tuple[int, int]:
+        """Return the positions of a group and of a culturon of any of its roles."""
+        position = self.group(group)
+        return position, self._position("culturon", name, self.culturons[group], f"group {group!r}")
+
+    @staticmethod
+    def _position(kind: str, name: object, known: Mapping[str, int], where: str) -> int:
+        if isinstance(name, str) and name in known:
+            return known[name]
+        advice = nearest(name, known) if isinstance(name, str) else "names are strings"
+        there = f"there are: {', '.join(known)}" if known else f"there are no {kind}s"
+        raise MindError(f"no {kind} {name!r} in {where}; {f'{advice} ' if advice else ''}{there}")
+
+
+def finite(value: object, what: str) -> float:
+    """Return a number that a command was given as a float.
+
+    Args:
+        value: what was given.
+        what: what the command does with it, for the error.
+
+    Raises:
+        MindError: it is no number, NaN or infinite.
+
+    >>> finite(3, "the value of 'Hunger'")
+    3.0
+    """
+    if isinstance(value, Real) and not isinstance(value, bool):
+        number = float(value)
+        if math.isfinite(number):
+            return number
+    raise MindError(f"{what}: expected a finite number, found {value!r}")
+
+
+def whole(value: object, what: str) -> int:
+    """Return a whole number that a command was given as an int.
+
+    Raises:
+        MindError: it is no whole number.
+    """
+    if isinstance(value, Integral) and not isinstance(value, bool):
+        return int(value)
+    raise MindError(f"{what}: expected a whole number, found {value!r}")

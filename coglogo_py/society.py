@@ -1,0 +1,152 @@
+"""A society: the minds of one scheme and the groups they form."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from coglogo_py import kernel
+from coglogo_py.arrays import MindArrays, SchemeArrays, grown, mind_arrays, scheme_arrays
+from coglogo_py.errors import CogLogoError
+from coglogo_py.mind import Mind
+from coglogo_py.names import Names, whole
+from coglogo_py.scheme import CognitiveScheme
+
+FIRST_CAPACITY = 16
+
+
+class Society:
+    """The minds of one scheme and their group instances.
+
+    A mind's decisions draw from its own stream: which number it gets depends on the seed, the
+    stream, the mind's identity and how many decisions it has taken, on nothing else in the society.
+
+    Args:
+        scheme: what the minds have in common.
+        seed: 0 … 2⁶⁴ − 1.
+        stream: 0 … 65535, to keep the societies of one model apart.
+
+    Raises:
+        CogLogoError: `scheme` is no scheme, or seed or stream is no whole number in its range.
+
+    >>> from coglogo_py import Cogniton
+    >>> hunger = Cogniton("Hunger", start_value=3, influence={"eat": 2}, conditional=("eat",))
+    >>> society = Society(CognitiveScheme("herd", (hunger,)), seed=1)
+    >>> cow = society.new_mind()
+    >>> cow.plan_weights()
+    {'eat': 6.0}
+    >>> cow.choose_next_plan()
+    'eat'
+    """
+
+    def __init__(self, scheme: CognitiveScheme, seed: int, stream: int = 0) -> None:
+        if not isinstance(scheme, CognitiveScheme):
+            raise CogLogoError(
+                f"a society needs a CognitiveScheme, found {scheme!r}; "
+                "load one with CognitiveScheme.load(path)"
+            )
+        self.scheme = scheme
+        self.seed = _within(seed, 2**64, "seed")
+        self.stream = _within(stream, 2**16, "stream")
+        self.names = Names(scheme)
+        self.arrays: SchemeArrays = scheme_arrays(scheme)
+        self.weights_scratch = np.empty(len(scheme.plans))
+        self.plans_scratch = np.empty(len(scheme.plans), np.int64)
+        self.era = 0
+        self.minds: MindArrays
+        self._clear()
+
+    def _clear(self) -> None:
+        self.minds = mind_arrays(self.arrays, FIRST_CAPACITY, self.seed, self.stream)
+
+    def __repr__(self) -> str:
+        return f"<Society of {len(self)} minds with scheme {self.scheme.name!r}, seed {self.seed}>"
+
+    def __len__(self) -> int:
+        """The number of living minds."""
+        return int(self.minds.counters[kernel.ALIVE])
+
+    def __iter__(self) -> Iterator[Mind]:
+        """The living minds, the eldest first."""
+        alive = np.flatnonzero(self.minds.mind_id >= 0)
+        identities = self.minds.mind_id[alive]
+        eldest_first = np.argsort(identities)
+        for slot, identity in zip(
+            alive[eldest_first].tolist(), identities[eldest_first].tolist(), strict=True
+        ):
+            # Whoever iterates may let minds die and be born meanwhile.
+            if self.minds.mind_id[slot] == identity:
+                yield self.mind_in(slot)
+
+    def new_mind(self) -> Mind:
+        """Make a mind with the scheme's starting cognitons, in no group."""
+        self.reserve(1)
+        return self.mind_in(kernel.new_mind(self.arrays, self.minds))
+
+    def mind_in(self, slot: int) -> Mind:
+        """Return the living mind that the arrays hold in a slot.
+
+        Raises:
+            CogLogoError: no mind is there.
+        """
+        if not 0 <= slot < len(self.minds.mind_id) or self.minds.mind_id[slot] < 0:
+            raise CogLogoError(f"no mind lives in slot {slot} of the society")
+        return Mind(self, slot)
+
+    def reserve(self, count: int) -> None:
+        """Make room for more minds; the arrays are replaced when there is not enough.
+
+        Args:
+            count: how many more minds there shall be room for, 0 or more.
+        """
+        capacity = len(self.minds.mind_id)
+        missing = count - int(self.minds.counters[kernel.FREE_MINDS])
+        if missing > 0:
+            self.minds = grown(self.arrays, self.minds, max(2 * capacity, capacity + missing))
+
+    def reset(self) -> None:
+        """Forget all minds, groups, identities and draws: as if just made, with the same seed."""
+        self.era += 1
+        self._clear()
+
+    def state(self) -> dict[str, np.ndarray]:
+        """Return a copy of all that the minds and groups hold, by the names in `MindArrays`."""
+        return {name: array.copy() for name, array in self.minds._asdict().items()}
+
+    def restore(self, state: Mapping[str, np.ndarray]) -> None:
+        """Go back to a state of a society of the same scheme; its seed and stream come along.
+
+        A `Mind` handed out before is valid after if the mind lived then.
+
+        Args:
+            state: what `state` returned.
+
+        Raises:
+            CogLogoError: the arrays are not those of a society with this scheme; nothing changed.
+        """
+        missing = [name for name in MindArrays._fields if name not in state]
+        if missing:
+            raise CogLogoError(f"the state of a society lacks {', '.join(missing)}")
+        fitting = mind_arrays(self.arrays, max(1, len(state["mind_id"])), seed=0)
+        for name, fit in fitting._asdict().items():
+            found = np.asarray(state[name])
+            if found.shape != fit.shape or found.dtype != fit.dtype:
+                raise CogLogoError(
+                    f"{name} in the state of a society with scheme {self.scheme.name!r}: "
+                    f"expected {fit.dtype} of shape {fit.shape}, "
+                    f"found {found.dtype} of shape {found.shape}; was it another scheme's?"
+                )
+        self.minds = MindArrays(
+            **{name: np.array(state[name], order="C") for name in MindArrays._fields}
+        )
+        low, high = self.minds.counters[[kernel.SEED_LOW, kernel.SEED_HIGH]].tolist()
+        self.seed = high << 32 | low
+        self.stream = int(self.minds.counters[kernel.STREAM])
+
+
+def _within(value: int, end: int, what: str) -> int:
+    number = whole(value, f"{what} of a society")
+    if not 0 <= number < end:
+        raise CogLogoError(f"{what} of a society: expected 0 … {end - 1}, found {number}")
+    return number
