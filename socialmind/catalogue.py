@@ -16,7 +16,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from socialmind.errors import ModelError, SocialmindError
 
@@ -181,7 +181,7 @@ def _load_file(path: Path) -> ModuleType:
 def _compile(source: bytes, path: Path) -> CodeType:
     """Compile the file as it stands, past any stale bytecode."""
     try:
-        return cast(CodeType, compile(source, str(path), "exec", dont_inherit=True))
+        return compile(source, str(path), "exec", dont_inherit=True)
     except SyntaxError as error:
         raise _failed_import(error, path) from error
     except ValueError as error:  # null bytes
@@ -206,24 +206,41 @@ def _forget(name: str) -> None:
 
 
 def _failed_import(error: Exception, path: Path) -> ModelError:
-    """Say in one line what went wrong, at the innermost line that lies in the model's folder."""
+    """Say in one line why a file of a model cannot be loaded."""
     if isinstance(error, SyntaxError):
         return ModelError(
             f"not valid Python ({error.msg})", file=error.filename or path, line=error.lineno
         )
+    missing = error.name if isinstance(error, ModuleNotFoundError) else None
+    remedy = None
+    if missing and (path.parent / f"{missing}.py").is_file():
+        remedy = f"write `from . import {missing}` for a file of the model's own folder"
+    elif missing:
+        remedy = f"install {missing}, or correct the name"
+    return failure_in_model(error, path, "loading", remedy)
+
+
+def failure_in_model(
+    error: Exception, path: Path, doing: str, remedy: str | None = None
+) -> ModelError:
+    """Say in one line where in a model's own files an error came from.
+
+    Args:
+        error: what was raised.
+        path: the file that was called.
+        doing: what the file was called for.
+        remedy: what to do.
+
+    Returns:
+        An error that names the innermost line that lies in the folder of `path`.
+    """
     file, line = path, None
     for frame, number in traceback.walk_tb(error.__traceback__):
         place = Path(frame.f_code.co_filename)
         if place.is_relative_to(path.parent):
             file, line = place, number
-    remedy = None
-    missing = error.name if isinstance(error, ModuleNotFoundError) else None
-    if missing and (path.parent / f"{missing}.py").is_file():
-        remedy = f"write `from . import {missing}` for a file of the model's own folder"
-    elif missing:
-        remedy = f"install {missing}, or correct the name"
     return ModelError(
-        f"loading stopped with {type(error).__name__}: {error}",
+        f"{doing} stopped with {type(error).__name__}: {error}",
         remedy=remedy,
         file=file,
         line=line,
@@ -244,12 +261,11 @@ def _model_class(module: ModuleType) -> type[Model]:
             "write `model = YourModel`, the class itself",
             module.__file__,
         )
+    # A class may stand there under two names.
     defined = [
         value
-        for value in vars(module).values()
-        if isinstance(value, type)
-        and issubclass(value, Model)
-        and value.__module__ == module.__name__
+        for value in dict.fromkeys(v for v in vars(module).values() if isinstance(v, type))
+        if issubclass(value, Model) and value.__module__ == module.__name__
     ]
     if len(defined) == 1:
         return defined[0]

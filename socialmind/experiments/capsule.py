@@ -14,7 +14,7 @@ import os
 import platform
 import secrets
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
@@ -37,8 +37,8 @@ class Manifest:
         parameters: value of every parameter.
         seed: of the run.
         compiled: whether compiled or interpreted; the result is the same.
-        scheme: ``name``, ``file`` (the copy in the run's folder) and ``sha256`` of that copy;
-            None for a model without a cognitive scheme.
+        schemes: for each population with minds, its cognitive scheme's ``name``, ``file`` (the
+            copy in the run's folder) and ``sha256`` of that copy.
         ticks: length asked for.
         every: ticks between two rows of the series.
         agents_every: ticks between two recordings of the agents.
@@ -57,7 +57,7 @@ class Manifest:
     parameters: dict[str, Any]
     seed: int
     compiled: bool
-    scheme: dict[str, str] | None
+    schemes: dict[str, dict[str, str]]
     ticks: int
     every: int
     agents_every: int
@@ -121,14 +121,14 @@ class Capsule:
         self.manifest = Manifest.load(self.folder / MANIFEST)
 
     @classmethod
-    def create(cls, out: Path | None, manifest: Manifest, scheme: bytes | None) -> Capsule:
-        """Make a run's folder; it appears whole, with its manifest and scheme, or not at all.
+    def create(cls, out: Path | None, manifest: Manifest, files: Mapping[str, bytes]) -> Capsule:
+        """Make a run's folder; it appears whole, with its manifest and schemes, or not at all.
 
         Args:
             out: a path where nothing is, or an empty folder; None for the next free number
                 under ``runs/``.
             manifest: what the run is.
-            scheme: content of the scheme's file.
+            files: content of the other files that it holds from the start, by name.
 
         Raises:
             SocialmindError: the folder holds something, or cannot be written.
@@ -137,7 +137,7 @@ class Capsule:
             target = out.expanduser().absolute()
             refuse_unless_free(target)
             try:
-                cls._place(target, manifest, scheme)
+                cls._place(target, manifest, files)
             except FileExistsError as error:
                 raise SocialmindError(str(error)) from error
             return cls(target)
@@ -147,21 +147,21 @@ class Capsule:
             target = home / f"{manifest.model['name']}-{number:03d}"
             if not target.exists():
                 try:
-                    cls._place(target, manifest, scheme)
+                    cls._place(target, manifest, files)
                     return cls(target)
                 except FileExistsError:
                     pass  # another run took this number just now
             number += 1
 
     @staticmethod
-    def _place(target: Path, manifest: Manifest, scheme: bytes | None) -> None:
+    def _place(target: Path, manifest: Manifest, files: Mapping[str, bytes]) -> None:
         """Fill a folder beside the target under another name, then rename it."""
         target.parent.mkdir(parents=True, exist_ok=True)
         unfinished = target.parent / f".{target.name}-{secrets.token_hex(4)}.partial"
         unfinished.mkdir()
         try:
-            if scheme is not None and manifest.scheme is not None:
-                (unfinished / manifest.scheme["file"]).write_bytes(scheme)
+            for name, content in files.items():
+                (unfinished / name).write_bytes(content)
             manifest.save(unfinished / MANIFEST)
             if target.is_dir() and target == Path.cwd():
                 # Renaming over the current folder would leave the user's shell nowhere.
@@ -179,10 +179,6 @@ class Capsule:
         finally:
             shutil.rmtree(unfinished, ignore_errors=True)
 
-    def path(self, name: str) -> Path:
-        """A file of the capsule."""
-        return self.folder / name
-
     @property
     def parts(self) -> Path:
         """The folder of the tables' parts, there while the run is not finished."""
@@ -194,9 +190,9 @@ class Capsule:
         return self.folder / "checkpoint.npz"
 
     @property
-    def scheme(self) -> Path | None:
-        """The run's own copy of its scheme file."""
-        return self.folder / self.manifest.scheme["file"] if self.manifest.scheme else None
+    def schemes(self) -> dict[str, Path]:
+        """The run's own copies of its scheme files, by population."""
+        return {name: self.folder / one["file"] for name, one in self.manifest.schemes.items()}
 
     def table(self, name: str) -> Path:
         """The merged file of a table."""
@@ -249,7 +245,7 @@ def fingerprint() -> dict[str, str]:
 
     Two runs on equal fingerprints are equal exactly; elsewhere they agree within rounding.
     """
-    import llvmlite.binding
+    import llvmlite.binding  # type: ignore[import-untyped]  # ships no types
     import numba
     import numpy as np
 

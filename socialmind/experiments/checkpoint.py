@@ -8,6 +8,7 @@ import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -49,7 +50,7 @@ class Checkpoint:
             "loop_seconds": self.loop_seconds,
             "seconds": self.seconds,
         }
-        arrays = {_STATE + name: array for name, array in self.state.items()}
+        arrays: dict[str, Any] = {_STATE + name: array for name, array in self.state.items()}
         for name, array in self.state.items():
             if array.dtype.hasobject:
                 raise SocialmindError(
@@ -58,7 +59,7 @@ class Checkpoint:
                 )
         unfinished = path.with_name(path.name + ".partial")
         with unfinished.open("wb") as file:
-            np.savez(file, **{_RECORD: np.array(json.dumps(record))}, **arrays)
+            np.savez(file, **arrays | {_RECORD: np.array(json.dumps(record))})
             file.flush()
             os.fsync(file.fileno())
         unfinished.replace(path)

@@ -7,6 +7,7 @@ and sees whether the user wants to stop. What is computed never depends on where
 
 from __future__ import annotations
 
+import inspect
 import shutil
 import signal
 import threading
@@ -18,15 +19,16 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from socialmind.catalogue import failure_in_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
-from socialmind.experiments.sources import model_of, model_source, scheme_copy
+from socialmind.experiments.sources import model_of, model_source, scheme_copies
 from socialmind.experiments.tables import AGENTS, SERIES, TABLES, GrowingTable, merge
 
 if TYPE_CHECKING:
-    from coglogo_py.scheme import CognitiveScheme
+    from socialmind.experiments.sources import SchemeArgument
     from socialmind.model import Model
 
 Progress = Callable[[int, int], None]
@@ -63,7 +65,7 @@ def run(
     ticks: int | None = None,
     seed: int = 0,
     parameters: Mapping[str, Any] | None = None,
-    scheme: CognitiveScheme | str | Path | None = None,
+    scheme: SchemeArgument = None,
     every: int | None = None,
     agents_every: int | None = None,
     out: str | Path | None = None,
@@ -78,7 +80,8 @@ def run(
         ticks: length of the run, at least 0; the model's own by default.
         seed: of every random draw; 0 … 2**64 − 1.
         parameters: values by name; the model's defaults for the rest.
-        scheme: a cognitive scheme or its file in place of the model's own.
+        scheme: a cognitive scheme or its file in place of the model's own; for a model with
+            several populations that have minds, a mapping from their names.
         every: ticks between two rows of the series, at least 1; by default such that about 500
             are recorded. The last tick is always recorded.
         agents_every: ticks between two recordings of the agents; by default ten times `every`.
@@ -107,13 +110,13 @@ def run(
         capsules.refuse_unless_free(target.expanduser())
 
     model = model_class(seed=seed, compiled=compiled, scheme=scheme, **(parameters or {}))
-    scheme_record, scheme_content = scheme_copy(model, scheme)
+    schemes, scheme_files = scheme_copies(model, scheme)
     manifest = Manifest(
         model=model_source(model_class),
         parameters=dict(model.parameter_values()),
         seed=seed,
         compiled=compiled,
-        scheme=scheme_record,
+        schemes=schemes,
         ticks=length,
         every=step,
         agents_every=agents_step,
@@ -121,7 +124,7 @@ def run(
         versions=capsules.versions(),
         platforms=[capsules.fingerprint()],
     )
-    capsule = Capsule.create(target, manifest, scheme_content)
+    capsule = Capsule.create(target, manifest, scheme_files)
     with capsule.locked():
         _Execution(capsule, model, None, started).go(length, on_progress, checkpoint_every)
     return capsule.folder
@@ -221,12 +224,19 @@ class _Execution:
                 raise
             except Exception as error:
                 # The state is in mid-tick: the last checkpoint stays the truth.
-                self._capsule.update(
-                    status=capsules.FAILED, error=f"{type(error).__name__}: {error}"
-                )
-                raise
+                known = isinstance(error, SocialmindError | OSError)
+                failure = error if known else self._failure(error)
+                self._capsule.update(status=capsules.FAILED, error=str(failure))
+                if known:
+                    raise
+                raise failure from error
             checkpoint = self._checkpoint()
             _finish(self._capsule, checkpoint)
+
+    def _failure(self, error: Exception) -> SocialmindError:
+        """An error of the model's own Python, with its place there."""
+        path = Path(inspect.getfile(type(self._model)))
+        return failure_in_model(error, path, f"the run at tick {self._model.tick}")
 
     def _loop(
         self,

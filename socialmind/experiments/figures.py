@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from socialmind.catalogue import load_figures
-from socialmind.errors import ModelError
+from socialmind.catalogue import FIGURES_FILE, failure_in_model, load_figures
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.result import Run
 from socialmind.experiments.sources import recorded_folder
@@ -15,7 +15,8 @@ from socialmind.experiments.sources import recorded_folder
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-PNG_DOTS_PER_INCH = 200
+PANEL = (58.0, 40.0)
+"""Width and height of a panel of the figure of all series, in mm."""
 
 
 def draw_figures(folder: str | Path) -> list[Path]:
@@ -31,29 +32,18 @@ def draw_figures(folder: str | Path) -> list[Path]:
         The files written.
 
     Raises:
-        SocialmindError: the run cannot be read, or ``draw`` does not give figures by name.
+        SocialmindError: the run cannot be read, or ``draw`` fails or gives no figures by name.
     """
-    import matplotlib
+    import matplotlib as mpl
 
-    model = recorded_folder(Capsule(folder))
+    from socialmind.experiments import paper
+
     run = Run(folder)
-    module = None if model is None else load_figures(model)
-    written = []
-    with matplotlib.rc_context():
-        figures = {"series": draw_series(run)} if module is None else module.draw(run)
-        _check(figures, None if module is None else module.__file__)
-        home = run.folder / "figures"
-        home.mkdir(exist_ok=True)
-        for name, figure in figures.items():
-            for suffix, options in (
-                # Without a date the same run gives the same file.
-                ("pdf", {"metadata": {"CreationDate": None}}),
-                ("png", {"dpi": PNG_DOTS_PER_INCH}),
-            ):
-                path = home / f"{name}.{suffix}"
-                figure.savefig(path, **options)
-                written.append(path)
-    if "matplotlib.pyplot" in sys.modules:  # else pyplot keeps the figures it made
+    home = run.folder / "figures"
+    with mpl.rc_context():
+        figures = _figures(run, recorded_folder(Capsule(folder)))
+        written = paper.save(figures, home)
+    if "matplotlib.pyplot" in sys.modules:  # which keeps the figures that were made with it
         from matplotlib import pyplot
 
         for figure in figures.values():
@@ -70,42 +60,55 @@ def draw_series(run: Run) -> Figure:
     Returns:
         The figure.
     """
-    from matplotlib.figure import Figure
+    from socialmind.experiments import paper
 
     series = run.series
     columns = [name for name in series.columns if name != "tick"]
     across = min(3, max(1, len(columns)))
     down = max(1, -(-len(columns) // across))
-    figure = Figure(figsize=(2.4 * across, 1.8 * down), layout="constrained")
-    panels = figure.subplots(down, across, sharex=True, squeeze=False)
-    for axes, name in zip(panels.flat, columns, strict=False):
-        axes.plot(series["tick"], series[name].astype(float), color="#0072B2", linewidth=1)
-        axes.set_title(name.replace("_", " "), fontsize=8, loc="left")
-        axes.tick_params(labelsize=7)
-        axes.spines[["top", "right"]].set_visible(False)
-    for axes in panels.flat[len(columns) :]:
-        axes.set_visible(False)
-    figure.supxlabel("tick", fontsize=8)
+    with paper.style():
+        figure = paper.figure(PANEL[0] * across, PANEL[1] * down)
+        panels = figure.subplots(down, across, squeeze=False)
+        for axes, name in zip(panels.flat, columns, strict=False):
+            scale = paper.time_axis(axes, list(series["tick"]))
+            axes.plot(series["tick"] / scale, series[name].astype(float), color=paper.BLUE)
+            axes.set_title(name.replace("_", " "))
+        for axes in panels.flat[len(columns) :]:
+            axes.set_visible(False)
     return figure
 
 
-def _check(figures: object, file: str | None) -> None:
-    """Raise unless `figures` are figures by names that do for files."""
-    from matplotlib.figure import Figure
-
-    if isinstance(figures, dict):
-        odd = [
-            f"{name!r}: {type(figure).__name__}"
-            for name, figure in figures.items()
-            if not isinstance(figure, Figure) or not str(name).replace("-", "_").isidentifier()
-        ]
-        found = ", ".join(odd)
-    else:
-        found = type(figures).__name__
-    if found:
+def _figures(run: Run, model: Path | None) -> dict[str, Figure]:
+    """What the model's ``draw`` gives, or the figure of all series."""
+    module = None if model is None else load_figures(model)
+    if model is None or module is None:
+        return {"series": draw_series(run)}
+    path = model / FIGURES_FILE
+    try:
+        figures = module.draw(run)
+    except SocialmindError:
+        raise
+    except Exception as error:
+        raise failure_in_model(error, path, "draw(run)") from error
+    odd = _odd(figures)
+    if odd:
         raise ModelError(
-            f"draw(run) giving {found}",
+            f"draw(run) giving {odd}",
             "a dictionary of matplotlib figures by name",
             "return {'name': figure}; a name holds letters, digits, - and _",
-            file,
+            path,
         )
+    return dict(figures)
+
+
+def _odd(figures: Any) -> str:
+    """What is wrong with the answer of a ``draw``; empty when it is right."""
+    from matplotlib.figure import Figure
+
+    if not isinstance(figures, dict):
+        return type(figures).__name__
+    return ", ".join(
+        f"{name!r}: {type(figure).__name__}"
+        for name, figure in figures.items()
+        if not isinstance(figure, Figure) or not str(name).replace("-", "_").isidentifier()
+    )

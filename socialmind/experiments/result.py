@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import FINISHED, Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
+from socialmind.experiments.sources import recorded_class
 from socialmind.experiments.tables import AGENTS, SERIES, read
 
 if TYPE_CHECKING:
     import pandas as pd
 
-    from coglogo_py.scheme import CognitiveScheme
+    from coglogo_py import CognitiveScheme
 
 
 class Run:
@@ -77,12 +78,24 @@ class Run:
         return self._table(AGENTS)
 
     @cached_property
-    def scheme(self) -> CognitiveScheme | None:
-        """The cognitive scheme that the run used; None for a model without one."""
-        from coglogo_py.scheme import CognitiveScheme
+    def schemes(self) -> dict[str, CognitiveScheme]:
+        """The cognitive schemes that the run used, by the population that has such minds."""
+        from coglogo_py import CognitiveScheme, SchemeError
 
-        path = self._capsule.scheme
-        return None if path is None else CognitiveScheme.load(path)
+        schemes = {}
+        for population, path in self._capsule.schemes.items():
+            try:
+                schemes[population] = CognitiveScheme.load(path)
+            except SchemeError:
+                # It may name a decision maker that only the model's own file defines.
+                declared = recorded_class(self._capsule).populations[population]
+                schemes[population] = CognitiveScheme.load(path, declared.decision_makers)
+        return schemes
+
+    @property
+    def scheme(self) -> CognitiveScheme | None:
+        """The scheme of the first population with minds; None where nobody has one."""
+        return next(iter(self.schemes.values()), None)
 
     def _table(self, name: str) -> pd.DataFrame:
         if self.manifest.status == FINISHED:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import hashlib
 import inspect
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
 from socialmind.errors import SocialmindError
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme
     from socialmind.experiments.capsule import Capsule
     from socialmind.model import Model
+
+    SchemeArgument = str | Path | CognitiveScheme | Mapping[str, Any] | None
 
 
 def model_source(model_class: type[Model]) -> dict[str, str | None]:
@@ -63,24 +66,20 @@ def recorded_class(capsule: Capsule) -> type[Model]:
 
 
 def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
-    """What differs between the run's model or scheme and the files as they are; None if nothing."""
+    """What differs between the run's model or schemes and the files as they are, or None."""
     found = model_source(model_class)
     if found["source_sha256"] != capsule.manifest.model["source_sha256"]:
         return f"{found['path']}: the model's source is not the one the run was made with"
-    record = capsule.manifest.scheme
-    if record is not None and capsule.scheme is not None:
-        if not capsule.scheme.is_file():
-            return f"{capsule.scheme}: the run's copy of its scheme is missing"
-        if hashlib.sha256(capsule.scheme.read_bytes()).hexdigest() != record["sha256"]:
-            return f"{capsule.scheme}: the run's copy of its scheme was changed"
+    for population, path in capsule.schemes.items():
+        if not path.is_file():
+            return f"{path}: the run's copy of its scheme is missing"
+        if _sha256(path.read_bytes()) != capsule.manifest.schemes[population]["sha256"]:
+            return f"{path}: the run's copy of its scheme was changed"
     return None
 
 
 def model_of(
-    capsule: Capsule,
-    model_class: type[Model] | None = None,
-    compiled: bool | None = None,
-    strict: bool = True,
+    capsule: Capsule, model_class: type[Model] | None = None, compiled: bool | None = None
 ) -> Model:
     """A run's model at tick 0.
 
@@ -88,48 +87,62 @@ def model_of(
         capsule: the run.
         model_class: its class; loaded from where the manifest says by default.
         compiled: speed; the run's by default.
-        strict: refuse a model whose source or scheme was changed since.
 
     Raises:
-        SocialmindError: the model is missing, or was changed.
+        SocialmindError: the model is missing, or it or its scheme was changed since.
     """
     manifest = capsule.manifest
     cls = recorded_class(capsule) if model_class is None else model_class
-    changed = changes_since(capsule, cls) if strict else None
+    changed = changes_since(capsule, cls)
     if changed:
         raise SocialmindError(f"{changed}; put the old file back, or start another run")
     return cls(
         seed=manifest.seed,
         compiled=manifest.compiled if compiled is None else compiled,
-        scheme=capsule.scheme,
+        scheme=capsule.schemes or None,
         **manifest.parameters,
     )
 
 
-def scheme_copy(
-    model: Model, given: CognitiveScheme | str | Path | None
-) -> tuple[dict[str, str] | None, bytes | None]:
-    """The manifest's record of a model's scheme, and the content of the copy a run keeps.
+def scheme_copies(
+    model: Model, given: SchemeArgument
+) -> tuple[dict[str, dict[str, str]], dict[str, bytes]]:
+    """The schemes of a model as its run keeps them.
+
+    A file is kept byte for byte, comments and all; a scheme made in Python as YAML.
 
     Args:
         model: the run's model.
-        given: what the user gave; a file is kept byte for byte, anything else as YAML.
+        given: what the user gave in place of the model's own.
+
+    Returns:
+        For each population with minds, the manifest's record of its scheme; and the content of
+        each file.
     """
-    scheme: CognitiveScheme | None = model.scheme
-    if scheme is None:
-        return None, None
-    if isinstance(given, str | Path):
-        path = Path(given).expanduser()
-        suffix, content = path.suffix, path.read_bytes()
-    else:
-        suffix = ".yaml"
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / f"scheme{suffix}"
-            scheme.save(path)
-            content = path.read_bytes()
-    record = {
-        "name": scheme.name,
-        "file": f"scheme{suffix}",
-        "sha256": hashlib.sha256(content).hexdigest(),
-    }
-    return record, content
+    records, files = {}, {}
+    for population, scheme in model.schemes.items():
+        source = given.get(population) if isinstance(given, Mapping) else given
+        if source is None:
+            source = model.populations[population].mind
+            if isinstance(source, str | Path):
+                source = model.folder() / source
+        if isinstance(source, str | Path):
+            suffix, content = Path(source).suffix, Path(source).expanduser().read_bytes()
+        else:
+            suffix, content = ".yaml", _as_yaml(scheme)
+        alone = len(model.schemes) == 1
+        file = f"scheme{suffix}" if alone else f"scheme-{population}{suffix}"
+        records[population] = {"name": scheme.name, "file": file, "sha256": _sha256(content)}
+        files[file] = content
+    return records, files
+
+
+def _as_yaml(scheme: CognitiveScheme) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scheme.yaml"
+        scheme.save(path)
+        return path.read_bytes()
+
+
+def _sha256(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()

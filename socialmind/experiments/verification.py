@@ -103,7 +103,7 @@ def replay(
             ticks=manifest.ticks_done,
             seed=manifest.seed,
             parameters=manifest.parameters,
-            scheme=stored.scheme,
+            scheme=stored.schemes or None,
             every=manifest.every,
             agents_every=manifest.agents_every,
             out=Path(place) / "run",

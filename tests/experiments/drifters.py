@@ -6,6 +6,7 @@ is null for ever, whole numbers that become numbers, texts.
 
 import time
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -20,7 +21,7 @@ class Idle:
 class Drifters:
     name = "drifters"
     ticks = 1000
-    scheme = None
+    schemes: ClassVar[dict] = {}
 
     def __init__(self, seed=0, compiled=True, scheme=None, n=5, pause=0.0, fail_at=-1):
         self.seed = seed

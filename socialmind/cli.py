@@ -1,0 +1,210 @@
+"""The command line: `socialmind list, run, plot, replay, check, explain, new`.
+
+This file says what the commands take; `socialmind.commands` does the work and is imported by the
+command that needs it, so that a run starts fast. What the user can put right goes to stderr in
+one line, with exit code 2.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from functools import wraps
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from socialmind.errors import SocialmindError
+
+WRONG = 2
+STOPPED = 130
+
+app = typer.Typer(
+    name="socialmind",
+    help="A laboratory for societies of agents.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
+
+Folder = Annotated[Path, typer.Argument(metavar="DIR", help="A run's folder.", show_default=False)]
+Quiet = Annotated[bool, typer.Option("--quiet", help="Say nothing but the result.")]
+
+
+def command(function: Callable[..., None]) -> Callable[..., None]:
+    """Make a function a command whose errors are one line on stderr."""
+
+    @wraps(function)
+    def reporting(*args: Any, **options: Any) -> None:
+        try:
+            function(*args, **options)
+            sys.stdout.flush()
+        except (SocialmindError, ValueError, OSError, KeyboardInterrupt) as error:
+            raise typer.Exit(_report(error)) from None
+
+    app.command(name=function.__name__.rstrip("_"))(reporting)
+    return reporting
+
+
+def _report(error: BaseException) -> int:
+    """Say what was wrong and give the exit code; raise what is no user's doing."""
+    from socialmind.commands.stopping import exit_code_of_stop
+
+    if isinstance(error, KeyboardInterrupt):
+        return exit_code_of_stop(error)
+    if isinstance(error, BrokenPipeError):
+        # The reader of our output has gone; Python would complain once more at its own end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return STOPPED
+    if isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        message = f"{place}{error.strerror or error}"
+    elif isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
+        message = str(error)
+    else:
+        raise error
+    typer.echo(f"socialmind: {message}", err=True)
+    return WRONG
+
+
+@command
+def list_() -> None:
+    """List the models that ship with socialmind, and their parameters."""
+    from socialmind.commands.listing import print_models
+
+    if not print_models():
+        raise typer.Exit(WRONG)
+
+
+@command
+def run(
+    model: Annotated[
+        str | None,
+        typer.Argument(metavar="[MODEL]", help="A model's name, or its folder."),
+    ] = None,
+    ticks: Annotated[int | None, typer.Option(help="Length of the run.", min=0)] = None,
+    seed: Annotated[int | None, typer.Option(help="Seed of every draw (0).", min=0)] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help="Value of a parameter; may be repeated."),
+    ] = None,
+    scheme: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Cognitive scheme in place of the model's.")
+    ] = None,
+    every: Annotated[
+        int | None, typer.Option(help="Ticks between two rows of the series (500 rows).", min=1)
+    ] = None,
+    agents_every: Annotated[
+        int | None, typer.Option(help="Ticks between two records of the agents.", min=1)
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Folder to make (a fresh one under runs/).")
+    ] = None,
+    figures: Annotated[bool, typer.Option("--figures", help="Draw the figures as well.")] = False,
+    interpreted: Annotated[
+        bool, typer.Option("--interpreted", help="Run in plain Python; slow, for debugging.")
+    ] = False,
+    resume: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Go on with a run; --ticks makes a finished one longer."),
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Run a model into a folder, or go on with a run."""
+    from socialmind.commands import running
+
+    if resume is None:
+        if model is None:
+            raise SocialmindError(
+                "which model? give a name (`socialmind list` shows them) or a folder"
+            )
+        folder = running.start(
+            model, ticks, seed or 0, settings or [], scheme, every, agents_every, out,
+            compiled=not interpreted, quiet=quiet,
+        )  # fmt: skip
+    else:
+        fixed = {
+            "MODEL": model, "--seed": seed, "--set": settings or None, "--scheme": scheme,
+            "--every": every, "--agents-every": agents_every, "--out": out,
+        }  # fmt: skip
+        given = [name for name, value in fixed.items() if value is not None]
+        if given:
+            raise SocialmindError(
+                f"--resume with {', '.join(given)}: a run keeps what it was started with; "
+                "leave it out, or start another run"
+            )
+        folder = running.go_on(resume, ticks, compiled=False if interpreted else None, quiet=quiet)
+    if figures:
+        running.draw(folder)
+    typer.echo(folder)
+
+
+@command
+def plot(folder: Folder) -> None:
+    """Draw a run's figures, as PDF and PNG, under figures/ in its folder."""
+    from socialmind.commands.running import draw
+
+    for path in draw(folder):
+        typer.echo(path)
+
+
+@command
+def replay(folder: Folder, quiet: Quiet = False) -> None:
+    """Run a run again and compare: exit code 0 when it comes out equal, 1 when not."""
+    from socialmind.commands.running import again
+
+    if not again(folder, quiet):
+        raise typer.Exit(1)
+
+
+@command
+def check(
+    file: Annotated[
+        str, typer.Argument(metavar="FILE", help="A scheme's file or a model's folder.")
+    ],
+) -> None:
+    """Check a cognitive scheme or a model: exit code 0 when nothing is odd, 1 when something is."""
+    from socialmind.commands.checking import print_findings
+
+    if print_findings(file):
+        raise typer.Exit(1)
+
+
+@command
+def explain(
+    folder: Folder,
+    agent: Annotated[int, typer.Option(help="Identity of the agent.", show_default=False)],
+    tick: Annotated[int, typer.Option(help="Tick of the decision.", show_default=False)],
+) -> None:
+    """Say how an agent of a run came to a decision."""
+    from socialmind.commands.checking import print_decision
+
+    print_decision(folder, agent, tick)
+
+
+@command
+def new(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to make.")],
+) -> None:
+    """Write a small model to start from."""
+    from socialmind.commands.starting import write_model
+
+    write_model(folder)
+    typer.echo(f"{folder}: run it with `socialmind run {_as_path(folder)}`")
+
+
+def _as_path(folder: Path) -> str:
+    """A folder as `socialmind run` takes it for a path and not for a model's name."""
+    return str(folder) if len(folder.parts) > 1 else f"./{folder}"
+
+
+def main() -> None:
+    """Entry point of the console script."""
+    app()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,83 @@
+"""`socialmind check` and `socialmind explain`: looking at schemes, rules and single decisions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from coglogo_py import CognitiveScheme
+from socialmind.catalogue import load_model
+from socialmind.errors import SocialmindError
+from socialmind.experiments.capsule import Capsule
+from socialmind.experiments.sources import model_of
+
+if TYPE_CHECKING:
+    from coglogo_py import Finding
+    from socialmind.model import Model
+
+SCHEME_SUFFIXES = (".cogscheme", ".yaml", ".yml")
+
+
+def print_findings(file: str) -> bool:
+    """Check a scheme's file or a model and print what is odd; True when something is.
+
+    Args:
+        file: a scheme's file, a model's folder, or the name of a model.
+
+    Raises:
+        SocialmindError: there is no such file.
+        SchemeError: the scheme cannot be read.
+        ModelError: the model cannot be loaded, or a rule is outside the language.
+    """
+    path = Path(file)
+    if path.suffix in SCHEME_SUFFIXES:
+        if not path.is_file():
+            raise SocialmindError(f"{path}: no such file")
+        findings = [f"{path}: {found}" for found in CognitiveScheme.load(path).check()]
+    else:
+        findings = findings_of_model(load_model(file))
+    for line in findings:
+        typer.echo(line)
+    if not findings:
+        typer.echo(f"{file}: nothing odd found")
+    return bool(findings)
+
+
+def findings_of_model(model_class: type[Model]) -> list[str]:
+    """Type a model's rules and check its schemes against the plans it declares."""
+    model_class.typed(compiled=True)
+    findings = []
+    for name, population in model_class.populations.items():
+        if population.mind is None:
+            continue
+        scheme = population.mind
+        place = name
+        if not isinstance(scheme, CognitiveScheme):
+            path = model_class.folder() / scheme
+            place = str(path)
+            if not path.is_file():
+                raise SocialmindError(f"{path}: no such file; {name} take their minds from it")
+            scheme = CognitiveScheme.load(path, population.decision_makers)
+        found: list[Finding] = scheme.check(plans=population.plans)
+        findings += [f"{place}: {one}" for one in found]
+    return findings
+
+
+def print_decision(folder: Path, agent: int, tick: int) -> None:
+    """Print how an agent of a run came to its decision.
+
+    Args:
+        folder: the run's.
+        agent: the agent's identity.
+        tick: 1 … the ticks done; the decision explained is the one in force then.
+
+    Raises:
+        SocialmindError: no such run, tick, agent or decision.
+    """
+    capsule = Capsule(folder)
+    done = capsule.manifest.ticks_done
+    if not 1 <= tick <= done:
+        raise SocialmindError(f"tick {tick}: expected 1 … {done}, the ticks that the run has done")
+    typer.echo(str(model_of(capsule).explain(agent, tick)))

@@ -1,0 +1,152 @@
+"""`socialmind run`, `plot` and `replay`: running and drawing, with progress and warnings."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from socialmind.catalogue import did_you_mean, load_model
+from socialmind.errors import SocialmindError
+from socialmind.experiments import execution
+from socialmind.experiments.capsule import Capsule
+
+if TYPE_CHECKING:
+    from socialmind.experiments.execution import Progress
+    from socialmind.model import Model
+
+Value = float | int | bool
+
+
+def start(
+    model: str,
+    ticks: int | None,
+    seed: int,
+    settings: Sequence[str],
+    scheme: Path | None,
+    every: int | None,
+    agents_every: int | None,
+    out: Path | None,
+    compiled: bool,
+    quiet: bool,
+) -> Path:
+    """Run a model into a folder; the options of `socialmind run`."""
+    model_class = load_model(model)
+    parameters = read_settings(model_class, settings)
+    if scheme is not None and not scheme.is_file():
+        raise SocialmindError(f"{scheme}: no such file")
+    with progress_bar(quiet) as on_progress:
+        folder = execution.run(
+            model_class, ticks, seed, parameters, scheme, every, agents_every, out, compiled,
+            on_progress,
+        )  # fmt: skip
+    _conclude(folder, quiet)
+    return folder
+
+
+def go_on(folder: Path, ticks: int | None, compiled: bool | None, quiet: bool) -> Path:
+    """Go on with a run; `socialmind run --resume`."""
+    with progress_bar(quiet) as on_progress:
+        folder = execution.resume(folder, ticks, compiled, on_progress=on_progress)
+    _conclude(folder, quiet)
+    return folder
+
+
+def draw(folder: Path) -> list[Path]:
+    """Draw a run's figures without a window; gives the files."""
+    # A model's figures.py may use pyplot, which looks for a screen unless told not to.
+    os.environ["MPLBACKEND"] = "Agg"
+    from socialmind.experiments.figures import draw_figures
+
+    return draw_figures(folder)
+
+
+def again(folder: Path, quiet: bool) -> bool:
+    """Replay a run and say what comes out; True when it is equal."""
+    from socialmind.experiments.verification import replay
+
+    with progress_bar(quiet) as on_progress:
+        found = replay(folder, on_progress=on_progress)
+    for note in found.notes:
+        typer.echo(f"note: {note}", err=True)
+    for difference in found.differences:
+        typer.echo(f"different: {difference}")
+    if found.equal:
+        typer.echo("equal" if found.exact else "equal within 1e-6 (another platform)")
+    return found.equal
+
+
+def read_settings(model_class: type[Model], settings: Sequence[str]) -> dict[str, Value]:
+    """Parameters from the command line.
+
+    Args:
+        model_class: the model.
+        settings: ``name=value`` each; of two for one name the later counts.
+
+    Raises:
+        SocialmindError: no ``=``, an unknown name, or a value that the parameter cannot take.
+    """
+    known = model_class.parameters
+    values = {}
+    for setting in settings:
+        name, equals, text = (part.strip() for part in setting.partition("="))
+        if not equals:
+            raise SocialmindError(f"--set {setting}: expected NAME=VALUE")
+        name = name.replace("-", "_")
+        if name not in known:
+            raise SocialmindError(f"no parameter called {name}; {did_you_mean(name, known)}")
+        values[name] = known[name].read(text)
+    return values
+
+
+@contextmanager
+def progress_bar(quiet: bool) -> Iterator[Progress | None]:
+    """A bar on stderr with ticks a second and the time left, where stderr is a terminal."""
+    if quiet or not sys.stderr.isatty():
+        yield None
+        return
+    from rich import progress
+    from rich.console import Console
+
+    with progress.Progress(
+        progress.TextColumn("{task.completed:,.0f} of {task.total:,.0f} ticks"),
+        progress.BarColumn(),
+        progress.TaskProgressColumn(),
+        progress.TextColumn("{task.fields[pace]}"),
+        progress.TimeRemainingColumn(),
+        console=Console(stderr=True),
+        transient=True,
+        auto_refresh=False,
+    ) as bar:
+        task = bar.add_task("", total=1, pace="", start=False)
+
+        def on_progress(done: int, length: int) -> None:
+            if not bar.tasks[task].started:
+                bar.start_task(task)
+                bar.update(task, completed=done)
+            speed = bar.tasks[task].finished_speed or bar.tasks[task].speed
+            pace = f"{speed:,.0f} ticks/s" if speed else ""
+            bar.update(task, total=length, completed=done, pace=pace, refresh=True)
+
+        yield on_progress
+
+
+def _conclude(folder: Path, quiet: bool) -> None:
+    """Say how long the run took, and warn of agents that found nothing to do."""
+    manifest = Capsule(folder).manifest
+    if not quiet:
+        seconds = manifest.timings["seconds"]
+        typer.echo(f"{manifest.ticks_done:,} ticks in {seconds:.1f} s", err=True)
+    count = manifest.idle.get("count") or 0
+    if count:
+        typer.echo(
+            f"warning: {count:,} times an agent found no available plan and did nothing, first "
+            f"agent {manifest.idle['first_agent']} at tick {manifest.idle['first_tick']}; "
+            "`socialmind explain` shows why",
+            err=True,
+        )
