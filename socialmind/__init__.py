@@ -4,7 +4,7 @@ What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Popul
 `parameter`, `each` and `once`.
 """
 
-from socialmind.errors import ModelError, SocialmindError
+from socialmind.errors import ModelError, RuleError, SocialmindError
 from socialmind.model import Model
 from socialmind.parameter import Parameter, parameter
 from socialmind.population import Agent, Population
@@ -20,6 +20,7 @@ __all__ = [
     "Parameter",
     "Patch",
     "Population",
+    "RuleError",
     "SocialmindError",
     "Torus",
     "each",

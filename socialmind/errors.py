@@ -58,3 +58,24 @@ class ModelError(SocialmindError):
     def __reduce__(self) -> tuple[type[ModelError], tuple[object, ...]]:
         """Keep the fields when the error crosses a process boundary."""
         return type(self), (self.found, self.expected, self.remedy, self.file, self.line)
+
+
+class RuleError(SocialmindError):
+    """A rule failed while the model ran: says where, in which tick and for which agent.
+
+    The error that the rule raised is its `__cause__`.
+
+    Args:
+        error: what the rule raised.
+        place: file and line, as far as they are known.
+        tick: the tick in which it failed.
+        agent: the agent that acted, in words.
+    """
+
+    def __init__(self, error: str, place: str, tick: int, agent: str) -> None:
+        self.error, self.place, self.tick, self.agent = error, place, tick, agent
+        super().__init__(f"{place}: {error}; in tick {tick}, {agent}")
+
+    def __reduce__(self) -> tuple[type[RuleError], tuple[object, ...]]:
+        """Keep the fields when the error crosses a process boundary."""
+        return type(self), (self.error, self.place, self.tick, self.agent)

@@ -43,6 +43,8 @@ if TYPE_CHECKING:
 
 CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
+INTERPRETED_SETUP = 20_000
+"""Up to so many agents and patches the setup runs interpreted: faster than loading its code."""
 SNAPSHOT_BYTES = 64 * 2**20
 """The largest state of which a copy is kept, to find the line of an error in compiled code."""
 
@@ -211,7 +213,7 @@ class Model:
         self._module: ModuleType | None = None
         self._births = births(self.program)
         self._ticks_per_chunk = 1
-        if compiled:
+        if compiled and self._entities() > INTERPRETED_SETUP:
             connect(self)
             self._guarded(lambda: self.module.prepare(self.contexts), run_setup)
         else:
@@ -365,6 +367,10 @@ class Model:
                 self.module.advance(self.contexts, failed - begin)
             again(self, self.functions)
             return self.tick - begin
+
+    def _entities(self) -> int:
+        patches = 0 if self.grid is None else len(self.grid.rows)
+        return patches + sum(len(table) for table in self.tables.values())
 
     def _bytes(self) -> int:
         arrays = [table.rows.nbytes + 64 * len(table.rows) for table in self.tables.values()]

@@ -7,10 +7,12 @@ more.
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, RuleError
 from socialmind.language.shape import PhaseShape
 from socialmind.population import Population
 from socialmind.streams import ORDER_TAG, SCHEDULE_TAG, SETUP_TAG, Stream, shuffle
@@ -87,7 +89,7 @@ def _run(model: Model, functions: dict[str, Rule], phase: Phase, tag: int) -> No
     rule = functions[phase.symbol]
     if phase.shape.population is None:
         stream.begin(tag, 0, model.tick)
-        rule(**taken(phase.takes, None, model, stream))
+        _follow(model, rule, phase, None, stream)
         return
     table = model.tables[phase.shape.population]
     acting = table.acting_order
@@ -98,7 +100,31 @@ def _run(model: Model, functions: dict[str, Rule], phase: Phase, tag: int) -> No
         if table.alive[slot]:
             agent = table.row_class(table, slot)
             stream.begin(tag, agent.id, model.tick)
-            rule(*taken(phase.takes, agent, model, stream).values())
+            _follow(model, rule, phase, agent, stream)
+
+
+def _follow(model: Model, rule: Rule, phase: Phase, agent: Any, stream: Stream) -> None:
+    """Let an agent, or the model, follow a rule; what fails is said with its place."""
+    try:
+        rule(*taken(phase.takes, agent, model, stream).values())
+    except Exception as error:
+        if agent is None:
+            who = f"the model's rule {phase.shape.rule.__name__!r}"
+        else:
+            who = f"agent {agent.id} of {phase.shape.population!r}"
+        what = f"{type(error).__name__}: {error}"
+        raise RuleError(what, _place_of(error), model.tick, who) from error
+
+
+def _place_of(error: Exception) -> str:
+    """Return the last line of the author's that an error went through."""
+    library = Path(__file__).parent
+    place = "in a rule"
+    for frame in traceback.extract_tb(error.__traceback__):
+        inside = library in Path(frame.filename).parents
+        if not inside and "coglogo_py" not in Path(frame.filename).parts:
+            place = f"{frame.filename}:{frame.lineno}"
+    return place
 
 
 def taken(takes: tuple[str, ...], agent: Any, model: Model, rng: Stream) -> dict[str, Any]:
