@@ -165,7 +165,7 @@ def maker_code(scheme: CognitiveScheme) -> Floats:
         MaximumWeight: MAXIMUM_WEIGHT,
         WeightedStochastic: WEIGHTED_STOCHASTIC,
     }
-    return np.array([codes.get(type(maker), MODELLERS_OWN), 1.0], np.float64)
+    return np.array([codes.get(type(maker), MODELLERS_OWN), maker.bias], np.float64)
 
 
 def mind_arrays(scheme: SchemeArrays, capacity: int, seed: int, stream: int = 0) -> MindArrays:

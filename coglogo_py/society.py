@@ -84,6 +84,28 @@ class Society:
         self.reserve(1)
         return self.mind_in(kernel.new_mind(self.arrays, self.minds))
 
+    def new_minds(self, count: int) -> np.ndarray:
+        """Make several minds at once, as `new_mind` makes one; return where the arrays hold them.
+
+        Args:
+            count: how many, 0 or more.
+        """
+        self.reserve(count)
+        minds = self.minds
+        free = int(minds.counters[kernel.FREE_MINDS])
+        slots = minds.free_minds[free - count : free][::-1].copy()
+        first = int(minds.counters[kernel.NEXT_MIND])
+        minds.mind_id[slots] = np.arange(first, first + count)
+        minds.values[slots] = self.arrays.start
+        minds.draws[slots] = 0
+        minds.group_slot[slots] = -1
+        minds.role[slots] = -1
+        minds.participation[slots] = 0.0
+        minds.counters[kernel.FREE_MINDS] -= count
+        minds.counters[kernel.NEXT_MIND] += count
+        minds.counters[kernel.ALIVE] += count
+        return slots
+
     def mind_in(self, slot: int) -> Mind:
         """Return the living mind that the arrays hold in a slot.
 

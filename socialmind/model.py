@@ -45,7 +45,7 @@ CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
 INTERPRETED_SETUP = 20_000
 """Up to so many agents and patches the setup runs interpreted: faster than loading its code."""
-SNAPSHOT_BYTES = 64 * 2**20
+SNAPSHOT_BYTES = 8 * 2**20
 """The largest state of which a copy is kept, to find the line of an error in compiled code."""
 
 Loaded = TypeVar("Loaded", bound="Model")

@@ -144,15 +144,19 @@ class Table:
         self.slot_of = np.full(capacity, -1, np.int64)
         self.free = np.arange(capacity - 1, -1, -1, dtype=np.int64)
         self.counters = np.zeros(SIZE, np.int64)
-        self.counters[FREE] = capacity
+        # The founders take the first slots, in order.
+        self.rows[:size] = self.default[0]
+        founders = np.arange(size)
+        for array in (self.order, self.slot_of, self.rows["_slot"], self.rows["_id"]):
+            array[:size] = founders
+        self.alive[:size] = True
+        self.counters[FREE] = capacity - size
+        self.counters[[COUNT, ENTRIES, ALIVE, NEXT_ID]] = size
+        if society is not None:
+            self.rows["_mind"][:size] = society.new_minds(size)
         self.row_class = row_class(shape)
         self._scratch: dict[str, NDArray[Any]] = {}
         self._see_columns()
-        if society is not None:
-            society.reserve(size)
-        for _ in range(size):
-            self.create()
-        self.settle()
 
     def _see_columns(self) -> None:
         names = self.dtype.names or ()

@@ -126,7 +126,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     for name, plans in program.plans.items():
         parts.append(_plans_text(name, list(plans.values())))
     for tag, phases in ((SETUP_TAG, program.setup), (SCHEDULE_TAG, program.schedule)):
-        parts += [_phase_text(tag, place, phase) for place, phase in enumerate(phases)]
+        parts += [_phase_text(shape, tag, place, phase) for place, phase in enumerate(phases)]
     parts.append(_loops_text(shape, program))
     return "\n\n\n".join(parts) + "\n"
 
@@ -143,6 +143,7 @@ from socialmind import bookkeeping as _bookkeeping
 from socialmind import streams as _streams
 from socialmind.language import arithmetic as _arithmetic
 from socialmind.language.memory import as_pointer as _as_pointer
+from socialmind.language.memory import fetch_ahead as _fetch_ahead
 from socialmind.language.memory import some as _some
 from socialmind.worlds import torus as _torus
 
@@ -419,7 +420,11 @@ def _plans_text(population: str, entries: list[tuple[str, tuple[str, ...]]]) -> 
     return "\n".join(lines)
 
 
-def _phase_text(tag: int, place: int, phase: Phase) -> str:
+FETCH_AHEAD = 4
+"""How many agents ahead the memory of a mind is asked for; that of its body twice as many."""
+
+
+def _phase_text(shape: ModelShape, tag: int, place: int, phase: Phase) -> str:
     function = f"_phase_{tag + place}"
     rng = "rng" in phase.takes
     population = phase.shape.population
@@ -437,6 +442,7 @@ def _phase_text(tag: int, place: int, phase: Phase) -> str:
         f"    acting = _order_{population}(_model)",
     ]
     if phase.shape.shuffled:
+        minded = shape.populations[population].minded
         lines += [
             f"    acting = _acting_{population}(_model)",
             f"    order = _order_{population}(_model)",
@@ -445,8 +451,22 @@ def _phase_text(tag: int, place: int, phase: Phase) -> str:
             f"    _begin(rng, {ORDER_TAG}, {tag + place}, _model._tick)",
             "    _shuffle(rng, acting, count)",
         ]
+    if phase.shape.shuffled and minded:
+        lines.append(f"    values = _minds_{population}(_model).values")
+    lines.append("    for place in range(count):")
+    if phase.shape.shuffled:
+        # First the row; when it is there, it tells where its mind is.
+        lines += [
+            f"        if place + {2 * FETCH_AHEAD} < count:",
+            f"            _fetch_ahead(rows, acting[place + {2 * FETCH_AHEAD}])",
+        ]
+        if minded:
+            lines += [
+                f"            mind = rows[acting[place + {FETCH_AHEAD}]]._mind",
+                "            if mind >= 0:",
+                "                _fetch_ahead(values, mind)",
+            ]
     lines += [
-        "    for place in range(count):",
         "        slot = acting[place]",
         "        if alive[slot]:",
         "            agent = rows[slot]",

@@ -13,6 +13,9 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic, register_jitable
 
+CACHE_LINE = 64
+"""Bytes that processors fetch at once."""
+
 
 @intrinsic  # type: ignore[untyped-decorator]  # numba carries no types
 def as_pointer(typing_context: Any, address: Any) -> Any:
@@ -22,6 +25,32 @@ def as_pointer(typing_context: Any, address: Any) -> Any:
         return builder.inttoptr(arguments[0], ir.IntType(8).as_pointer())
 
     return types.voidptr(types.int64), generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]  # numba carries no types
+def fetch_ahead(typing_context: Any, array: Any, row: Any) -> Any:
+    """Ask the processor to fetch a row of an array that will be needed soon.
+
+    Agents come in random order, so in large populations each would else wait for its memory.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        parts = context.make_array(array)(context, builder, arguments[0])
+        stride = builder.extract_value(parts.strides, 0)
+        byte = ir.IntType(8).as_pointer()
+        place = builder.ptrtoint(parts.data, ir.IntType(64))
+        place = builder.add(place, builder.mul(stride, arguments[1]))
+        flag = ir.IntType(32)
+        kind = ir.FunctionType(ir.VoidType(), [byte, flag, flag, flag])
+        prefetch = builder.module.declare_intrinsic("llvm.prefetch", [byte], kind)
+        to_write, keep, data = flag(1), flag(3), flag(1)
+        size = array.dtype.size if hasattr(array.dtype, "size") else CACHE_LINE
+        for offset in range(0, size, CACHE_LINE):
+            line = builder.inttoptr(builder.add(place, ir.IntType(64)(offset)), byte)
+            builder.call(prefetch, [line, to_write, keep, data])
+        return context.get_dummy_value()
+
+    return types.none(array, types.int64), generate
 
 
 @register_jitable
