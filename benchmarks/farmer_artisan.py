@@ -68,17 +68,17 @@ def command_seconds(ticks: int, seed: int, caches: Path | None = None) -> float:
         seed: of the run.
         caches: a folder for compiled code in place of the usual ones.
     """
+    # The console script, or what it calls where the package is not installed but on the path.
     script = shutil.which("socialmind", path=str(Path(sys.executable).parent))
-    if script is None:
-        raise SystemExit("the command socialmind is not installed beside this Python")
+    program = [script] if script else [sys.executable, "-m", "socialmind.cli"]
     environment = dict(os.environ)
     if caches is not None:
         environment["SOCIALMIND_CACHE_DIR"] = str(caches / "socialmind")
         environment["NUMBA_CACHE_DIR"] = str(caches / "numba")
     with tempfile.TemporaryDirectory() as folder:
-        command = [script, "run", "farmer_artisan", "--ticks", str(ticks), "--seed", str(seed)]
-        command += ["--quiet", "--out", str(Path(folder) / "run")]
-        return _timed(command, environment)[0]
+        run = ["run", "farmer_artisan", "--ticks", str(ticks), "--seed", str(seed)]
+        out = ["--quiet", "--out", str(Path(folder) / "run")]
+        return _timed([*program, *run, *out], environment)[0]
 
 
 def mesa_process_seconds(ticks: int, measured: int, seed: int) -> float:

@@ -82,7 +82,7 @@ def replicate(seed: int, ticks: int, shock: int, every: int) -> Replicate:
     series: list[dict[str, float]] = []
     state = None
     for tick in recorded:
-        model.advance(tick - model.tick)
+        model.advance(int(tick) - model.tick)
         series.append(dict(model.series()))
         people.append(pd.DataFrame(dict(model.agents())).set_index("agent"))
         if tick == shock:

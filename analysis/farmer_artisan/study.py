@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from measures import mean_interval
+from measures import first_reached, mean_interval
 from plots import draw
 from replicate import Replicate, replicate
 
@@ -60,8 +60,31 @@ def results(replicates: Sequence[Replicate], early: int) -> pd.DataFrame:
     )
 
 
-def summary(table: pd.DataFrame, ticks: int, early: int, shock: int, every: int) -> dict:
+def gain_times(replicates: Sequence[Replicate], shock: int) -> dict[str, float | None]:
+    """Ticks from the shock until the mean number of artisans made half, and 0.9, of its gain.
+
+    Args:
+        replicates: one for each seed.
+        shock: its tick.
+
+    Returns:
+        The ticks by the part of the gain, None where nothing was gained.
+    """
+    ticks = replicates[0].ticks
+    later = ticks > shock
+    mean = np.mean([one.artisans_shocked for one in replicates], axis=0)[later]
+    after = float(np.mean([one.recovery.after for one in replicates]))
+    gain = float(np.mean([one.recovery.at_end for one in replicates])) - after
+    times: dict[str, float | None] = {}
+    for part in (0.5, 0.9):
+        first = first_reached(ticks[later], mean[:, None], after + part * gain)[0]
+        times[str(part)] = float(first) - shock if gain > 0 and np.isfinite(first) else None
+    return times
+
+
+def summary(replicates: Sequence[Replicate], table: pd.DataFrame, early: int, shock: int) -> dict:
     """The numbers that the README tells."""
+    recorded = replicates[0].ticks
     seeds = len(table)
 
     def mean(column: str) -> dict[str, float]:
@@ -82,10 +105,10 @@ def summary(table: pd.DataFrame, ticks: int, early: int, shock: int, every: int)
 
     return {
         "seeds": seeds,
-        "ticks": ticks,
+        "ticks": int(recorded[-1]),
         "early": early,
         "shock": shock,
-        "every": every,
+        "every": int(recorded[1] - recorded[0]),
         "artisans": {
             str(n): int(count) for n, count in table["artisans"].value_counts().sort_index().items()
         },
@@ -101,6 +124,7 @@ def summary(table: pd.DataFrame, ticks: int, early: int, shock: int, every: int)
         "at_end": mean("at_end"),
         "undisturbed_at_end": mean("undisturbed_at_end"),
         "share_recovered": mean("share_recovered"),
+        "ticks_of_mean_gain": gain_times(replicates, shock),
         "ticks_halfway": spread("ticks_halfway"),
         "ticks_full": spread("ticks_full"),
     }
@@ -116,14 +140,17 @@ def as_markdown(found: dict) -> str:
 
     def spread(name: str, form: str = ".2f") -> str:
         middle, least, greatest = (
-            "never" if found[name][key] is None else f"{found[name][key]:{form}}"
+            "none" if found[name][key] is None else f"{found[name][key]:{form}}"
             for key in ("median", "least", "greatest")
         )
         return f"{middle} ({least} – {greatest})"
 
     def speed(name: str) -> str:
-        never = found[name]["never"]
-        return f"{spread(name, ',.0f')}; not by the end in {never} of {seeds}"
+        part = found[name]
+        if part["least"] is None:
+            return f"in none of {seeds} seeds by the end"
+        span = f"{part['least']:,.0f} – {part['greatest']:,.0f}"
+        return f"{span} in {seeds - part['never']} of {seeds} seeds, in the others not by the end"
 
     finals = ", ".join(f"{n} in {count}" for n, count in found["artisans"].items())
     rows = [
@@ -149,6 +176,13 @@ def as_markdown(found: dict) -> str:
         ("artisans at the end, shocked", mean("at_end")),
         ("artisans at the end, undisturbed", mean("undisturbed_at_end")),
         ("share of the loss made good", mean("share_recovered")),
+        (
+            "ticks until the mean had made half, and 0.9, of what it gained",
+            ", ".join(
+                "none" if ticks is None else f"{ticks:,.0f}"
+                for ticks in found["ticks_of_mean_gain"].values()
+            ),
+        ),
         ("ticks until half of the loss was made good", speed("ticks_halfway")),
         ("ticks until all of it was", speed("ticks_full")),
     ]
@@ -218,7 +252,7 @@ def main() -> None:
     early = arguments.ticks * 2 // 5 // arguments.every * arguments.every
     replicates = run(arguments.seeds, arguments.ticks, shock, arguments.every, arguments.workers)
     table = results(replicates, early)
-    found = summary(table, arguments.ticks, early, shock, arguments.every)
+    found = summary(replicates, table, early, shock)
     write(replicates, found, table, arguments.out)
     print(as_markdown(found))
 
