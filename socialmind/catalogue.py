@@ -87,7 +87,7 @@ def model_folder(name_or_path: str | Path) -> Path:
                 "`socialmind new FOLDER` writes one to start from"
             )
         return path.resolve()
-    if len(path.parts) > 1 or path.suffix:
+    if path.name != name:
         raise SocialmindError(f"{path}: no such folder; a model is a folder with a {MODEL_FILE}")
     raise SocialmindError(f"no model called {name}; {did_you_mean(name.replace('-', '_'), known)}")
 

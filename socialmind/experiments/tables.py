@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from socialmind.errors import SocialmindError
+from socialmind.experiments.columns import EXPECTED, from_arrow, to_arrow
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -208,9 +209,9 @@ class ContentDigest:
         """Add rows at the end."""
         self.rows += rows.num_rows
         for hashes, column in zip(self._hashes, rows.columns, strict=True):
-            array = column.combine_chunks()
-            for running, part in zip(hashes, _column_bytes(array), strict=True):
-                running.update(part)
+            for array in column.chunks:
+                for running, part in zip(hashes, _column_bytes(array), strict=True):
+                    running.update(part)
 
     def content(self) -> TableContent:
         """The result so far."""
@@ -222,58 +223,30 @@ class ContentDigest:
 
 
 def _column_bytes(array: pa.Array) -> tuple[bytes, bytes, bytes]:
-    """Which values are missing, the values' own bytes, and the lengths of strings."""
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    if isinstance(array, pa.ChunkedArray):  # of no chunks
-        array = pa.concat_arrays(array.chunks) if array.num_chunks else pa.array([], array.type)
-    missing = np.asarray(pc.is_null(array).to_numpy(zero_copy_only=False), dtype=np.uint8)
-    if pa.types.is_null(array.type):
-        return missing.tobytes(), b"", b""
-    if pa.types.is_string(array.type):
-        filled = pc.fill_null(array, "")
-        lengths = pc.binary_length(filled).to_numpy().astype(np.int64)
-        _, offsets, text = filled.buffers()
-        if not len(filled) or text is None:
-            return missing.tobytes(), b"", lengths.tobytes()
-        bounds = np.frombuffer(offsets, np.int32)[filled.offset : filled.offset + len(filled) + 1]
-        return missing.tobytes(), text[bounds[0] : bounds[-1]].to_pybytes(), lengths.tobytes()
-    if pa.types.is_boolean(array.type):
-        values = pc.fill_null(array, False).to_numpy(zero_copy_only=False).astype(np.uint8)
-    else:
-        values = pc.fill_null(array, 0).to_numpy()
+    """Which values are missing, the values' own bytes, and those of texts."""
+    found = from_arrow(array)
+    values = found.values
     if values.dtype.kind == "f":
         values = np.where(np.isnan(values), np.nan, values)
-    return missing.tobytes(), values.tobytes(), b""
+    return found.missing.tobytes(), values.tobytes(), found.text
 
 
 def _arrow_table(records: Sequence[Columns], name: str) -> pa.Table:
     """The rows of several ticks as one Arrow table."""
     import pyarrow as pa
 
-    columns = {}
+    columns, fields = [], []
     for column in records[0]:
-        pieces = [_standard(record[column], name, column) for record in records]
+        try:
+            pieces = [to_arrow(record[column]) for record in records]
+        except SocialmindError as error:
+            raise SocialmindError(f"{name}: column {column}: {error}") from error
         kind = pieces[0].type
         for piece in pieces[1:]:
             kind = _common_type(kind, piece.type, name, column)
-        columns[column] = pa.chunked_array([p.cast(kind, safe=False) for p in pieces], kind)
-    return pa.table(columns)
-
-
-def _standard(values: Sequence[Any] | np.ndarray, name: str, column: str) -> pa.Array:
-    """A column's values as an Arrow array of one of the few types."""
-    import pyarrow as pa
-
-    try:
-        if isinstance(values, np.ma.MaskedArray):
-            array = pa.array(values.data, mask=np.ma.getmaskarray(values))
-        else:
-            array = pa.array(values)
-        return array.cast(_standard_type(array.type, name, column))
-    except (pa.ArrowException, OverflowError, TypeError) as error:
-        raise SocialmindError(f"{name}: column {column}: {error}") from error
+        columns.append(pa.chunked_array([p.cast(kind, safe=False) for p in pieces], kind))
+        fields.append((column, kind))
+    return pa.Table.from_arrays(columns, schema=pa.schema(fields))
 
 
 def _standard_type(kind: pa.DataType, name: str, column: str) -> pa.DataType:
@@ -288,10 +261,7 @@ def _standard_type(kind: pa.DataType, name: str, column: str) -> pa.DataType:
         return pa.string()
     if pa.types.is_boolean(kind) or pa.types.is_null(kind):
         return kind
-    raise SocialmindError(
-        f"{name}: column {column} holds values of type {kind}; "
-        "expected whole numbers, numbers, truth values, texts or None"
-    )
+    raise SocialmindError(f"{name}: column {column}: values of type {kind}; expected {EXPECTED}")
 
 
 def _common_type(a: pa.DataType, b: pa.DataType, name: str, column: str) -> pa.DataType:
@@ -349,7 +319,6 @@ def pieces(
 def _batches(paths: Sequence[Path], schema: pa.Schema, drop_tick: int | None) -> Iterator[pa.Table]:
     """The rows of some Parquet files, as they lie, in the types of `schema`."""
     import pyarrow as pa
-    import pyarrow.compute as pc
     import pyarrow.parquet as pq
 
     for path in paths:
@@ -357,5 +326,6 @@ def _batches(paths: Sequence[Path], schema: pa.Schema, drop_tick: int | None) ->
             for batch in file.iter_batches(ROW_GROUP):
                 rows = pa.Table.from_batches([batch]).cast(schema, safe=False)
                 if drop_tick is not None:
-                    rows = rows.filter(pc.not_equal(rows["tick"], drop_tick))
+                    ticks = [from_arrow(chunk).values for chunk in rows["tick"].chunks]
+                    rows = rows.filter(to_arrow(np.concatenate(ticks) != drop_tick))
                 yield rows

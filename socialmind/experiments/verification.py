@@ -12,6 +12,7 @@ import numpy as np
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.capsule import Capsule
+from socialmind.experiments.columns import from_arrow
 from socialmind.experiments.execution import Progress, run
 from socialmind.experiments.sources import changes_since, recorded_class
 from socialmind.experiments.tables import TABLES, content_of, pieces
@@ -180,19 +181,15 @@ def _first_difference(here: pa.Table, there: pa.Table, exact: bool) -> str | Non
 
 def _differs(a: pa.Array, b: pa.Array, exact: bool) -> np.ndarray:
     """Where two columns of one type and length differ."""
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    missing, missing_again = (
-        np.asarray(pc.is_null(x).to_numpy(zero_copy_only=False), dtype=bool) for x in (a, b)
-    )
-    if pa.types.is_null(a.type):
-        return missing != missing_again
-    if not pa.types.is_floating(a.type):
-        unequal = pc.fill_null(pc.not_equal(a, b), False).to_numpy(zero_copy_only=False)
-        return (missing != missing_again) | unequal.astype(bool)
-    x, y = (pc.fill_null(v, 0.0).to_numpy(zero_copy_only=False) for v in (a, b))
-    nan = np.isnan(x) & np.isnan(y)
+    one, other = from_arrow(a), from_arrow(b)
+    missing = one.missing != other.missing
+    x, y = one.values, other.values
+    if not len(x):  # nulls alone
+        return missing
+    if one.text or other.text:
+        return missing | np.array([s != t for s, t in zip(a, b, strict=True)])
+    if x.dtype.kind != "f":
+        return missing | (x != y)
     if exact:
         unequal = x.view(np.int64) != y.view(np.int64)
     else:
@@ -202,4 +199,4 @@ def _differs(a: pa.Array, b: pa.Array, exact: bool) -> np.ndarray:
         with np.errstate(invalid="ignore"):  # inf - inf
             near = np.isfinite(x) & np.isfinite(y) & (np.abs(x - y) <= bound)
         unequal = (x != y) & ~near
-    return (missing != missing_again) | (unequal & ~nan)
+    return missing | (unequal & ~(np.isnan(x) & np.isnan(y)))

@@ -141,7 +141,10 @@ def test_every_column_has_one_of_five_types(tmp_path, values, kind):
     [
         ([object()], "column x"),
         ([1, "a"], "column x"),
-        ([[1, 2]], "column x holds values of type list"),
+        ([[1, 2]], "column x: values of type list"),
+        ([1, True], "column x: values of type bool and int"),
+        (np.zeros((2, 2)), "column x: an array of 2 dimensions"),
+        (np.array([2**64 - 1], dtype=np.uint64), "column x: a whole number"),
         ([2**63], "column x"),
     ],
 )
