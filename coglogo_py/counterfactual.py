@@ -19,6 +19,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import chain, pairwise
 
 import numpy as np
 
@@ -35,7 +36,7 @@ LARGEST_SEARCHED = 1e12
 """How far from the value, in units of it or of 1, the search for a modeller's own maker goes."""
 
 ROUNDING = 2.0 ** np.arange(-54, 0, 3)
-"""How far beyond a computed crossing, relative to the value, the change itself is looked for."""
+"""How far beyond a computed crossing, relative to what rounds, the change is looked for."""
 
 SHORTEST_STEP = 1e-8
 WALK_STEPS = 20_000
@@ -143,8 +144,8 @@ def _first_other(maker: DecisionMaker, line: Line, present: int, direction: floa
     else:
         distances = _growing_steps(line)
     reached = 0.0
-    for distance in distances:
-        found = _located(maker, line, present, direction, reached, distance)
+    for distance, following in pairwise(chain(distances, [math.inf])):
+        found = _located(maker, line, present, direction, reached, distance, following)
         if found is not None:
             return found
         reached = distance
@@ -158,6 +159,7 @@ def _located(
     direction: float,
     reached: float,
     distance: float,
+    following: float,
 ) -> float | None:
     """Return the nearest value at which the plan changes, to the last bit, or None.
 
@@ -168,17 +170,21 @@ def _located(
         direction: 1 for larger values, -1 for smaller ones.
         reached: a distance up to which nothing changes.
         distance: where a change is expected, perhaps a little short by rounding.
+        following: where the next one is expected.
     """
 
     def changed(value: float) -> bool:
         weights = line.weights_at(value)
         return bool(np.all(np.isfinite(weights))) and most_probable(maker, weights) != present
 
-    scale = max(abs(line.value), distance, np.finfo(float).tiny)
-    margins = scale * ROUNDING if _has_crossings(maker) else [0.0]
+    weights = line.weights_at(line.value)
+    # What rounds are the value and the weights, these seen along the steepest line.
+    visible = (1.0 + float(np.max(np.abs(weights)))) / float(np.max(np.abs(line.slopes)))
+    scale = max(abs(line.value), distance, visible)
+    margins = (scale * ROUNDING).tolist() if _has_crossings(maker) else [0.0]
     for margin in margins:
         after = line.value + direction * (distance + margin)
-        if math.isfinite(after) and changed(after):
+        if distance + margin < following and math.isfinite(after) and changed(after):
             break
     else:
         return None
@@ -243,18 +249,24 @@ def _within_ranks(
     if at_inside[lowest] < 1.0:
         constant = weights - weights[lowest] + 1.0
         slope = slopes - slopes[lowest]
-    total, total_slope = float(constant.sum()), float(slope.sum())
-    if total_slope == 0:
-        return
     ranks = np.argsort(-(constant + slope * inside), kind="stable")
-    # With t = 1 / total, every cumulative share is a straight line in t; t = 0 at infinity.
-    begin_t = 1.0 / (total + total_slope * start)
-    end_t = 0.0 if math.isinf(end) else 1.0 / (total + total_slope * end)
-    begin = np.cumsum((constant + slope * start)[ranks]) * begin_t
-    finish = np.cumsum(slope[ranks]) / total_slope
-    if not math.isinf(end):
-        finish = np.cumsum((constant + slope * end)[ranks]) * end_t
-    begin, finish = np.clip(begin, 0, 1), np.clip(finish, 0, 1)
+    # Between two crossings every cumulative share is a straight line in 1 / total; `part` goes
+    # along it from 0 at the first to 1 at the second.
+    at_start = (constant + slope * start)[ranks]
+    endless = math.isinf(end)
+    at_end = slope[ranks] if endless else (constant + slope * end)[ranks]
+    start_total, end_total = float(at_start.sum()), float(at_end.sum())
+    if end_total <= 0:
+        return
+    begin = np.clip(np.cumsum(at_start) / start_total, 0, 1)
+    finish = np.clip(np.cumsum(at_end) / end_total, 0, 1)
+
+    def distance_at(part: float) -> float:
+        if endless:
+            return start + part / (1 - part) * start_total / end_total
+        return start + (end - start) * part * start_total / (
+            (1 - part) * end_total + part * start_total
+        )
 
     power = 1.0 / bias
     # A rank's probability is f(C_i) − f(C_(i−1)) with f(C) = C^power, whose slope is at most power:
@@ -272,8 +284,7 @@ def _within_ranks(
         chances = chances_at(part)
         lead = float(chances[leader] - np.delete(chances, leader).max())
         if lead < 0:
-            t = begin_t + part * (end_t - begin_t)
-            yield (1.0 / t - total) / total_slope
+            yield distance_at(part)
             leader = int(np.argmax(chances))
         part += max(abs(lead) / fastest, SHORTEST_STEP)
         if part >= 1.0:

@@ -80,7 +80,7 @@ class Receipt:
     weight                  12       9
     probability              1       0
     draw: 0.505928, choice: Plan 1
-    Smallest change: B from 2 to 2.5 (+0.5) makes Plan 2 the most probable.
+    Smallest change: B from 2 to just beyond 2.5 (+0.5) makes Plan 2 the most probable.
     """
 
     scheme: str
@@ -206,8 +206,10 @@ def _lines(mind: Mind, available: tuple[str, ...]) -> list[Line]:
     """Return how the weights of the available plans depend on each active cogniton."""
     society = mind.society
     columns = [society.names.plan(plan) for plan in available]
+    if not columns:
+        return []
     acting = [influence for influence in _influences(mind) if influence.acts]
-    contributions = np.array([i.contributions for i in acting]).reshape(len(acting), -1)[:, columns]
+    contributions = np.array([influence.contributions for influence in acting])[:, columns]
     lines = []
     for row, influence in enumerate(acting):
         if influence.group is None and influence.value is not None:

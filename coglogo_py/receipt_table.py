@@ -101,7 +101,10 @@ def _change(receipt: Receipt) -> str:
     if change is None:
         return "No change of one cogniton's value changes the most probable plan."
     search = "" if change.exact else " (found by search: a smaller change may do)"
+    shown = f"{change.new_value:.6g}"
+    if (change.new_value - float(shown)) * change.change > 0:
+        shown = f"just beyond {shown}"
     return (
-        f"Smallest change: {change.cogniton} from {change.value:.6g} to {change.new_value:.6g} "
+        f"Smallest change: {change.cogniton} from {change.value:.6g} to {shown} "
         f"({change.change:+.6g}) makes {change.plan} the most probable{search}."
     )
