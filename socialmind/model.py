@@ -26,7 +26,7 @@ from socialmind.connection import connect, names_of_scheme
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.fields import Field, declared, presence
 from socialmind.language.compiled import compiled_module
-from socialmind.language.loop import births, model_dtype, module_text
+from socialmind.language.loop import model_dtype, module_text
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
@@ -211,7 +211,6 @@ class Model:
         }
         self._functions: dict[str, Callable[..., Any]] | None = None
         self._module: ModuleType | None = None
-        self._births = births(self.program)
         self._ticks_per_chunk = 1
         if compiled and self._entities() > INTERPRETED_SETUP:
             connect(self)
@@ -341,7 +340,7 @@ class Model:
         self.advance(1)
 
     def _make_room(self) -> None:
-        for name in self._births:
+        for name in self.program.births:
             if self.tables[name].short_of_room:
                 self.tables[name].grow()
 

@@ -31,7 +31,7 @@ from socialmind.bookkeeping import (
 )
 from socialmind.connection import plan_functions
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.fields import Field, class_fields
+from socialmind.fields import Field, class_fields, presence
 from socialmind.language.loop import row_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.shape import PopulationShape
@@ -191,10 +191,18 @@ class Table:
         column = self.columns["_id" if name == "id" else name][self.slots]
         field: Field | None = shape.fields.get(name)
         if field is not None and field.optional:
-            missing = ~self.columns[f"_has_{name}"][self.slots]
             column = column.astype(object)
-            column[missing] = None
+            column[~self.holds(name)] = None
         return column
+
+    def holds(self, name: str) -> NDArray[np.bool_]:
+        """Say for each of the living whether an optional field holds a value."""
+        column: NDArray[np.bool_] = self.columns[presence(name)][self.slots]
+        return column
+
+    def filled(self, name: str, missing: float = 0) -> NDArray[Any]:
+        """Return an optional field of the living as numbers, with a number where it is None."""
+        return np.where(self.holds(name), self.columns[name][self.slots], missing)
 
     @property
     def slots(self) -> NDArray[np.int64]:
@@ -349,6 +357,6 @@ def set_default(rows: NDArray[Any], field: Field) -> None:
         rows[field.name] = np.array(field.default)
     elif field.optional:
         rows[field.name] = 0 if field.default is None else field.default
-        rows[f"_has_{field.name}"] = field.default is not None
+        rows[presence(field.name)] = field.default is not None
     else:
         rows[field.name] = field.default

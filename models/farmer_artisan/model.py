@@ -339,7 +339,10 @@ class FarmerArtisan(Model):
         """Return each agent's body, land and mind."""
         farmer, artisan = self.callings()
         humans = self.humans
-        made, grown = self.land_activity()
+        has_land, made, grown = self.land_activity()
+        land_tools = np.full(len(humans), None, object)
+        land_wheat = land_tools.copy()
+        land_tools[has_land], land_wheat[has_land] = made.tolist(), grown.tolist()
         return {
             "agent": humans.id,
             "x": humans.x,
@@ -351,8 +354,8 @@ class FarmerArtisan(Model):
             "tools": humans.tools,
             "land_x": humans.land_x,
             "land_y": humans.land_y,
-            "land_tools": made,
-            "land_wheat": grown,
+            "land_tools": land_tools,
+            "land_wheat": land_wheat,
             "village": humans.village,
             **mind_columns(humans),
         }
@@ -362,23 +365,17 @@ class FarmerArtisan(Model):
         return tuple(np.nan_to_num(self.humans.cogniton(name)) for name in ("Farmer", "Artisan"))
 
     def land_activity(self):
-        """Return the work done on each agent's land, tools and wheat; None without land."""
-        place = [
-            None if x is None or y is None else (x - self.world.low, y - self.world.low)
-            for x, y in zip(self.humans.land_x, self.humans.land_y, strict=True)
-        ]
-        made, grown = self.world.tool_activity, self.world.wheat_activity
-        return (
-            [None if at is None else int(made[at]) for at in place],
-            [None if at is None else int(grown[at]) for at in place],
-        )
+        """Return who has land, and the work done on the land of those: tools, wheat."""
+        humans = self.humans
+        has_land = humans.holds("land_x")
+        x = humans.filled("land_x")[has_land] - self.world.low
+        y = humans.filled("land_y")[has_land] - self.world.low
+        return has_land, self.world.tool_activity[x, y], self.world.wheat_activity[x, y]
 
     def specialisation(self):
         """Return the mean over agents with land of |t − w| / (t + w); NaN when none has land."""
-        made, grown = (
-            np.array([one for one in activity if one is not None], float)
-            for activity in self.land_activity()
-        )
-        if len(made) == 0:
-            return float("nan")
+        has_land, made, grown = self.land_activity()
+        if not has_land.any():
+            return math.nan
+        made, grown = made.astype(float), grown.astype(float)
         return float(np.mean(np.abs(made - grown) / (made + grown)))

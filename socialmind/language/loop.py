@@ -485,7 +485,7 @@ def _loops_text(shape: ModelShape, program: Program) -> str:
     )
     room = "".join(
         f"    if _short_of_room(_counters_{name}(_model), _slot_of_{name}(_model)):\n        return True\n"
-        for name in births(program)
+        for name in program.births
     )
     setup = "".join(f"    _phase_{SETUP_TAG + i}(_model, rng)\n" for i in range(len(program.setup)))
     tick = "".join(
@@ -525,15 +525,3 @@ def advance(models, ticks):
             return done
         _tick(_model, rng)
     return ticks'''
-
-
-def births(program: Program) -> list[str]:
-    """Return the populations into which rules bring new agents."""
-    texts = "\n".join(lowered(function) for function in program.functions.values())
-    return [
-        name
-        for name in program.shape.populations
-        if f"_hatch_{name}(" in texts or f"_create_{name}(" in texts
-    ]
-
-
