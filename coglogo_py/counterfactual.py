@@ -181,10 +181,11 @@ def _located(
     # What rounds are the value and the weights, these seen along the steepest line.
     visible = (1.0 + float(np.max(np.abs(weights)))) / float(np.max(np.abs(line.slopes)))
     scale = max(abs(line.value), distance, visible)
-    margins = (scale * ROUNDING).tolist() if _has_crossings(maker) else [0.0]
-    for margin in margins:
+    margins = (scale * ROUNDING).tolist() if _has_crossings(maker) else []
+    for margin in (0.0, *margins):
         after = line.value + direction * (distance + margin)
-        if distance + margin < following and math.isfinite(after) and changed(after):
+        beyond = margin > 0 and distance + margin >= following
+        if not beyond and math.isfinite(after) and changed(after):
             break
     else:
         return None
