@@ -15,6 +15,7 @@ from coglogo_py import (
     Role,
     Society,
     WeightedStochastic,
+    kernel,
 )
 
 HUNGER = Cogniton("hunger", start_value=5.0, influence={"eat": 1}, conditional=("eat", "rest"))
@@ -41,6 +42,22 @@ def test_minds_are_counted_and_iterated_eldest_first():
     assert len(society) == 40
     assert list(society) == living
     assert [mind.id for mind in society] == [*range(3), *range(4, 41)]
+
+
+def test_several_minds_at_once_are_the_same_as_one_by_one():
+    together, singly = Society(SCHEME, seed=1), Society(SCHEME, seed=1)
+    for society in (together, singly):
+        minds = [society.new_mind() for _ in range(6)]
+        minds[1].create_and_join_group("herd", "leader")
+        minds[1].die()
+        minds[4].die()
+    slots = together.new_minds(30)
+    assert slots.tolist() == [singly.new_mind().slot for _ in range(30)]
+    assert together.new_minds(0).tolist() == []
+    assert together.minds.counters[kernel.NEXT_MIND] == singly.minds.counters[kernel.NEXT_MIND]
+    assert [m.id for m in together] == [m.id for m in singly]
+    assert [m.cognitons() for m in together] == [m.cognitons() for m in singly]
+    assert [m.next_choice() for m in together] == [m.next_choice() for m in singly]
 
 
 def test_minds_may_be_born_and_die_while_one_iterates():
