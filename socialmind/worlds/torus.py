@@ -25,7 +25,7 @@ def wrapped(value: float, low: int, size: int) -> float:
     edge = low - 0.5
     if value < edge or value >= edge + size:
         value = value - size * math.floor((value - edge) / size)
-        if value >= edge + size:  # a hair below the edge, rounded up onto the other one
+        if value < edge or value >= edge + size:  # a hair off, by rounding
             value = edge
     return value
 
@@ -37,6 +37,8 @@ def short_way(difference: float, size: int) -> float:
     -3.0
     """
     half = size / 2
+    if difference > size or difference < -size:  # to a point outside the world
+        difference = difference - size * math.floor(difference / size)
     if difference > half:
         return difference - size
     if difference < -half:
@@ -57,7 +59,21 @@ def towards(world: Any, agent: Any, x: float, y: float) -> float:
     dy = short_way(y - agent.y, world.size)
     if dx == 0 and dy == 0:
         return float(agent.heading)
-    return math.degrees(math.atan2(dx, dy)) % 360
+    return compass(dx, dy)
+
+
+def compass(dx: float, dy: float) -> float:
+    """Return the heading of a step, in [0, 360) degrees.
+
+    >>> compass(0.0, 1.0), compass(1.0, 0.0), compass(-1.0, 0.0)
+    (0.0, 90.0, 270.0)
+    """
+    heading = math.degrees(math.atan2(dx, dy))
+    if heading < 0:
+        heading = heading + 360
+        if heading >= 360:  # a hair west of north, rounded up
+            heading = 0
+    return heading
 
 
 def face(world: Any, agent: Any, x: float, y: float) -> None:
@@ -90,11 +106,16 @@ def move_to(world: Any, agent: Any, x: float, y: float) -> None:
 
 def walk_to(world: Any, agent: Any, x: float, y: float, length: float) -> None:
     """Turn an agent to a point and move it there by a length, or onto it when it is nearer."""
-    face(world, agent, x, y)
-    if distance(world, agent, x, y) < length:
+    dx = short_way(x - agent.x, world.size)
+    dy = short_way(y - agent.y, world.size)
+    away = math.hypot(dx, dy)
+    if away > 0:
+        agent.heading = compass(dx, dy)
+    if away < length:
         move_to(world, agent, x, y)
     else:
-        forward(world, agent, length)
+        agent.x = wrapped(agent.x + length * (dx / away), world.low, world.size)
+        agent.y = wrapped(agent.y + length * (dy / away), world.low, world.size)
 
 
 def is_on(world: Any, agent: Any, x: float, y: float) -> bool:
@@ -120,8 +141,8 @@ def patch_index(x: float, y: float, low: int, size: int) -> int:
     """
     if not (abs(x) < 1e15 and abs(y) < 1e15):
         raise ValueError("a point that is nowhere")
-    column = (int(math.floor(x + 0.5)) - low) % size
-    row = (int(math.floor(y + 0.5)) - low) % size
+    column = (math.floor(x + 0.5) - low) % size
+    row = (math.floor(y + 0.5) - low) % size
     return column * size + row
 
 
