@@ -30,7 +30,9 @@ class ArrayField:
         self._values[place] = value
 
     def __iter__(self) -> Any:
-        return iter(self._values.tolist())
+        # One after another, as compiled rules see them: a loop may change what lies ahead.
+        for place in range(len(self._values)):
+            yield self._values.item(place)
 
     def __repr__(self) -> str:
         return repr(self._values.tolist())

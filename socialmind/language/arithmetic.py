@@ -10,14 +10,16 @@ unchanged, under numba.
 import math
 from typing import Any
 
-from llvmlite import ir
+from llvmlite import ir  # type: ignore[import-untyped]  # it carries no types
 from numba import types
+from numba.core import cgutils
 from numba.extending import intrinsic, overload, register_jitable
 
 LARGEST = 2**63 - 1
 SMALLEST = -(2**63)
 # Just under 2**63: what a float may be to become a whole number.
 LARGEST_FLOAT = 9223372036854774784.0
+NEAR_64_BITS = 9.2e18
 
 
 @register_jitable
@@ -44,8 +46,11 @@ def subtract_int(a: int, b: int) -> int:
 
 @register_jitable
 def multiply_int(a: int, b: int) -> int:
-    """Return a · b, or raise OverflowError beyond (a hair under) 64 bits."""
-    if abs(float(a) * float(b)) > LARGEST_FLOAT:
+    """Return a · b, or raise OverflowError unless |a · b| < 2⁶³."""
+    # The product of the floats is off by a few parts in 10¹⁶: near the end whole numbers decide.
+    if abs(float(a) * float(b)) > NEAR_64_BITS and (
+        a == SMALLEST or b == SMALLEST or abs(a) > LARGEST // abs(b)
+    ):
         raise OverflowError("a whole number went beyond 64 bits")
     return a * b
 
@@ -68,12 +73,17 @@ def modulo_int(a: int, b: int) -> int:
 
 @register_jitable
 def power_int(a: int, n: int) -> int:
-    """Return aⁿ for n ≥ 0 by repeated multiplication."""
+    """Return aⁿ for n ≥ 0 by repeated squaring."""
     if n < 0:
         raise ValueError("a whole number to a negative power; write float(x) ** n")
     result = 1
-    for _ in range(n):
-        result = multiply_int(result, a)
+    square = a
+    while n > 0:
+        if n % 2 == 1:
+            result = multiply_int(result, square)
+        n = n // 2
+        if n > 0:
+            square = multiply_int(square, square)
     return result
 
 
@@ -90,10 +100,10 @@ def power_whole(x: float, n: int) -> float:
     return result
 
 
-@intrinsic  # type: ignore[untyped-decorator]  # numba carries no types
+@intrinsic
 def _through_memory(typing_context: Any, x: Any) -> Any:
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        place = builder.alloca(ir.DoubleType())
+        place = cgutils.alloca_once(builder, ir.DoubleType())
         builder.store_atomic(arguments[0], place, "monotonic", 8)
         return builder.load_atomic(place, "monotonic", 8)
 
@@ -109,7 +119,7 @@ def opaque(x: float) -> float:
     return x
 
 
-@overload(opaque)  # type: ignore[untyped-decorator]  # numba carries no types
+@overload(opaque)
 def _opaque(x: float) -> Any:
     return lambda x: _through_memory(x)
 
@@ -122,10 +132,10 @@ def power(x: float, y: float) -> float:
     if x < 0.0 and math.isfinite(x) and math.isfinite(y) and y != math.floor(y):
         raise ValueError("a negative number to a power that is not whole")
     if math.isfinite(x) and math.isfinite(y) and x != 0.0:
-        # Asked before, since one of the two speeds raises and the other gives infinity.
-        if y * math.log(abs(x)) > 709.7827128933841:
-            raise OverflowError("a power beyond the range of floats")
-        return math.pow(opaque(x), opaque(y))
+        result = math.pow(opaque(x), opaque(y))
+        if math.isinf(result):  # CPython's own pow() has raised by now
+            raise OverflowError("math range error")
+        return result
     return power_of_odd_ends(x, y)
 
 
@@ -153,6 +163,12 @@ def to_int(x: float) -> int:
     if x > LARGEST_FLOAT or x < -LARGEST_FLOAT:
         raise OverflowError("a number too large for a whole number")
     return int(x)
+
+
+@register_jitable
+def trunc(x: float) -> int:
+    """Return x without its fraction, as `int(x)`."""
+    return to_int(x)
 
 
 @register_jitable
@@ -220,6 +236,14 @@ def log(x: float) -> float:
 
 
 @register_jitable
+def log2(x: float) -> float:
+    """Return the logarithm to base 2; x ≤ 0 raises ValueError."""
+    if x <= 0.0:
+        raise ValueError("the logarithm of a number that is not above zero")
+    return math.log2(x)
+
+
+@register_jitable
 def log10(x: float) -> float:
     """Return the decimal logarithm; x ≤ 0 raises ValueError."""
     if x <= 0.0:
@@ -279,6 +303,12 @@ def acos(x: float) -> float:
 def atan(x: float) -> float:
     """Return the arc tangent."""
     return math.atan(x)
+
+
+@register_jitable
+def tanh(x: float) -> float:
+    """Return the hyperbolic tangent."""
+    return math.tanh(x)
 
 
 @register_jitable

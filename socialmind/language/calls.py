@@ -1,4 +1,4 @@
-"""Typing of calls: helpers, `math`, built-ins, and what agents, minds and the world can do."""
+"""Typing of calls: the author's functions, and what agents, minds and the world can do."""
 
 from __future__ import annotations
 
@@ -6,18 +6,23 @@ import ast
 import types as python_types
 from typing import TYPE_CHECKING, Any
 
+from socialmind.language.built_in import (
+    BUILT_IN,
+    built_in,
+    fitted,
+    math_function,
+    without_keywords,
+)
 from socialmind.language.nodes import Typed, call, constant, marked, nearest
 from socialmind.language.refusals import METHODS, MODULES, NAMES
-from socialmind.language.signatures import CHOSEN, MATH, MIND, RNG, Signature
+from socialmind.language.signatures import CHOSEN, MIND, RNG, Signature
 from socialmind.language.types import (
     BOOL,
     FLOAT,
     INT,
     MODEL,
     NONE,
-    RNG as RNG_TYPE,
     AnyType,
-    ArrayType,
     MindType,
     OptionalType,
     PatchType,
@@ -25,9 +30,11 @@ from socialmind.language.types import (
     PopulationType,
     RowType,
     TextType,
+    TupleType,
     Type,
     WorldType,
 )
+from socialmind.language.types import RNG as RNG_TYPE
 from socialmind.worlds import torus
 
 if TYPE_CHECKING:
@@ -61,13 +68,12 @@ def _called_by_name(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
     value = typer.source.names.get(name)
     if value is not None:
         return _called_value(typer, node, name, value)
-    if name in BUILTINS:
-        _without_keywords(typer, node, name)
-        return BUILTINS[name](typer, node)
+    if name in BUILT_IN:
+        return built_in(typer, node, name)
     if name in NAMES:
         typer.refuse(node, f"{name}() in the rule {typer.source.name!r}", NAMES[name])
     return typer.refuse(
-        node, f"the unknown function {name!r}", nearest(name, [*BUILTINS, *typer.source.names])
+        node, f"the unknown function {name!r}", nearest(name, [*BUILT_IN, *typer.source.names])
     )
 
 
@@ -75,8 +81,9 @@ def _called_in_module(
     typer: ExpressionTyper, node: ast.Call, module: python_types.ModuleType, name: str
 ) -> Typed:
     full = f"{module.__name__}.{name}"
-    if module.__name__ in MODULES:
-        typer.refuse(node, f"{full}() in a rule", MODULES[module.__name__])
+    root = module.__name__.split(".")[0]
+    if root in MODULES:
+        typer.refuse(node, f"{full}() in a rule", MODULES[root])
     if module.__name__ != "math" and not hasattr(module, name):
         typer.refuse(node, f"the unknown function {full!r}", nearest(name, dir(module)))
     return _called_value(typer, node, full, getattr(module, name, None))
@@ -85,35 +92,48 @@ def _called_in_module(
 def _called_value(typer: ExpressionTyper, node: ast.Call, name: str, value: Any) -> Typed:
     if isinstance(value, python_types.FunctionType):
         return helper(typer, node, value)
-    module = getattr(value, "__module__", None)
+    module = _module_of(value)
     if isinstance(value, python_types.BuiltinFunctionType) and module == "math":
-        return _math(typer, node, value.__name__)
+        return math_function(typer, node, value.__name__)
     if value is None and name.startswith("math."):
-        return _math(typer, node, name.removeprefix("math."))
-    root = (module or "").split(".")[0]
-    if root in MODULES:
-        typer.refuse(node, f"{name}() in a rule", MODULES[root])
+        return math_function(typer, node, name.removeprefix("math."))
+    if module in MODULES:
+        typer.refuse(node, f"{name}() in a rule", MODULES[module])
+    if isinstance(value, type):
+        typer.refuse(
+            node,
+            f"{name}(), which makes an object",
+            "agents are born by `model.humans.create()` or `agent.hatch()`; a rule holds numbers",
+        )
     return typer.refuse(
         node, f"a call of {name!r}", "call a plain function of the file or of `math`"
     )
 
 
+def _module_of(value: Any) -> str:
+    """Return the module that a function, a method or a class comes from, up to its first dot."""
+    owner = getattr(value, "__self__", None)
+    if owner is not None and not isinstance(owner, python_types.ModuleType):
+        value = type(owner)  # `random.random` is a method of a hidden generator
+    return str(getattr(value, "__module__", None) or "").split(".")[0]
+
+
 def helper(
     typer: ExpressionTyper, node: ast.Call, function: Any, first: list[Typed] | None = None
 ) -> Typed:
-    """Type the call of a plain function of the author's (or of ours), itself part of the program."""
+    """Type the call of a plain function, which becomes part of the program itself."""
     source = typer.program.source(function)
-    typed = list(first or [])
-    typed += [typer.expression(argument) for argument in node.args]
     names = source.parameters
-    if len(typed) > len(names):
+    written = list(first or [])
+    written += [typer.expression(argument) for argument in node.args]
+    if len(written) > len(names):
         typer.refuse(
             node,
-            f"{len(typed)} arguments for {source.name}()",
-            "see its parameters",
+            f"{len(written)} arguments for {source.name}()",
+            f"it takes {', '.join(names) or 'none'}",
             f"{len(names)}",
         )
-    given = dict(zip(names, typed, strict=False))
+    given = dict(zip(names, written, strict=False))
     for keyword in node.keywords:
         if keyword.arg not in names or keyword.arg in given:
             typer.refuse(
@@ -122,179 +142,38 @@ def helper(
                 nearest(str(keyword.arg), [name for name in names if name not in given]),
             )
         given[str(keyword.arg)] = typer.expression(keyword.value)
-    defaults = source.tree.args.defaults
-    for name, default in zip(names[len(names) - len(defaults) :], defaults, strict=True):
+    for name, default in source.defaults.items():
         if name not in given:
-            given[name] = typer.expression(default)
+            given[name] = typer.module_value(node, f"{source.name}({name}=…)", default)
     missing = [name for name in names if name not in given]
     if missing:
         typer.refuse(
             node, f"{source.name}() without {', '.join(missing)}", "give each parameter a value"
         )
     arguments: list[ast.expr] = []
-    kinds: list[AnyType] = []
-    for name in names:
-        value, kind = given[name]
+    keywords: list[ast.keyword] = []
+    kinds: dict[str, AnyType] = {}
+    # In the order in which they are written, which is the order in which Python finds their values.
+    for place, (name, (value, kind)) in enumerate(given.items()):
         if isinstance(kind, OptionalType):
             value, kind = typer.present(value, kind)
-        kinds.append(kind)
-        # A text is part of which function this is, not an argument of it.
-        if not isinstance(kind, TextType):
+        if kind == NONE or isinstance(kind, TupleType):
+            typer.refuse(
+                node, f"{kind} for {name!r} of {source.name}()", "give each parameter one value"
+            )
+        kinds[name] = kind
+        if isinstance(kind, TextType):
+            continue  # a text is part of which function this is, not an argument of it
+        if place < len(written):
             arguments.append(value)
-    symbol, result = typer.program.specialised(source, tuple(kinds), typer, node)
-    return marked(call(symbol, arguments, node), ("helper", symbol)), result
-
-
-# Built-in functions -------------------------------------------------------------------------------
-
-
-def _without_keywords(typer: ExpressionTyper, node: ast.Call, name: str) -> None:
-    if node.keywords:
-        typer.refuse(node, f"{name}() with {node.keywords[0].arg}=", f"write {name}() without it")
-
-
-def _only(typer: ExpressionTyper, node: ast.Call, name: str) -> ast.expr:
-    if len(node.args) != 1:
-        typer.refuse(node, f"{name}() of {len(node.args)} values", f"write {name}(x)", "one value")
-    return node.args[0]
-
-
-def _abs(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    value, kind = typer.number(_only(typer, node, "abs"))
-    return (call("_absolute_int" if kind == INT else "_abs", [value], node)), kind
-
-
-def _int(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    value, kind = typer.number(_only(typer, node, "int"))
-    return (value if kind == INT else call("_to_int", [value], node)), INT
-
-
-def _float(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    return typer.to_float(*typer.number(_only(typer, node, "float"))), FLOAT
-
-
-def _bool(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    return typer.truth(_only(typer, node, "bool")), BOOL
-
-
-def _round(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    if len(node.args) == 2:
-        typer.refuse(
-            node,
-            "round() to decimals",
-            "round when you print or plot; rules keep full precision",
-        )
-    value, kind = typer.number(_only(typer, node, "round"))
-    return (value if kind == INT else call("_round_half_even", [value], node)), INT
-
-
-def _extreme(name: str) -> Any:
-    def typed(typer: ExpressionTyper, node: ast.Call) -> Typed:
-        if len(node.args) == 1:
-            value, kind = typer.expression(node.args[0])
-            if not isinstance(kind, ArrayType):
-                typer.refuse(
-                    node, f"the extreme of {kind}", "give two or more values, or an array field"
-                )
-            assert isinstance(kind, ArrayType)  # refused above
-            return call(f"_{name}_of", [value], node), kind.of
-        if not node.args:
-            typer.refuse(node, "no values", "give two or more values, or an array field")
-        numbers = [typer.number(argument) for argument in node.args]
-        if any(kind == FLOAT for _, kind in numbers):
-            numbers = [(typer.to_float(value, kind), FLOAT) for value, kind in numbers]
-        result = numbers[0][0]
-        for value, _ in numbers[1:]:
-            result = call(f"_{name}", [result, value], node)
-        return result, numbers[0][1]
-
-    return typed
-
-
-def _sum(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    value, kind = typer.expression(_only(typer, node, "sum"))
-    if not isinstance(kind, ArrayType):
-        return typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
-    if kind.of == FLOAT:
-        return call("_total", [value, constant(0.0, node)], node), FLOAT
-    return call("_total_int", [value], node), INT
-
-
-def _len(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    value, kind = typer.expression(_only(typer, node, "len"))
-    if isinstance(kind, ArrayType):
-        return constant(kind.size, node), INT
-    if isinstance(kind, PopulationType):
-        return marked(call("_len", [value], node), ("count", kind.population)), INT
-    return typer.refuse(node, f"the length of {kind}", "count populations and array fields")
-
-
-def _range(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    return typer.refuse(node, "range() as a value", "write `for i in range(…):`")
-
-
-def _print(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    if typer.program.compiled:
-        return typer.refuse(node, f"print() in the rule {typer.source.name!r}", NAMES["print"])
-    values = []
-    for argument in node.args:
-        value, _ = typer.expression(argument)
-        values.append(value)
-    return call("_print", values, node), NONE
-
-
-def _breakpoint(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    if typer.program.compiled:
-        return typer.refuse(
-            node, "breakpoint() in a compiled run", "run with --interpreted to step through"
-        )
-    return call("_breakpoint", [], node), NONE
-
-
-BUILTINS: dict[str, Any] = {
-    "abs": _abs,
-    "int": _int,
-    "float": _float,
-    "bool": _bool,
-    "round": _round,
-    "min": _extreme("least"),
-    "max": _extreme("greatest"),
-    "sum": _sum,
-    "len": _len,
-    "range": _range,
-    "print": _print,
-    "breakpoint": _breakpoint,
-}
-
-
-def _math(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
-    if name == "pow" and len(node.args) == 2:
-        return typer.expression(
-            ast.copy_location(ast.BinOp(node.args[0], ast.Pow(), node.args[1]), node)
-        )
-    if name == "log" and len(node.args) == 2:
-        typer.refuse(node, "math.log() to a base", "write math.log(x) / math.log(base)")
-    if name not in MATH:
-        typer.refuse(node, f"math.{name}()", nearest(name, [*MATH, "pow"]))
-    _without_keywords(typer, node, f"math.{name}")
-    signature = MATH[name]
-    arguments = _fitted(typer, node, f"math.{name}", signature)
-    return call(f"_{name}", arguments, node), signature.result
-
-
-def _fitted(
-    typer: ExpressionTyper, node: ast.Call, name: str, signature: Signature
-) -> list[ast.expr]:
-    wanted = signature.arguments
-    if len(node.args) != len(wanted):
-        typer.refuse(
-            node, f"{len(node.args)} arguments for {name}()", "see docs/rules.md", f"{len(wanted)}"
-        )
-    return [
-        typer.fitted(argument, kind, f"{name}()")
-        for argument, kind in zip(node.args, wanted, strict=True)
-        if isinstance(kind, Type)
-    ]
+        else:
+            keywords.append(ast.keyword(name, value))
+    symbol, result = typer.program.specialised(
+        source, tuple(kinds[name] for name in names), typer, node
+    )
+    made = call(symbol, arguments, node)
+    made.keywords = keywords
+    return marked(ast.fix_missing_locations(made), ("helper", symbol)), result
 
 
 # Methods ------------------------------------------------------------------------------------------
@@ -326,10 +205,10 @@ def _made(node: ast.Call, base: ast.expr, name: str, arguments: list[ast.expr], 
 def _draw(typer: ExpressionTyper, node: ast.Call, base: ast.expr, name: str) -> Typed:
     if name not in RNG:
         typer.refuse(node, f"rng.{name}()", METHODS.get(name) or nearest(name, RNG))
-    _without_keywords(typer, node, f"rng.{name}")
+    without_keywords(typer, node, f"rng.{name}")
     fitting = [one for one in RNG[name] if len(one.arguments) == len(node.args)]
     signature = fitting[0] if fitting else RNG[name][-1]
-    arguments = _fitted(typer, node, f"rng.{name}", signature)
+    arguments = fitted(typer, node, f"rng.{name}", signature)
     return _made(node, base, name, arguments, ("draw", name, len(arguments))), signature.result
 
 
@@ -338,7 +217,7 @@ def _mind(
 ) -> Typed:
     if name not in MIND:
         typer.refuse(node, f"the mind's {name}()", nearest(name, MIND))
-    _without_keywords(typer, node, f"mind.{name}")
+    without_keywords(typer, node, f"mind.{name}")
     signature = MIND[name]
     if len(node.args) != len(signature.arguments):
         typer.refuse(
@@ -366,7 +245,6 @@ def _mind(
                 f"{found} as the name of a {wanted.part}",
                 f"write the {wanted.part}'s name as a text",
             )
-        assert isinstance(found, TextType)  # refused above
         group = found.value if wanted.part == "group" else group
         keys = (group, found.value) if wanted.part in ("role", "culturon") else (found.value,)
         arguments.append(constant(found.value, argument))
@@ -384,8 +262,8 @@ def _agent(
 ) -> Typed:
     population = kind.population
     if name == "die":
-        _fitted(typer, node, "die", Signature((), NONE))
-        _without_keywords(typer, node, "die")
+        fitted(typer, node, "die", Signature((), NONE))
+        without_keywords(typer, node, "die")
         return _made(node, base, name, [], ("die", population)), NONE
     if name == "hatch":
         keep = False
@@ -396,7 +274,8 @@ def _agent(
                 )
             else:
                 keep = bool(keyword.value.value)
-        _fitted(typer, node, "hatch", Signature((), NONE))
+        fitted(typer, node, "hatch", Signature((), NONE))
+        typer.program.bears(population)
         made = _made(node, base, name, [constant(keep, node)], ("hatch", population, keep))
         return made, kind
     if name == "run_plan":
@@ -425,7 +304,8 @@ def _population(
 ) -> Typed:
     row = RowType(kind.population)
     if name == "create":
-        _fitted(typer, node, "create", Signature((), NONE))
+        typer.program.bears(kind.population)
+        fitted(typer, node, "create", Signature((), NONE))
         return _made(node, base, name, [], ("create", kind.population)), row
     if name == "one_of":
         kinds = [typer.expression(argument) for argument in node.args]
@@ -448,12 +328,13 @@ def _world(
     typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: WorldType, name: str
 ) -> Typed:
     if name == "patch":
-        arguments = _fitted(typer, node, "patch", Signature((FLOAT, FLOAT), NONE))
+        arguments = fitted(typer, node, "patch", Signature((FLOAT, FLOAT), NONE))
         return _made(node, base, name, arguments, ("patch_at",)), PatchType()
     if name in torus.COMMANDS:
         return helper(typer, node, torus.COMMANDS[name], first=[(base, kind)])
     if name in ("in_radius", "patches"):
-        typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{name}…:`")
+        loop = "patches" if name == "patches" else "in_radius(agent, radius)"
+        typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{loop}:`")
     return typer.refuse(
         node, f"the world's {name}()", nearest(name, [*torus.COMMANDS, "patch", "in_radius"])
     )

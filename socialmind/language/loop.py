@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 
 from coglogo_py.arrays import MindArrays, SchemeArrays
-
 from socialmind.fields import Field
 from socialmind.language.lowering import lowered
 from socialmind.language.program import RUNTIME, Phase, Program
@@ -153,6 +152,7 @@ _as_float = float
 _abs = abs
 _len = len
 _range = range
+_nan = np.nan
 STREAM = _streams.STREAM
 _rng_random = _streams.random
 _rng_uniform = _streams.uniform
@@ -183,7 +183,16 @@ def _patches(_model):
 
 
 def _runtime_names() -> str:
-    builtins = ("_present", "_as_int", "_as_float", "_abs", "_len", "_range", "_print", "_breakpoint")
+    builtins = (
+        "_present",
+        "_as_int",
+        "_as_float",
+        "_abs",
+        "_len",
+        "_range",
+        "_print",
+        "_breakpoint",
+    )
     return "\n".join(f"{name} = _arithmetic.{name[1:]}" for name in RUNTIME if name not in builtins)
 
 
@@ -430,9 +439,7 @@ def _phase_text(shape: ModelShape, tag: int, place: int, phase: Phase) -> str:
     population = phase.shape.population
     if population is None:
         begin = f"    _begin(rng, {tag + place}, 0, _model._tick)\n" if rng else ""
-        return (
-            f"@njit\ndef {function}(_model, rng):\n{begin}    {_call_text(phase.symbol, phase.takes)}"
-        )
+        return f"@njit\ndef {function}(_model, rng):\n{begin}    {_call_text(phase.symbol, phase.takes)}"
     lines = [
         f"@njit\ndef {function}(_model, rng):",
         f"    counters = _counters_{population}(_model)",

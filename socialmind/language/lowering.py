@@ -23,6 +23,13 @@ def lowered(function: TypedFunction) -> str:
     return ast.unparse(ast.fix_missing_locations(tree))
 
 
+def _once(node: ast.expr) -> bool:
+    """Say whether an expression may be written twice without being found twice."""
+    if isinstance(node, ast.Subscript):  # a patch: `_patches(_model)[place]`
+        return isinstance(node.slice, ast.Name)
+    return isinstance(node, ast.Name)
+
+
 def _name(name: str) -> ast.Name:
     return ast.Name(name, ast.Load())
 
@@ -40,6 +47,7 @@ class _Lowering(ast.NodeTransformer):
 
     def __init__(self) -> None:
         self.loops = 0
+        self.kept = 0
 
     def visit(self, node: ast.AST) -> Any:
         mark = getattr(node, "mark", None)
@@ -57,52 +65,76 @@ class _Lowering(ast.NodeTransformer):
             return _name("_model")
         if mark[0] == "patch":
             return ast.Subscript(_call("_patches"), base, ast.Load())
-        return base  # type: ignore[no-any-return]  # an expression
+        return base
 
     def lower_field(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        field: Field = mark[-1]
-        made = ast.Attribute(self.holder(node, mark), node.attr, ast.Load())
-        if field.limits is not None:
-            return ast.Call(_name("_int64"), [made], [])
-        return made
+        return self.value(self.holder(node, mark), node.attr, mark[-1])
 
     lower_agent = lower_model = lower_patch = lower_field
 
+    def value(self, holder: ast.expr, name: str, field: Field) -> ast.expr:
+        """Return the reading of a field; small whole numbers are read as large ones."""
+        made = ast.Attribute(holder, name, ast.Load())
+        return ast.Call(_name("_int64"), [made], []) if field.limits is not None else made
+
     def lower_present(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        there, value = self.both(node.args[0])
+        place: Any = node.args[0]
+        first = again = self.holder(place, place.mark)
+        if not _once(first):
+            again = _name(self.keeping())
+            first = ast.NamedExpr(ast.Name(again.id, ast.Store()), first)
+        there = ast.Attribute(first, presence(place.attr), ast.Load())
+        value = self.value(again, place.attr, place.mark[-1])
         return ast.Call(_name("_some"), [there, value], [])
 
-    def both(self, node: Any) -> tuple[ast.expr, ast.expr]:
-        """Return whether an optional field holds a value, and the value."""
-        there = ast.Attribute(self.holder(node, node.mark), presence(node.attr), ast.Load())
-        return there, self.lower_field(node, node.mark)
+    def keeping(self) -> str:
+        """Return the name of a fresh variable that holds a record."""
+        self.kept += 1
+        return f"_held_{self.kept}"
 
     def lower_none(self, node: ast.Compare, mark: tuple[Any, ...]) -> ast.expr:
         _, negated, is_plan = mark
         if is_plan:
             operator = ast.GtE() if negated else ast.Lt()
             return ast.Compare(self.visit(node.left), [operator], [ast.Constant(0)])
-        there, _ = self.both(node.left)
+        place: Any = node.left
+        holder = self.holder(place, place.mark)
+        there = ast.Attribute(holder, presence(place.attr), ast.Load())
         return there if negated else ast.UnaryOp(ast.Not(), there)
 
     def lower_store(self, node: ast.Assign, mark: tuple[Any, ...]) -> list[ast.stmt]:
         place: Any = node.targets[0]
-        value = self.visit(node.value)
         field = getattr(place, "mark", (None,))[-1]
+        value = self.visit(node.value)
         if isinstance(place, ast.Subscript):
             return [ast.Assign([self.visit(place)], value)]
         if not isinstance(field, Field):  # a plan
             target = ast.Attribute(self.visit(place.value), "_plan", ast.Store())
             return [ast.Assign([target], value)]
         holder = self.holder(place, place.mark)
-        target = ast.Attribute(holder, place.attr, ast.Store())
         if not field.optional:
-            return [ast.Assign([target], value)]
-        there = ast.Attribute(holder, presence(place.attr), ast.Store())
+            return [ast.Assign([ast.Attribute(holder, place.attr, ast.Store())], value)]
+        lines: list[ast.stmt] = []
+        if not _once(holder):
+            kept = self.keeping()
+            # The value is found before the place, as in Python.
+            lines = [
+                ast.Assign([ast.Name(f"{kept}_value", ast.Store())], value),
+                ast.Assign([ast.Name(kept, ast.Store())], holder),
+            ]
+            holder, value = _name(kept), _name(f"{kept}_value")
         if mark[1]:
-            zero = ast.Constant(field.kind(0))
-            return [ast.Assign([target], zero), ast.Assign([there], ast.Constant(False))]
-        return [ast.Assign([target], value), ast.Assign([there], ast.Constant(True))]
+            value = ast.Constant(field.kind(0))
+        there = ast.Attribute(holder, presence(place.attr), ast.Store())
+        return [
+            *lines,
+            ast.Assign([ast.Attribute(holder, place.attr, ast.Store())], value),
+            ast.Assign([there], ast.Constant(not mark[1])),
+        ]
+
+    def visit_Constant(self, node: ast.Constant) -> ast.expr:
+        is_nan = isinstance(node.value, float) and node.value != node.value
+        return _name("_nan") if is_nan else node
 
     # The model and its world ------------------------------------------------------------------
 
@@ -183,7 +215,9 @@ class _Lowering(ast.NodeTransformer):
         return ast.Call(_name(f"_rng_{mark[1]}"), [stream, *arguments], [])
 
     def lower_helper(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(mark[1], *[self.visit(argument) for argument in node.args])
+        made = _call(mark[1], *[self.visit(argument) for argument in node.args])
+        made.keywords = [ast.keyword(one.arg, self.visit(one.value)) for one in node.keywords]
+        return made
 
     # Loops ------------------------------------------------------------------------------------
 
@@ -191,14 +225,12 @@ class _Lowering(ast.NodeTransformer):
         population = mark[1]
         self.loops += 1
         place = f"_place_{self.loops}"
-        assert isinstance(node.target, ast.Name)  # the typing refuses others
-        head = ast.parse(
-            f"for {place} in range(_entries_{population}(_model)):\n"
+        head: Any = ast.parse(
+            f"for {place} in _range(_entries_{population}(_model)):\n"
             f"    if not _is_living_{population}(_model, {place}):\n"
             f"        continue\n"
-            f"    {node.target.id} = _entry_{population}(_model, {place})\n"
+            f"    {ast.unparse(node.target)} = _entry_{population}(_model, {place})\n"
         ).body[0]
-        assert isinstance(head, ast.For)  # just written
         self.generic_visit(node)
         head.body += node.body
         head.orelse = node.orelse
@@ -209,7 +241,7 @@ class _Lowering(ast.NodeTransformer):
         call: Any = node.iter
         low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
         if call.func.id == "_all_patches":
-            node.iter = _parsed("range(_model._world_size * _model._world_size)")
+            node.iter = _parsed("_range(_model._world_size * _model._world_size)")
         else:
             node.iter = ast.Call(_name("_patches_in_radius"), [*call.args[1:], low, size], [])
         return node

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from llvmlite import ir
+from llvmlite import ir  # type: ignore[import-untyped]  # it carries no types
 from numba import types
 from numba.extending import intrinsic, register_jitable
 
@@ -17,7 +17,7 @@ CACHE_LINE = 64
 """Bytes that processors fetch at once."""
 
 
-@intrinsic  # type: ignore[untyped-decorator]  # numba carries no types
+@intrinsic
 def as_pointer(typing_context: Any, address: Any) -> Any:
     """Return an address, a whole number, as a pointer for `numba.carray`."""
 
@@ -27,7 +27,7 @@ def as_pointer(typing_context: Any, address: Any) -> Any:
     return types.voidptr(types.int64), generate
 
 
-@intrinsic  # type: ignore[untyped-decorator]  # numba carries no types
+@intrinsic
 def fetch_ahead(typing_context: Any, array: Any, row: Any) -> Any:
     """Ask the processor to fetch a row of an array that will be needed soon.
 

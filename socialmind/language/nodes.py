@@ -30,6 +30,13 @@ def constant(value: Any, near: ast.AST) -> ast.expr:
     return ast.copy_location(ast.Constant(value), near)
 
 
+def written_number(node: ast.Constant) -> float | int:
+    """Return the value of a written number."""
+    if not isinstance(node.value, int | float):
+        raise TypeError(f"{node.value!r} was typed as a number")
+    return node.value
+
+
 def nearest(name: str, known: Iterable[str]) -> str:
     """Return a hint at the known name that a misspelt one resembles, or what there is."""
     names = list(known)

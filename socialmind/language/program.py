@@ -77,10 +77,14 @@ class Program:
         self.compiled = compiled
         self.functions: dict[str, TypedFunction] = {}
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
+        self.births: list[str] = []
         self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
         self._sources: dict[Callable[..., Any], RuleSource] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
         self._open: list[Callable[..., Any]] = []
+        # The populations whose plans a function carries out, by itself or through others.
+        self._calls: list[set[str]] = []
+        self._reached: dict[str, set[str]] = {}
         self.setup = tuple(self._phase(phase) for phase in shape.setup)
         self.schedule = tuple(self._phase(phase) for phase in shape.schedule)
 
@@ -94,8 +98,10 @@ class Program:
         symbol, takes = self._entry(shape.rule, shape.population)
         return Phase(shape, symbol, takes)
 
-    def _entry(self, rule: Callable[..., Any], population: str | None) -> tuple[str, tuple[str, ...]]:
-        """Type a function that the schedule or a plan calls; return its symbol and what it takes."""
+    def _entry(
+        self, rule: Callable[..., Any], population: str | None
+    ) -> tuple[str, tuple[str, ...]]:
+        """Type a function of the schedule or of a plan; return its symbol and what it takes."""
         source = self.source(rule)
         names = source.parameters
         known: dict[str, AnyType] = {"model": MODEL, "rng": RNG}
@@ -138,17 +144,34 @@ class Program:
 
     def runs_plans(self, population: str, typer: Any, node: ast.AST) -> None:
         """Type the functions of a population's plans, once a rule runs them."""
+        for calls in self._calls:
+            calls.add(population)
         if population in self.plans:
             return
         self.plans[population] = {}
         for plan, function in self.shape.populations[population].plans.items():
-            self.plans[population][plan] = self._entry(function, population)
+            symbol, takes = self._entry(function, population)
+            if population in self._reached[symbol]:
+                source = self.functions[symbol].source
+                raise ModelError(
+                    f"the plan {plan!r}, in which an agent carries out its plan",
+                    "a plan that ends",
+                    "leave run_plan() to the rule that chooses the plan",
+                    source.file,
+                    source.line,
+                )
+            self.plans[population][plan] = symbol, takes
         if not self.plans[population]:
             typer.refuse(
                 node,
                 f"run_plan() of {population!r}, which has no plans",
                 "give the population plans: Population(…, plans={'GrowWheat': grow_wheat})",
             )
+
+    def bears(self, population: str) -> None:
+        """Note that rules bring new agents into a population."""
+        if population not in self.births:
+            self.births.append(population)
 
     def name(self, population: str, part: str, keys: tuple[str, ...], file: str, line: int) -> int:
         """Return the place of a written name in the population's table of names."""
@@ -166,16 +189,22 @@ class Program:
         key = (source.function, kinds)
         if key in self._symbols:
             symbol = self._symbols[key]
+            for calls in self._calls:
+                calls |= self._reached[symbol]
             return symbol, self.functions[symbol].result
         if source.function in self._open:
             typer.refuse(
-                node, f"{source.name}(), which calls itself", "write a loop: rules do not call themselves"
+                node,
+                f"{source.name}(), which calls itself",
+                "write a loop: rules do not call themselves",
             )
         _check_definition(source)
         self._open.append(source.function)
+        self._calls.append(set())
         body, result = FunctionTyper(self, source, kinds).typed()
         self._open.pop()
         symbol = self._symbol(source.name)
+        self._reached[symbol] = self._calls.pop()
         names = [
             name
             for name, kind in zip(source.parameters, kinds, strict=True)
@@ -191,12 +220,11 @@ class Program:
         return symbol, result
 
     def _symbol(self, name: str) -> str:
-        # A leading underscore is what the trees' own names have.
-        name = name.lstrip("_") or "rule"
-        symbol, count = name, 1
-        while symbol in self.functions or symbol in RUNTIME:
+        # No variable of the author's begins with an underscore.
+        symbol, count = f"_do_{name}", 1
+        while symbol in self.functions:
             count += 1
-            symbol = f"{name}_{count}"
+            symbol = f"_do_{name}_{count}"
         return symbol
 
     def interpreted(self, namespace: dict[str, Any]) -> dict[str, Callable[..., Any]]:
@@ -209,6 +237,11 @@ class Program:
         for function in self.functions.values():
             module = ast.Module([function.tree], [])
             exec(compile(module, function.source.file, "exec"), names)
+            # What a traceback and a debugger show is the author's name.
+            made = names[function.symbol]
+            name = function.source.name
+            made.__name__ = made.__qualname__ = name
+            made.__code__ = made.__code__.replace(co_name=name, co_qualname=name)
         return {symbol: names[symbol] for symbol in self.functions}
 
     def placed(self, population: str, tables: dict[str, dict[Any, int]], scheme: str) -> list[int]:
@@ -271,6 +304,15 @@ RUNTIME: dict[str, Any] = {
 
 def _check_definition(source: RuleSource) -> None:
     arguments = source.tree.args
+    for name in source.parameters:
+        if name.startswith("_"):
+            raise ModelError(
+                f"the parameter {name!r} of the rule {source.name!r}",
+                None,
+                "leave the leading underscore out",
+                source.file,
+                source.line,
+            )
     odd = [
         (arguments.vararg, "*arguments"),
         (arguments.kwarg, "**arguments"),

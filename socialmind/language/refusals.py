@@ -88,7 +88,7 @@ NAMES: dict[str, str] = {
 
 MODULES: dict[str, str] = {
     "numpy": "use `math` and plain numbers inside rules; NumPy works outside them, in `series()`",
-    "random": "draw from the rule's own stream: `rng.random()`, `rng.integers(6)`, `rng.uniform(0, 1)`",
+    "random": "draw from the rule's stream: `rng.random()`, `rng.integers(6)`, `rng.uniform(0, 1)`",
     "pandas": "rules hold no tables; use pandas on what the run recorded",
     "time": "the time of the model is `model.tick`",
     "datetime": "the time of the model is `model.tick`",
@@ -109,3 +109,24 @@ METHODS: dict[str, str] = {
     "rand": "write `rng.random()`",
     "format": "rules hold no texts",
 }
+
+MATH_REMEDIES: dict[str, str] = {
+    "log1p": "write math.log(1 + x)",
+    "expm1": "write math.exp(x) - 1",
+    "exp2": "write 2.0 ** x",
+    "cbrt": "write x ** (1 / 3)",
+    "fmod": "write x % y",
+    "remainder": "write x - y * round(x / y)",
+    "modf": "write x - int(x)",
+    "copysign": "write abs(x) if y >= 0 else -abs(x)",
+    "isclose": "write abs(a - b) < 1e-9",
+    "fsum": "write sum(array)",
+    "prod": "multiply in a for loop",
+    "dist": "write math.hypot(x - a, y - b), or model.world.distance(agent, x, y)",
+    "isqrt": "write int(math.sqrt(n))",
+    "factorial": "multiply in a for loop",
+    "comb": "multiply in a for loop",
+    "perm": "multiply in a for loop",
+    "gcd": "write the loop of Euclid: `while b != 0: a, b = b, a % b`",
+}
+"""Functions of `math` that rules do not have, and what to write instead."""

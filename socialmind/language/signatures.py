@@ -66,13 +66,17 @@ RNG: dict[str, tuple[Signature, ...]] = {
 MATH: dict[str, Signature] = {
     **{
         name: Signature((FLOAT,), FLOAT)
-        for name in ("sin cos tan asin acos atan exp log log10 sqrt radians degrees fabs").split()
+        for name in (
+            *("sin", "cos", "tan", "asin", "acos", "atan", "tanh", "radians", "degrees"),
+            *("exp", "log", "log2", "log10", "sqrt", "fabs"),
+        )
     },
     **{name: Signature((FLOAT,), BOOL) for name in ("isnan", "isinf", "isfinite")},
     "atan2": Signature((FLOAT, FLOAT), FLOAT),
     "hypot": Signature((FLOAT, FLOAT), FLOAT),
     "floor": Signature((FLOAT,), INT),
     "ceil": Signature((FLOAT,), INT),
+    "trunc": Signature((FLOAT,), INT),
 }
 """The functions of `math` that rules may call; `arithmetic` defines them for both speeds."""
 

@@ -33,6 +33,12 @@ class RuleSource:
     names: Mapping[str, Any]
 
     @property
+    def defaults(self) -> dict[str, Any]:
+        """The values of its parameters that a call may leave out."""
+        values = self.function.__defaults__ or ()
+        return dict(zip(self.parameters[len(self.parameters) - len(values) :], values, strict=True))
+
+    @property
     def parameters(self) -> list[str]:
         """The names of its parameters, in order."""
         return [argument.arg for argument in self.tree.args.args]
@@ -45,11 +51,27 @@ def rule_source(function: Any) -> RuleSource:
         ModelError: what is given is no plain function, or its source cannot be read.
     """
     if not inspect.isfunction(function):
-        raise ModelError(f"{function!r}", "a plain function", "write the rule with `def`")
+        inner: Any = getattr(function, "__func__", getattr(function, "func", None))
+        known = inspect.isfunction(inner)
+        raise ModelError(
+            f"{function!r} as a rule",
+            "a plain function",
+            "write the rule with `def` at the top of the file",
+            inner.__code__.co_filename if known else None,
+            inner.__code__.co_firstlineno if known else None,
+        )
     code = function.__code__
     file, line = code.co_filename, code.co_firstlineno
     if function.__name__ == "<lambda>":
         raise ModelError("a lambda", "a rule with a name", "write it with `def`", file, line)
+    if hasattr(function, "__wrapped__"):
+        raise ModelError(
+            f"the rule {function.__name__!r} inside a decorator",
+            "a plain function",
+            "leave the decorator out",
+            inspect.unwrap(function).__code__.co_filename,
+            inspect.unwrap(function).__code__.co_firstlineno,
+        )
     if function.__closure__:
         raise ModelError(
             f"the rule {function.__name__!r} inside another function",
@@ -60,13 +82,15 @@ def rule_source(function: Any) -> RuleSource:
         )
     try:
         lines, start = inspect.getsourcelines(function)
-    except (OSError, TypeError):
+        tree = ast.parse(textwrap.dedent("".join(lines))).body[0]
+    except (OSError, TypeError, SyntaxError):
         raise ModelError(
             f"the rule {function.__name__!r} without a source",
             "a function written in a file or a notebook cell",
-            "save the model in a file",
+            "save the model in a file, and load it again after changes",
+            file,
+            line,
         ) from None
-    tree = ast.parse(textwrap.dedent("".join(lines))).body[0]
     ast.increment_lineno(tree, start - 1)
     if isinstance(tree, ast.AsyncFunctionDef):
         raise ModelError("an async rule", "a plain function", "write `def`", file, tree.lineno)

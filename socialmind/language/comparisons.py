@@ -1,0 +1,120 @@
+"""Typing of comparisons: numbers, truth values, plans, agents and `is None`."""
+
+from __future__ import annotations
+
+import ast
+from typing import TYPE_CHECKING
+
+from socialmind.language.nodes import Typed, constant, marked
+from socialmind.language.types import (
+    BOOL,
+    FLOAT,
+    OptionalType,
+    PlanType,
+    RowType,
+    TextType,
+)
+
+if TYPE_CHECKING:
+    from socialmind.language.expressions import ExpressionTyper
+
+_SAMENESS: dict[type[ast.cmpop], type[ast.cmpop]] = {
+    ast.Is: ast.Eq,
+    ast.Eq: ast.Eq,
+    ast.IsNot: ast.NotEq,
+    ast.NotEq: ast.NotEq,
+}
+
+
+def typed_comparison(typer: ExpressionTyper, node: ast.Compare) -> Typed:
+    """Return a comparison as both speeds run it; its type is a truth value."""
+    sides = [node.left, *node.comparators]
+    if any(isinstance(op, ast.Is | ast.IsNot | ast.In | ast.NotIn) for op in node.ops) or any(
+        isinstance(side, ast.Constant) and side.value is None for side in sides
+    ):
+        return _identity(typer, node)
+    typed = [typer.expression(side) for side in sides]
+    kinds = [kind for _, kind in typed]
+    if any(isinstance(kind, PlanType | TextType) for kind in kinds):
+        return _plans(typer, node, typed)
+    if any(isinstance(kind, RowType) for kind in kinds):
+        return _agents(typer, node, typed)
+    if len(typed) == 2 and kinds[0] == kinds[1] == BOOL:
+        return _compare(node, [value for value, _ in typed]), BOOL
+    numbers = [
+        typer.as_number(value, kind, side) for (value, kind), side in zip(typed, sides, strict=True)
+    ]
+    if any(kind == FLOAT for _, kind in numbers):
+        return _compare(node, [typer.to_float(*number) for number in numbers]), BOOL
+    return _compare(node, [value for value, _ in numbers]), BOOL
+
+
+def _compare(node: ast.Compare, values: list[ast.expr]) -> ast.expr:
+    return ast.copy_location(ast.Compare(values[0], node.ops, values[1:]), node)
+
+
+def _identity(typer: ExpressionTyper, node: ast.Compare) -> Typed:
+    """Type `is None`, `is not None` and `is` between agents."""
+    operator = node.ops[0]
+    if len(node.ops) > 1:
+        typer.refuse(node, "a chain with `is` or `in`", "write two comparisons joined by `and`")
+    if isinstance(operator, ast.In | ast.NotIn):
+        typer.refuse(node, "`in`", "write `x == 1 or x == 2`, or a for loop")
+    other = node.comparators[0]
+    if isinstance(node.left, ast.Constant) and node.left.value is None:
+        typer.refuse(node, "None on the left of a comparison", "write `x is None`")
+    left, kind = typer.expression(node.left)
+    if isinstance(other, ast.Constant) and other.value is None:
+        if not isinstance(operator, ast.Is | ast.IsNot):
+            typer.refuse(node, "None compared by its value", "write `is None` or `is not None`")
+        if not isinstance(kind, OptionalType | PlanType):
+            typer.refuse(
+                node,
+                f"`is None` on {kind}, which is never None",
+                "leave the question out, or declare the field as `… | None`",
+            )
+        negated = isinstance(operator, ast.IsNot)
+        new = _compare(node, [left, constant(None, other)])
+        return marked(new, ("none", negated, isinstance(kind, PlanType))), BOOL
+    right = typer.expression(other)
+    if isinstance(kind, RowType) and isinstance(right[1], RowType):
+        return _agents(typer, node, [(left, kind), right])
+    return typer.refuse(node, "`is` between values", "write `==`; `is` is for None and agents")
+
+
+def _agents(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typed:
+    """Type the question whether two agents are the same one."""
+    (left, kind), (right, other) = typed[0], typed[-1]
+    operator = _SAMENESS.get(type(node.ops[0]))
+    if len(typed) != 2 or operator is None:
+        typer.refuse(node, "agents in a comparison of size", "compare their fields")
+    if kind != other:
+        typer.refuse(
+            node,
+            f"{kind} compared with {other}",
+            "compare two agents of one population, or their fields",
+        )
+    ids = [
+        marked(ast.copy_location(ast.Attribute(side, "id", ast.Load()), node), ("id",))
+        for side in (left, right)
+    ]
+    return ast.copy_location(ast.Compare(ids[0], [operator()], [ids[1]]), node), BOOL
+
+
+def _plans(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typed:
+    """Type `human.plan == "GrowWheat"`."""
+    if len(typed) != 2 or not isinstance(node.ops[0], ast.Eq | ast.NotEq):
+        typer.refuse(node, "plans in a comparison of size", "compare them with == or !=")
+    values = []
+    for (value, kind), (_, other) in zip(typed, reversed(typed), strict=True):
+        if isinstance(kind, PlanType) and (kind == other or isinstance(other, TextType)):
+            values.append(value)
+        elif isinstance(kind, TextType) and isinstance(other, PlanType):
+            values.append(typer.plan_name(value, kind, other.population))
+        else:
+            typer.refuse(
+                node,
+                f"{kind} compared with {other}",
+                "compare a plan with a plan's name, or with a plan of the same population",
+            )
+    return _compare(node, values), BOOL
