@@ -262,17 +262,13 @@ def fingerprint() -> dict[str, str]:
 
 def versions() -> dict[str, str]:
     """The versions a run stands on."""
-    from importlib import metadata
-
     import numba
     import numpy as np
 
-    try:
-        own = metadata.version("socialmind")
-    except metadata.PackageNotFoundError:  # run from its source, not installed
-        own = "source"
+    import socialmind
+
     return {
-        "socialmind": own,
+        "socialmind": socialmind.__version__,
         "python": platform.python_version(),
         "numpy": np.__version__,
         "numba": numba.__version__,

@@ -71,7 +71,7 @@ def _from_list(values: list[Any]) -> pa.Array:
     import pyarrow as pa
 
     kinds = {_kind(one) for one in set(map(type, values))}
-    known = kinds - {None}
+    known = {one for one in kinds if one is not None}
     if known == {"i", "f"}:
         known = {"f"}
     if "?" in known or len(known) > 1:
@@ -175,11 +175,11 @@ def from_arrow(array: pa.Array) -> Values:
             lengths[missing] = 0
         return Values(missing, lengths, text)
     if pa.types.is_boolean(array.type):
-        values = _bits(buffers[1], begin, end).astype(np.uint8)
+        content: np.ndarray = _bits(buffers[1], begin, end).astype(np.uint8)
     else:
         kind = np.float64 if pa.types.is_floating(array.type) else np.int64
-        values = np.frombuffer(buffers[1], kind)[begin:end]
-    return Values(missing, np.where(missing, values.dtype.type(0), values))
+        content = np.frombuffer(buffers[1], kind)[begin:end]
+    return Values(missing, np.where(missing, content.dtype.type(0), content))
 
 
 def _bits(buffer: pa.Buffer, begin: int, end: int) -> np.ndarray:

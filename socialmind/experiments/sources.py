@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import socialmind
 from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
 from socialmind.errors import SocialmindError
 
@@ -89,13 +90,19 @@ def model_of(
         compiled: speed; the run's by default.
 
     Raises:
-        SocialmindError: the model is missing, or it or its scheme was changed since.
+        SocialmindError: the model is missing, or it, its scheme or socialmind was changed since.
     """
     manifest = capsule.manifest
     cls = recorded_class(capsule) if model_class is None else model_class
     changed = changes_since(capsule, cls)
     if changed:
         raise SocialmindError(f"{changed}; put the old file back, or start another run")
+    then, today = manifest.versions.get("socialmind"), socialmind.__version__
+    if then != today:
+        raise SocialmindError(
+            f"{capsule.folder}: made by socialmind {then}, this is {today}, whose runs may differ; "
+            f"install {then}, or start another run"
+        )
     return cls(
         seed=manifest.seed,
         compiled=manifest.compiled if compiled is None else compiled,

@@ -238,7 +238,7 @@ def _arrow_table(records: Sequence[Columns], name: str) -> pa.Table:
     columns, fields = [], []
     for column in records[0]:
         try:
-            pieces = [to_arrow(record[column]) for record in records]
+            pieces = [to_arrow(one) for one in _joined([record[column] for record in records])]
         except SocialmindError as error:
             raise SocialmindError(f"{name}: column {column}: {error}") from error
         kind = pieces[0].type
@@ -247,6 +247,16 @@ def _arrow_table(records: Sequence[Columns], name: str) -> pa.Table:
         columns.append(pa.chunked_array([p.cast(kind, safe=False) for p in pieces], kind))
         fields.append((column, kind))
     return pa.Table.from_arrays(columns, schema=pa.schema(fields))
+
+
+def _joined(pieces: list[Sequence[Any] | np.ndarray]) -> list[Sequence[Any] | np.ndarray]:
+    """The same values in fewer pieces, where they are of one sort."""
+    if all(type(one) is list for one in pieces):
+        return [[value for one in pieces for value in one]]
+    arrays = [one for one in pieces if type(one) is np.ndarray]
+    if len(arrays) == len(pieces) and len({one.dtype for one in arrays}) == 1:
+        return [np.concatenate(arrays)]
+    return pieces
 
 
 def _standard_type(kind: pa.DataType, name: str, column: str) -> pa.DataType:

@@ -4,19 +4,25 @@ from socialmind import Agent, Model, Patch, Population, Torus, each, once, param
 
 
 class Grazer(Agent):
+    """An animal that lives on grass."""
+
     energy: float = 10.0
 
 
 class Meadow(Patch):
+    """A patch of grass."""
+
     grass: float = 1.0
 
 
 def regrow(model):
+    """Let the grass grow."""
     for patch in model.world.patches:
         patch.grass = min(patch.grass + model.regrowth, 1.0)
 
 
 def live(grazer, model, rng):
+    """Get hungry, choose a plan and carry it out."""
     grazer.energy -= 0.2
     grazer.mind.set_cogniton_value("Hunger", max(10.0 - grazer.energy, 0.0))
     grazer.plan = grazer.mind.choose_next_plan()
@@ -24,11 +30,13 @@ def live(grazer, model, rng):
 
 
 def wander(grazer, model, rng):
+    """Take a step, more or less ahead."""
     model.world.right(grazer, rng.integers(-45, 46))
     model.world.forward(grazer, 1)
 
 
 def graze(grazer, model):
+    """Eat the grass under one's feet."""
     here = model.world.patch(grazer.x, grazer.y)
     grazer.energy += here.grass
     here.grass = 0.0

@@ -12,6 +12,7 @@ import filelock
 import pyarrow.parquet as pq
 import pytest
 
+from socialmind.catalogue import catalogue, load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import Interrupted, Run, resume, run
 from socialmind.experiments import execution as execution_module
@@ -345,6 +346,13 @@ def test_a_changed_model_is_not_gone_on_with(drifters, tmp_path):
         resume(folder, ticks=30, model_class=drifters)
 
 
+def test_another_version_does_not_go_on(drifters, tmp_path):
+    folder = run(drifters, 20, out=tmp_path / "run")
+    Capsule(folder).update(versions={"socialmind": "0.0.1"})
+    with pytest.raises(SocialmindError, match=r"made by socialmind 0.0.1.*install 0.0.1, or start"):
+        resume(folder, ticks=30, model_class=drifters)
+
+
 def test_two_processes_cannot_work_in_one_folder(drifters, tmp_path):
     folder = run(drifters, 20, out=tmp_path / "run")
     with filelock.FileLock(folder / ".lock"), pytest.raises(SocialmindError, match="another proc"):
@@ -431,3 +439,19 @@ def test_reading_what_is_no_run(tmp_path):
     (tmp_path / "manifest.json").write_text("{")
     with pytest.raises(SocialmindError, match="not a run's manifest"):
         Run(tmp_path)
+
+
+@pytest.mark.parametrize("name", catalogue())
+def test_every_model_that_ships_goes_on_as_if_never_stopped(tmp_path, frequent_progress, name):
+    model = load_model(name)
+    options = {"ticks": 700, "seed": 6, "every": 3, "agents_every": 50}
+    whole = run(model, out=tmp_path / "whole", **options)
+    out = tmp_path / "stopped"
+    with pytest.raises(Interrupted):
+        run(
+            model, out=out, **options,
+            on_progress=stop_at(300, lambda: os.kill(os.getpid(), signal.SIGINT)),
+        )  # fmt: skip
+    resume(out, ticks=500, compiled=False)  # a shorter run, in the other speed
+    resume(out, ticks=700, compiled=True)
+    assert tables_of(out) == tables_of(whole)
