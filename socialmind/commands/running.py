@@ -36,6 +36,7 @@ def start(
     quiet: bool,
 ) -> Path:
     """Run a model into a folder; the options of `socialmind run`."""
+    _save_memory()
     model_class = load_model(model)
     parameters = read_settings(model_class, settings)
     if scheme is not None and not scheme.is_file():
@@ -51,6 +52,7 @@ def start(
 
 def go_on(folder: Path, ticks: int | None, compiled: bool | None, quiet: bool) -> Path:
     """Go on with a run; `socialmind run --resume`."""
+    _save_memory()
     with progress_bar(quiet) as on_progress:
         folder = execution.resume(folder, ticks, compiled, on_progress=on_progress)
     _conclude(folder, quiet)
@@ -134,6 +136,11 @@ def progress_bar(quiet: bool) -> Iterator[Progress | None]:
             bar.update(task, total=length, completed=done, pace=pace, refresh=True)
 
         yield on_progress
+
+
+def _save_memory() -> None:
+    """Let Arrow give memory back, rather than keep it for the next table of a large society."""
+    os.environ.setdefault("ARROW_DEFAULT_MEMORY_POOL", "system")
 
 
 def _conclude(folder: Path, quiet: bool) -> None:

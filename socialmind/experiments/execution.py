@@ -14,7 +14,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -306,7 +306,7 @@ class _Execution:
         )
         checkpoint.save(self._capsule.checkpoint)
         self._capsule.update(status=status, **_so_far(self._capsule.manifest, checkpoint))
-        return checkpoint
+        return replace(checkpoint, state={})  # a large society's state is not kept in memory
 
 
 def _finish(capsule: Capsule, checkpoint: Checkpoint) -> None:

@@ -28,7 +28,7 @@ SERIES = "series"
 AGENTS = "agents"
 TABLES = (SERIES, AGENTS)
 
-ROW_GROUP = 1 << 17
+ROW_GROUP = 1 << 15
 """Rows in a row group of a merged table."""
 
 WAITING_ROWS = 1 << 15
@@ -119,7 +119,7 @@ class GrowingTable:
             self._types[field.name] = _common_type(before, field.type, self.name, field.name)
         self._folder.mkdir(exist_ok=True)
         part = f"{self.name}-{len(self.parts):06d}.parquet"
-        pq.write_table(table, self._folder / part, compression="zstd")
+        pq.write_table(table, self._folder / part, row_group_size=ROW_GROUP, compression="zstd")
         self.parts.append(part)
         self._waiting = []
         self._rows = 0
@@ -254,7 +254,7 @@ def _joined(pieces: list[Sequence[Any] | np.ndarray]) -> list[Sequence[Any] | np
     if all(type(one) is list for one in pieces):
         return [[value for one in pieces for value in one]]
     arrays = [one for one in pieces if type(one) is np.ndarray]
-    if len(arrays) == len(pieces) and len({one.dtype for one in arrays}) == 1:
+    if 1 < len(arrays) == len(pieces) and len({one.dtype for one in arrays}) == 1:
         return [np.concatenate(arrays)]
     return pieces
 
@@ -333,7 +333,7 @@ def _batches(paths: Sequence[Path], schema: pa.Schema, drop_tick: int | None) ->
 
     for path in paths:
         with pq.ParquetFile(path) as file:
-            for batch in file.iter_batches(ROW_GROUP):
+            for batch in file.iter_batches(ROW_GROUP, use_threads=False):
                 rows = pa.Table.from_batches([batch]).cast(schema, safe=False)
                 if drop_tick is not None:
                     ticks = [from_arrow(chunk).values for chunk in rows["tick"].chunks]
