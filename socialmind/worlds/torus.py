@@ -120,10 +120,11 @@ def walk_to(world: Any, agent: Any, x: float, y: float, length: float) -> None:
 
 def is_on(world: Any, agent: Any, x: float, y: float) -> bool:
     """Say whether an agent stands on the patch of a point (NetLogo's `patch-here = patch x y`)."""
+    if 1 < abs(x - agent.x) < world.size - 1 or 1 < abs(y - agent.y) < world.size - 1:
+        return False  # the usual case, without rounding
     same_x = math.floor(agent.x + 0.5) == math.floor(wrapped(x, world.low, world.size) + 0.5)
-    return same_x and math.floor(agent.y + 0.5) == math.floor(
-        wrapped(y, world.low, world.size) + 0.5
-    )
+    same_y = math.floor(agent.y + 0.5) == math.floor(wrapped(y, world.low, world.size) + 0.5)
+    return same_x and same_y
 
 
 COMMANDS = {
