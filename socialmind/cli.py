@@ -19,7 +19,7 @@ import typer
 from socialmind.errors import SocialmindError
 
 WRONG = 2
-STOPPED = 130
+BROKEN_PIPE = 141
 
 app = typer.Typer(
     name="socialmind",
@@ -58,7 +58,7 @@ def _report(error: BaseException) -> int:
     if isinstance(error, BrokenPipeError):
         # The reader of our output has gone; Python would complain once more at its own end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return STOPPED
+        return BROKEN_PIPE
     if isinstance(error, OSError):
         place = f"{error.filename}: " if error.filename else ""
         message = f"{place}{error.strerror or error}"
@@ -83,7 +83,7 @@ def list_() -> None:
 def run(
     model: Annotated[
         str | None,
-        typer.Argument(metavar="[MODEL]", help="A model's name, or its folder."),
+        typer.Argument(metavar="MODEL", help="A model's name, or its folder."),
     ] = None,
     ticks: Annotated[int | None, typer.Option(help="Length of the run.", min=0)] = None,
     seed: Annotated[int | None, typer.Option(help="Seed of every draw (0).", min=0)] = None,

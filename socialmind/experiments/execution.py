@@ -9,11 +9,8 @@ from __future__ import annotations
 
 import inspect
 import shutil
-import signal
-import threading
 import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -24,6 +21,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
+from socialmind.experiments.signals import deferred_signals
 from socialmind.experiments.sources import model_of, model_source, scheme_copies
 from socialmind.experiments.tables import AGENTS, SERIES, TABLES, GrowingTable, merge
 
@@ -217,7 +215,7 @@ class _Execution:
 
     def go(self, length: int, on_progress: Progress | None, checkpoint_every: float) -> None:
         """Run to the last tick and leave a finished capsule."""
-        with _deferred_signals() as arrived:
+        with deferred_signals() as arrived:
             try:
                 self._loop(length, on_progress, checkpoint_every, arrived)
             except Interrupted:
@@ -377,28 +375,3 @@ def _at_least(least: int, **values: int) -> None:
     for name, value in values.items():
         if not isinstance(value, int) or value < least:
             raise SocialmindError(f"{name} {value}; expected a whole number from {least} up")
-
-
-@contextmanager
-def _deferred_signals() -> Iterator[list[int]]:
-    """Collect Ctrl-C and the request to terminate, for the loop to see between two chunks.
-
-    The second one takes effect at once. Outside the main thread, where Python allows no handlers,
-    nothing is collected.
-    """
-    arrived: list[int] = []
-
-    def note(number: int, _frame: object) -> None:
-        if arrived:
-            raise KeyboardInterrupt
-        arrived.append(number)
-
-    if threading.current_thread() is not threading.main_thread():
-        yield arrived
-        return
-    before = {number: signal.signal(number, note) for number in (signal.SIGINT, signal.SIGTERM)}
-    try:
-        yield arrived
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)

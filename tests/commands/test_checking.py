@@ -1,0 +1,96 @@
+"""`socialmind list`, `new`, `check` and `explain`."""
+
+import re
+import shutil
+
+import pytest
+
+from socialmind.experiments import Run
+
+SCHEME = """
+name: odd
+decision_maker: MaximumWeight
+plans: [Sit, Fly]
+cognitons:
+  Tired: {at_birth: true, start: 1, influence: {Sit: 1, Fly: 1}, conditional: [Sit]}
+"""
+
+
+def test_list_shows_every_model_and_parameter(socialmind):
+    result = socialmind("list")
+    assert result.exit_code == 0, result.output
+    assert re.search(r"^farmer_artisan: Trade makes", result.stdout, re.MULTILINE)
+    assert re.search(r"^  tool_price +167 +wheat a tool +1e-06 or more", result.stdout, re.M)
+    assert re.search(r"^  starvation +false +true or false", result.stdout, re.M)
+    assert re.search(r"^tutorial: ", result.stdout, re.MULTILINE)
+
+
+def test_the_small_model_is_small_checks_and_runs(socialmind, grazers, done):
+    assert sorted(p.name for p in grazers.iterdir()) == ["README.md", "model.py", "scheme.yaml"]
+    code = (grazers / "model.py").read_text().splitlines()
+    assert len([line for line in code if line.strip()]) < 40
+    result = socialmind("check", grazers)
+    assert result.exit_code == 0
+    assert result.stdout == f"{grazers}: nothing odd found\n"
+    assert Run(done).manifest.parameters == {"n_grazers": 3, "regrowth": 0.01}
+    assert set(Run(done).agents["plan"].dropna()) == {"Wander", "Graze"}
+
+
+def test_new_leaves_a_folder_in_use_alone(refused, tmp_path):
+    (tmp_path / "mine.txt").write_text("mine")
+    assert refused("new", tmp_path).endswith("is not empty; give a fresh folder")
+    assert refused("new", tmp_path / "mine.txt").endswith("is a file; give a folder")
+    assert [p.name for p in tmp_path.iterdir()] == ["mine.txt"]
+
+
+def test_check_of_a_scheme(socialmind, refused, tmp_path):
+    path = tmp_path / "odd.yaml"
+    path.write_text(SCHEME)
+    result = socialmind("check", path)
+    assert result.exit_code == 1
+    assert "Fly" in result.stdout
+    assert result.stdout.startswith(f"{path}: plan never available")
+    clean = SCHEME.replace("[Sit]", "[Sit, Fly]").replace("MaximumWeight", "WeightedStochastic")
+    path.write_text(clean)
+    result = socialmind("check", path)
+    assert (result.exit_code, result.stdout) == (0, f"{path}: nothing odd found\n")
+    path.write_text("cognitons: [")
+    assert refused("check", path).startswith(f"socialmind: {path}:")
+    assert refused("check", tmp_path / "none.cogscheme").endswith("no such file")
+
+
+def test_check_of_a_model_whose_rule_is_outside_the_language(refused, grazers, tmp_path):
+    shutil.copytree(grazers, tmp_path / "bad")
+    model = tmp_path / "bad" / "model.py"
+    text = model.read_text().replace("    grazer.energy -= 0.2\n", "    del grazer.energy\n")
+    model.write_text(text)
+    line = text.splitlines().index("    del grazer.energy") + 1
+    assert f"{model}:{line}: del in the rule 'live'" in refused("check", tmp_path / "bad")
+
+
+def test_check_of_a_model_knows_its_plans(socialmind, grazers, tmp_path):
+    shutil.copytree(grazers, tmp_path / "odd")
+    scheme = tmp_path / "odd" / "scheme.yaml"
+    scheme.write_text(scheme.read_text().replace("conditional: [Wander]", "conditional: [Graze]"))
+    result = socialmind("check", tmp_path / "odd")
+    assert result.exit_code == 1
+    assert f"{scheme}: plan never available: plan 'Wander'" in result.stdout
+
+
+def test_explain_prints_the_receipt(socialmind, done):
+    result = socialmind("explain", done, "--agent", 1, "--tick", 20)
+    assert result.exit_code == 0, result.output
+    assert "Hunger" in result.stdout
+    assert "probability" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("agent", "tick", "message"),
+    [
+        (99, 20, "no agent 99 lives at tick 20"),
+        (1, 41, "tick 41: expected 1 … 40"),
+        (1, 0, "tick 0: expected 1 … 40"),
+    ],
+)
+def test_explain_of_nothing(refused, done, agent, tick, message):
+    assert message in refused("explain", done, "--agent", agent, "--tick", tick)
