@@ -59,6 +59,9 @@ class SocietyModel(mesa.Model):
     def __getattr__(self, name: str) -> Any:
         """Return a column of the society's series, or fail as Python does."""
         if not name.startswith("_") and "society" in self.__dict__:
+            if name in ("grid", "space", "space_of_cells") and self.society.grid is None:
+                # Python comes here when these raised AttributeError; say why.
+                raise AttributeError(f"{self.society.name} has no world, hence no grid")
             series = self.society.series()
             if name in series:
                 return series[name]
