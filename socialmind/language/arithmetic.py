@@ -121,7 +121,10 @@ def opaque(x: float) -> float:
 
 @overload(opaque)
 def _opaque(x: float) -> Any:
-    return lambda x: _through_memory(x)
+    def through_memory(x: float) -> Any:
+        return _through_memory(x)
+
+    return through_memory
 
 
 @register_jitable

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from socialmind.language.nodes import Typed, call, constant, marked, nearest
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
 from socialmind.language.signatures import MATH, Signature
-from socialmind.language.types import FLOAT, INT, NONE, ArrayType, PopulationType, Type
+from socialmind.language.types import BOOL, FLOAT, INT, NONE, ArrayType, PopulationType, Type
 
 if TYPE_CHECKING:
     from socialmind.language.expressions import ExpressionTyper
@@ -107,7 +107,8 @@ def _extreme(name: str) -> Callable[[ExpressionTyper, ast.Call], Typed]:
                     f"the smallest or largest of {kind}",
                     "give two or more values, or an array field",
                 )
-            return call(f"_{name}_of", [value], node), kind.of
+            made = call(f"_{name}_of", [value], node)
+            return marked(made, ("element", kind.of == BOOL)), kind.of
         if not node.args:
             typer.refuse(node, "no values", "give two or more values, or an array field")
         numbers = [typer.number(argument) for argument in node.args]

@@ -366,7 +366,8 @@ class ExpressionTyper:
         if isinstance(kind, ArrayType):
             index = self.fitted(node.slice, INT, "the place in the array")
             checked = call("_position", [index, constant(kind.size, node)], node)
-            return ast.copy_location(ast.Subscript(base, checked, ast.Load()), node), kind.of
+            new = ast.copy_location(ast.Subscript(base, checked, ast.Load()), node)
+            return marked(new, ("element", kind.of == BOOL)), kind.of
         return self.refuse(node, f"[…] on {kind}", "only array fields and populations have places")
 
     def _on_tuple(self, node: ast.Tuple) -> Typed:

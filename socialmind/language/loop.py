@@ -118,10 +118,11 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     if shape.patch is not None:
         parts.append(f"PATCH = {_dtype_text(row_dtype(dict(shape.patch), None))}")
         parts.append(_PATCHES)
+    parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
     for population in shape.populations.values():
         parts.append(_population_text(population, population.name in own_makers))
     for function in program.functions.values():
-        parts.append(f"@njit\n{lowered(function)}")
+        parts.append(f"@_inner\n{lowered(function)}")
     for name, plans in program.plans.items():
         parts.append(_plans_text(name, list(plans.values())))
     for tag, phases in ((SETUP_TAG, program.setup), (SCHEDULE_TAG, program.schedule)):
@@ -146,6 +147,8 @@ from socialmind.language.memory import fetch_ahead as _fetch_ahead
 from socialmind.language.memory import some as _some
 from socialmind.worlds import torus as _torus
 
+# What only compiled code calls needs no door for Python; each would cost time to compile.
+_inner = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 _int64 = np.int64
 _as_int = int
 _as_float = float
@@ -168,18 +171,28 @@ _short_of_room = _bookkeeping.short_of_room
 _slot_of_agent = _bookkeeping.slot_of_agent
 _living = _bookkeeping.is_living
 _nth_living = _bookkeeping.nth_living
-_patch_index = njit(_torus.patch_index)
-_patches_in_radius = njit(_torus.patches_in_radius)
+_patch_index = _inner(_torus.patch_index)
+_patches_in_radius = _inner(_torus.patches_in_radius)
 
 
-@njit
+@_inner
 def _stream(_model):
     return carray(_as_pointer(_model._stream), (1,), STREAM)[0]'''
 
-_PATCHES = """@njit
+_PATCHES = """@_inner
 def _patches(_model):
     size = _model._world_size
     return carray(_as_pointer(_model._patches), (size * size,), PATCH)"""
+
+
+_SOME = """@_inner
+def _some_NAME(holder):
+    return _some(holder._has_NAME, holder.NAME)"""
+
+
+def _optional_names(shape: ModelShape) -> list[str]:
+    owners = [shape.variables, shape.patch or {}, *(p.fields for p in shape.populations.values())]
+    return sorted({field.name for own in owners for field in own.values() if field.optional})
 
 
 def _runtime_names() -> str:
@@ -201,7 +214,9 @@ def _dtype_text(dtype: np.dtype[Any]) -> str:
     columns = []
     for name, (column, *_) in dtype.fields.items():
         shape = f", {column.shape}" if column.shape else ""
-        columns.append(f"    ({name!r}, {column.base.str[1:]!r}{shape}),\n")
+        # numba knows no arrays of truth values in a record; bytes are laid out alike.
+        kind = "u1" if shape and column.base == bool else column.base.str[1:]
+        columns.append(f"    ({name!r}, {kind!r}{shape}),\n")
     return f"np.dtype(\n    [\n{''.join(columns)}    ],\n    align={dtype.isalignedstruct},\n)"
 
 
@@ -214,42 +229,42 @@ def _view(population: str, array: str, kind: str, dimensions: int) -> str:
 _POPULATION = """NAME_ROW = DTYPE
 
 
-@njit
+@_inner
 def _rows_NAME(_model):
     return carray(_as_pointer(_model._NAME_rows), (_model._NAME_room,), NAME_ROW)
 
 
-@njit
+@_inner
 def _agent_NAME(_model, identity):
     return _rows_NAME(_model)[_slot_of_agent(_slot_of_NAME(_model), identity)]
 
 
-@njit
+@_inner
 def _contains_NAME(_model, identity):
     return _living(_slot_of_NAME(_model), identity)
 
 
-@njit
+@_inner
 def _entries_NAME(_model):
     return _counters_NAME(_model)[_bookkeeping.ENTRIES]
 
 
-@njit
+@_inner
 def _living_NAME(_model):
     return _counters_NAME(_model)[_bookkeeping.ALIVE]
 
 
-@njit
+@_inner
 def _is_living_NAME(_model, place):
     return _alive_NAME(_model)[_order_NAME(_model)[place]]
 
 
-@njit
+@_inner
 def _entry_NAME(_model, place):
     return _rows_NAME(_model)[_order_NAME(_model)[place]]
 
 
-@njit
+@_inner
 def _one_of_NAME(_model, rng):
     counters = _counters_NAME(_model)
     if counters[_bookkeeping.ALIVE] == 0:
@@ -260,7 +275,7 @@ def _one_of_NAME(_model, rng):
     ]
 
 
-@njit
+@_inner
 def _place_for_NAME(_model):
     slot = _born(
         _counters_NAME(_model),
@@ -274,7 +289,7 @@ def _place_for_NAME(_model):
     return slot
 
 
-@njit
+@_inner
 def _named_NAME(_model, slot):
     agent = _rows_NAME(_model)[slot]
     agent._slot = slot
@@ -282,7 +297,7 @@ def _named_NAME(_model, slot):
     return agent
 
 
-@njit
+@_inner
 def _create_NAME(_model):
     slot = _place_for_NAME(_model)
     rows = _rows_NAME(_model)
@@ -292,7 +307,7 @@ def _create_NAME(_model):
     return agent
 
 
-@njit
+@_inner
 def _hatch_NAME(_model, parent, keep_groups):
     if not _alive_NAME(_model)[parent._slot]:
         raise ValueError("hatch() of an agent that is dead")
@@ -304,21 +319,21 @@ def _hatch_NAME(_model, parent, keep_groups):
     return agent
 
 
-@njit
+@_inner
 def _die_NAME(_model, agent):
     alive = _alive_NAME(_model)
     if alive[agent._slot]:
         _died(_counters_NAME(_model), alive, _slot_of_NAME(_model), agent._slot, agent._id)
         DEAD_MIND"""
 
-_MINDS = """@njit
+_MINDS = """@_inner
 def _slot_of_mind_NAME(agent):
     if agent._mind < 0:
         raise ValueError("the mind of an agent that is dead")
     return agent._mind
 
 
-@njit
+@_inner
 def _mind_choose_next_plan_NAME(_model, agent):
     plan = _decide_NAME(_model, _slot_of_mind_NAME(agent))
     agent._decided = _model._tick
@@ -332,13 +347,13 @@ def _mind_choose_next_plan_NAME(_model, agent):
 _DECIDE = """_choose_NAME = _kernel.choose_next_plan
 
 
-@njit
+@_inner
 def _decide_NAME(_model, slot):
     return _choose_NAME(
         _scheme_NAME(_model), _minds_NAME(_model), slot, _weights_NAME(_model), _plans_NAME(_model)
     )"""
 
-_DECIDE_BY_OWN_MAKER = """@njit
+_DECIDE_BY_OWN_MAKER = """@_inner
 def _decide_NAME(_model, slot):
     scheme = _scheme_NAME(_model)
     minds = _minds_NAME(_model)
@@ -360,7 +375,7 @@ def _population_text(population: PopulationShape, own_maker: bool) -> str:
         if array.startswith(("scheme_", "minds_")):
             continue
         view = _view(name, array, kind, dimensions)
-        parts.append(f"@njit\ndef _{array}_{name}(_model):\n    return {view}")
+        parts.append(f"@_inner\ndef _{array}_{name}(_model):\n    return {view}")
     fills = {
         "NEW_MIND": "pass",
         "HATCHED_MIND": "pass",
@@ -374,7 +389,7 @@ def _population_text(population: PopulationShape, own_maker: bool) -> str:
                 for array in cls._fields
             )
             made = f"_{cls.__name__}(\n{views}    )"
-            parts.append(f"@njit\ndef _{prefix}_{name}(_model):\n    return {made}")
+            parts.append(f"@_inner\ndef _{prefix}_{name}(_model):\n    return {made}")
         fills |= {
             "NEW_MIND": f"agent._mind = _kernel.new_mind(_scheme_{name}(_model), _minds_{name}(_model))",
             "HATCHED_MIND": (
@@ -404,7 +419,7 @@ def _command_text(population: str, command: str) -> str:
     )
     scheme = f"_scheme_{population}(_model), " if command in _WITH_SCHEME else ""
     return (
-        f"@njit\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
+        f"@_inner\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
         f"    return _kernel.{command}({scheme}_minds_{population}(_model), "
         f"_slot_of_mind_{population}(agent){arguments})"
     )
@@ -417,7 +432,7 @@ def _call_text(symbol: str, takes: tuple[str, ...]) -> str:
 
 def _plans_text(population: str, entries: list[tuple[str, tuple[str, ...]]]) -> str:
     lines = [
-        f"@njit\ndef _run_plan_{population}(_model, agent, rng):",
+        f"@_inner\ndef _run_plan_{population}(_model, agent, rng):",
         "    plan = agent._plan",
         "    if plan < 0:",
         "        return",
@@ -439,9 +454,9 @@ def _phase_text(shape: ModelShape, tag: int, place: int, phase: Phase) -> str:
     population = phase.shape.population
     if population is None:
         begin = f"    _begin(rng, {tag + place}, 0, _model._tick)\n" if rng else ""
-        return f"@njit\ndef {function}(_model, rng):\n{begin}    {_call_text(phase.symbol, phase.takes)}"
+        return f"@_inner\ndef {function}(_model, rng):\n{begin}    {_call_text(phase.symbol, phase.takes)}"
     lines = [
-        f"@njit\ndef {function}(_model, rng):",
+        f"@_inner\ndef {function}(_model, rng):",
         f"    counters = _counters_{population}(_model)",
         f"    alive = _alive_{population}(_model)",
         f"    rows = _rows_{population}(_model)",
@@ -498,33 +513,41 @@ def _loops_text(shape: ModelShape, program: Program) -> str:
     tick = "".join(
         f"    _phase_{SCHEDULE_TAG + i}(_model, rng)\n" for i in range(len(program.schedule))
     )
-    return f'''@njit
+    return f'''@_inner
 def _end_tick(_model):
 {settle}    return
 
 
-@njit
+@_inner
 def _no_room(_model):
 {room}    return False
 
 
-@njit
+@_inner
 def _tick(_model, rng):
 {tick}    _end_tick(_model)
     _model._tick += 1
 
 
-@njit(cache=True)
 def prepare(models):
     """Run the setup."""
+    _prepare(models.view(MODEL))
+
+
+def advance(models, ticks):
+    """Run up to so many ticks; return how many, fewer when there is no room for births."""
+    return _advance(models.view(MODEL), ticks)
+
+
+@njit(cache=True)
+def _prepare(models):
     _model = models[0]
     rng = _stream(_model)
 {setup}    _end_tick(_model)
 
 
 @njit(cache=True)
-def advance(models, ticks):
-    """Run up to so many ticks; return how many, fewer when there is no room for births."""
+def _advance(models, ticks):
     _model = models[0]
     rng = _stream(_model)
     for done in range(ticks):

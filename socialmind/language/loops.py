@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.language.nodes import call, constant, marked
 from socialmind.language.types import (
+    BOOL,
     FLOAT,
     INT,
     AnyType,
@@ -108,7 +109,7 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
     if isinstance(kind, PopulationType):
         return [], value, RowType(kind.population), ("agents", kind.population)
     if isinstance(kind, ArrayType):
-        return [], value, kind.of, ("elements",)
+        return [], value, kind.of, ("elements", kind.of == BOOL)
     return typer.refuse(
         node,
         f"a for loop over {kind}",

@@ -38,6 +38,11 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
     return ast.Call(_name(name), [_name("_model"), *arguments], [])
 
 
+def _widened(value: ast.expr, field: Field) -> ast.expr:
+    """Return the reading of a field; small whole numbers are read as large ones."""
+    return value if field.limits is None else ast.Call(_name("_int64"), [value], [])
+
+
 def _parsed(text: str) -> Any:
     return ast.parse(text, mode="eval").body
 
@@ -68,24 +73,16 @@ class _Lowering(ast.NodeTransformer):
         return base
 
     def lower_field(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        return self.value(self.holder(node, mark), node.attr, mark[-1])
+        made = ast.Attribute(self.holder(node, mark), node.attr, ast.Load())
+        return _widened(made, mark[-1])
 
     lower_agent = lower_model = lower_patch = lower_field
 
-    def value(self, holder: ast.expr, name: str, field: Field) -> ast.expr:
-        """Return the reading of a field; small whole numbers are read as large ones."""
-        made = ast.Attribute(holder, name, ast.Load())
-        return ast.Call(_name("_int64"), [made], []) if field.limits is not None else made
-
     def lower_present(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         place: Any = node.args[0]
-        first = again = self.holder(place, place.mark)
-        if not _once(first):
-            again = _name(self.keeping())
-            first = ast.NamedExpr(ast.Name(again.id, ast.Store()), first)
-        there = ast.Attribute(first, presence(place.attr), ast.Load())
-        value = self.value(again, place.attr, place.mark[-1])
-        return ast.Call(_name("_some"), [there, value], [])
+        field: Field = place.mark[-1]
+        made = ast.Call(_name(f"_some_{field.name}"), [self.holder(place, place.mark)], [])
+        return _widened(made, field)
 
     def keeping(self) -> str:
         """Return the name of a fresh variable that holds a record."""
@@ -107,7 +104,7 @@ class _Lowering(ast.NodeTransformer):
         field = getattr(place, "mark", (None,))[-1]
         value = self.visit(node.value)
         if isinstance(place, ast.Subscript):
-            return [ast.Assign([self.visit(place)], value)]
+            return [ast.Assign([self.generic_visit(place)], value)]
         if not isinstance(field, Field):  # a plan
             target = ast.Attribute(self.visit(place.value), "_plan", ast.Store())
             return [ast.Assign([target], value)]
@@ -159,6 +156,11 @@ class _Lowering(ast.NodeTransformer):
         arguments = [self.visit(argument) for argument in node.args]
         low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
         return ast.Call(_name("_patch_index"), [*arguments, low, size], [])
+
+    def lower_element(self, node: ast.expr, mark: tuple[Any, ...]) -> Any:
+        """Lower an element of an array; truth values are bytes there."""
+        made: Any = self.generic_visit(node)
+        return ast.Compare(made, [ast.NotEq()], [ast.Constant(0)]) if mark[1] else made
 
     # Agents -----------------------------------------------------------------------------------
 
@@ -220,6 +222,16 @@ class _Lowering(ast.NodeTransformer):
         return made
 
     # Loops ------------------------------------------------------------------------------------
+
+    def lower_elements(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
+        self.generic_visit(node)
+        if mark[1]:
+            self.loops += 1
+            byte = f"_byte_{self.loops}"
+            value = ast.Compare(_name(byte), [ast.NotEq()], [ast.Constant(0)])
+            node.body.insert(0, ast.Assign([node.target], value))
+            node.target = ast.Name(byte, ast.Store())
+        return node
 
     def lower_agents(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
         population = mark[1]

@@ -55,7 +55,7 @@ class FunctionTyper:
             self.typer.assigned = set(self.parameters)
             self.breaks: list[Any] = []
             self.counters: frozenset[str] = frozenset()
-            self.kept = 0
+            self.keeps = 0
             body = self.block(_without_docstring(self.source.tree.body))
             fell_through = self.typer.assigned is not NOWHERE
             if before == (self.kinds, self.result):
@@ -170,17 +170,23 @@ class FunctionTyper:
         if isinstance(place, ast.Subscript) and not isinstance(place.slice, ast.Slice):
             before, owner = self.steadied(place.value)
             if isinstance(self.typer.expression(owner)[1], ArrayType):
-                more, index = self.steadied(place.slice)
+                more, index = self.kept(place.slice)
                 new = ast.copy_location(ast.Subscript(owner, index, ast.Load()), place)
                 return before + more, new
-        value, kind = self.typer.there(place)
-        self.kept += 1
-        name = f"_kept_{self.kept}"
+        return self.kept(place)
+
+    def kept(self, value: ast.expr) -> tuple[list[ast.stmt], ast.expr]:
+        """Return a value that is found once, and the line that keeps it in a variable."""
+        if isinstance(value, ast.Name | ast.Constant):
+            return [], value
+        typed, kind = self.typer.there(value)
+        self.keeps += 1
+        name = f"_kept_{self.keeps}"
         self.kinds[name] = kind
         self.typer.assigned = self.typer.assigned | {name}
-        line = ast.Assign([ast.Name(name, ast.Store())], value)
-        kept = ast.copy_location(ast.Name(name, ast.Load()), place)
-        return [ast.fix_missing_locations(ast.copy_location(line, place))], kept
+        line = ast.Assign([ast.Name(name, ast.Store())], typed)
+        kept = ast.copy_location(ast.Name(name, ast.Load()), value)
+        return [ast.fix_missing_locations(ast.copy_location(line, value))], kept
 
     def assignment(self, target: ast.expr, value: ast.expr, node: ast.stmt) -> ast.stmt:
         """Return one assignment."""

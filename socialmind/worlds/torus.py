@@ -111,7 +111,7 @@ def walk_to(world: Any, agent: Any, x: float, y: float, length: float) -> None:
     away = math.hypot(dx, dy)
     if away > 0:
         agent.heading = compass(dx, dy)
-    if away < length:
+    if away == 0 or away < length:
         move_to(world, agent, x, y)
     else:
         agent.x = wrapped(agent.x + length * (dx / away), world.low, world.size)
