@@ -15,9 +15,6 @@ import ipywidgets  # noqa: E402
 from mesa.visualization import SolaraViz, SpaceRenderer, make_plot_component  # noqa: E402
 from mesa.visualization.components import AgentPortrayalStyle  # noqa: E402
 
-# Mesa 3.3's own components break a rule of solara's.
-pytestmark = pytest.mark.filterwarnings("ignore::UserWarning:solara.validate_hooks")
-
 HOME = Path(__file__).parent.parent
 FarmerArtisan = load_model("farmer_artisan")
 
