@@ -20,8 +20,12 @@ def philox(c0: int, c1: int, c2: int, c3: int, k0: int, k1: int) -> tuple[int, i
     """Return the Philox4x32-10 block of a counter under a key.
 
     Args:
-        c0, c1, c2, c3: the counter, four whole numbers in 0 … 2³² − 1.
-        k0, k1: the key, two whole numbers in 0 … 2³² − 1.
+        c0: the counter's first word, 0 … 2³² − 1.
+        c1: its second word.
+        c2: its third word.
+        c3: its fourth word.
+        k0: the key's first word, 0 … 2³² − 1.
+        k1: its second word.
 
     Returns:
         Four whole numbers in 0 … 2³² − 1.

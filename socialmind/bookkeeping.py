@@ -39,7 +39,7 @@ def born(counters: Any, order: Any, alive: Any, slot_of: Any, free: Any) -> int:
     counters[ENTRIES] += 1
     counters[ALIVE] += 1
     counters[NEXT_ID] += 1
-    return slot  # type: ignore[no-any-return]  # an array's element
+    return slot
 
 
 @register_jitable
@@ -79,7 +79,7 @@ def slot_of_agent(slot_of: Any, identity: int) -> int:
     """Return the slot of a living agent; raise for any other identity."""
     if identity < 0 or identity >= len(slot_of) or slot_of[identity] < 0:
         raise IndexError("no living agent has this identity")
-    return slot_of[identity]  # type: ignore[no-any-return]  # an array's element
+    return slot_of[identity]
 
 
 @register_jitable
@@ -92,11 +92,11 @@ def is_living(slot_of: Any, identity: int) -> bool:
 def nth_living(counters: Any, order: Any, alive: Any, place: int) -> int:
     """Return the slot of the living agent at a place in the order of birth."""
     if counters[ALIVE] == counters[ENTRIES]:
-        return order[place]  # type: ignore[no-any-return]  # an array's element
+        return order[place]
     for entry in range(counters[ENTRIES]):
         slot = order[entry]
         if alive[slot]:
             if place == 0:
-                return slot  # type: ignore[no-any-return]  # an array's element
+                return slot
             place -= 1
     return -1

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 MODEL_FILE = "model.py"
 FIGURES_FILE = "figures.py"
+APP_FILE = "app.py"
 
 
 def catalogue() -> dict[str, Path]:
@@ -124,7 +125,7 @@ def load_figures(folder: Path) -> ModuleType | None:
 
 
 def source_hash(folder: Path) -> str:
-    """The SHA-256 of all that decides how a model runs: its Python files but for its figures.
+    """The SHA-256 of what decides how a model runs: its Python files but figures and app.
 
     Args:
         folder: the model's folder, or one Python file.
@@ -139,7 +140,7 @@ def source_hash(folder: Path) -> str:
     for path in sorted(folder.rglob("*.py")):
         place = path.relative_to(folder)
         hidden = any(part.startswith((".", "__pycache__")) for part in place.parts)
-        if hidden or place == Path(FIGURES_FILE):
+        if hidden or place in (Path(FIGURES_FILE), Path(APP_FILE)):
             continue
         content = path.read_bytes()
         total.update(f"{place.as_posix()}\0{len(content)}\0".encode())

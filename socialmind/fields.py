@@ -109,7 +109,7 @@ def declared(cls: type, name: str, annotation: object, default: object) -> Field
             cls,
             name,
             f"{getattr(annotation, '__name__', annotation)} as the type of {name!r}",
-            "float, int, bool, one of these or None, list[…] of these, np.int8, np.int16 or np.int32",
+            "float, int, bool, one of these or None, list[…] of these, np.int8, np.int16, np.int32",
             "keep texts and tables outside the agents; a choice among few is an int",
         )
     storage = (_SCALARS | _SMALL)[kind]
@@ -118,7 +118,11 @@ def declared(cls: type, name: str, annotation: object, default: object) -> Field
         default = None if optional else plain(0)
     if default is None and not optional:
         raise _wrong(
-            cls, name, f"None as the default of {name!r}", "a number", f"write {plain.__name__} | None"
+            cls,
+            name,
+            f"None as the default of {name!r}",
+            "a number",
+            f"write {plain.__name__} | None",
         )
     value = None if default is None else _converted(cls, name, plain, default)
     return _checked(cls, Field(name, plain, storage, value, optional=optional))
@@ -141,11 +145,13 @@ def _array(cls: type, name: str, args: tuple[object, ...], default: object) -> F
 
 
 def _converted(cls: type, name: str, kind: type, value: object) -> Value:
-    fits = isinstance(value, bool) if kind is bool else (
-        isinstance(value, int | np.integer) or (kind is float and isinstance(value, float | np.floating))
-    ) and not isinstance(value, bool)
-    if not fits:
-        raise _wrong(cls, name, f"{value!r} as the default of {name!r}", f"a value of {kind.__name__}")
+    fitting: tuple[type, ...] = (int, np.integer)
+    if kind is float:
+        fitting += (float, np.floating)
+    fits = isinstance(value, bool) if kind is bool else isinstance(value, fitting)
+    if not fits or (kind is not bool and isinstance(value, bool)):
+        found = f"{value!r} as the default of {name!r}"
+        raise _wrong(cls, name, found, f"a value of {kind.__name__}")
     return typing.cast(Value, kind(value))
 
 
@@ -153,9 +159,8 @@ def _checked(cls: type, field: Field) -> Field:
     if field.limits and isinstance(field.default, int):
         low, high = field.limits
         if not low <= field.default <= high:
-            raise _wrong(
-                cls, field.name, f"{field.default} as the default of {field.name!r}", f"{low} … {high}"
-            )
+            found = f"{field.default} as the default of {field.name!r}"
+            raise _wrong(cls, field.name, found, f"{low} … {high}")
     return field
 
 

@@ -10,14 +10,17 @@ instance is a running society:
 
 from __future__ import annotations
 
+import functools
 import inspect
 import re
 import time
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
+from numba.core.errors import NumbaError
 from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
@@ -38,8 +41,9 @@ from socialmind.streams import STREAM
 from socialmind.worlds.grid import Grid, Torus
 
 if TYPE_CHECKING:
-    from coglogo_py.receipt import Receipt
     from types import ModuleType
+
+    from coglogo_py.receipt import Receipt
 
 CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
@@ -48,10 +52,13 @@ INTERPRETED_SETUP = 20_000
 SNAPSHOT_BYTES = 8 * 2**20
 """The largest state of which a copy is kept, to find the line of an error in compiled code."""
 
+_KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick")
+
 Loaded = TypeVar("Loaded", bound="Model")
 
 
-class Idle(NamedTuple):
+@dataclass(frozen=True)
+class Idle:
     """Decisions that found no plan available: how many, and the first agent and tick of them."""
 
     count: int
@@ -137,7 +144,8 @@ class Model:
             setattr(cls, name, Variable(cls.variables[name]))
         for name in (*cls.parameters, *cls.populations):
             if hasattr(Model, name):
-                raise ModelError(f"a part of the model called {name!r}", "a name that models do not use")
+                found = f"a part of the model called {name!r}"
+                raise ModelError(found, "a name that models do not use")
         cls.shape = cls._shape()
         cls._programs = {}
 
@@ -261,7 +269,6 @@ class Model:
         return schemes
 
     def _tables(self) -> dict[str, Table]:
-        societies: dict[int, Society] = {}
         tables: dict[str, Table] = {}
         for place, (name, population) in enumerate(self.populations.items()):
             society = None
@@ -270,7 +277,6 @@ class Model:
                 # Breeds that share a scheme share its groups.
                 same = [n for n in self.schemes if self.schemes[n] == scheme and n in tables]
                 society = tables[same[0]].society if same else Society(scheme, self.seed, place)
-                societies[place] = society
             shape = self.shape.populations[name]
             tables[name] = Table(self, shape, self._size(population.size), society)
         return tables
@@ -323,9 +329,8 @@ class Model:
             begin = time.perf_counter()
             wanted = min(left, self._ticks_per_chunk)
             connect(self)
-            done = self._guarded(
-                lambda wanted=wanted: self.module.advance(self.contexts, wanted), run_tick
-            )
+            loop = functools.partial(self.module.advance, self.contexts, wanted)
+            done = self._guarded(loop, run_tick)
             if done < wanted:
                 self._make_room()
             left -= done
@@ -354,11 +359,14 @@ class Model:
         before = self.state() if self._bytes() <= SNAPSHOT_BYTES else None
         try:
             return int(run() or 0)
+        except NumbaError:
+            raise  # the loop did not compile: a fault of ours, not of a rule
         except Exception as error:
             failed = self.tick
             if before is None:
                 raise SocialmindError(
-                    f"{type(error).__name__} in tick {failed}: {error}; run with --interpreted to see where"
+                    f"{type(error).__name__} in tick {failed}: {error}; "
+                    "run with --interpreted to see where"
                 ) from error
             self.restore(before)
             connect(self)
@@ -476,7 +484,11 @@ class Model:
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return copies of all arrays that change in a run, by name; `restore` takes them back."""
-        state: dict[str, NDArray[Any]] = {"context": self.contexts.copy()}
+        context = self.contexts.copy()
+        for name in context.dtype.names or ():
+            if name.startswith("_") and name not in _KEPT and not name.startswith("_has_"):
+                context[name] = 0  # addresses and sizes: `connect` finds them anew
+        state: dict[str, NDArray[Any]] = {"context": context}
         if self.grid is not None:
             state["world.rows"] = self.grid.rows.copy()
         for name, table in self.tables.items():
@@ -515,5 +527,3 @@ def _part(state: Mapping[str, NDArray[Any]], name: str) -> dict[str, NDArray[Any
 
 def _snake_case(name: str) -> str:
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
-
-

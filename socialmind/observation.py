@@ -41,7 +41,9 @@ def mind_columns(table: Table) -> dict[str, NDArray[Any]]:
     for group in range(len(scheme.groups)):
         _add_culturons(society, slots, group, weights, opened)
     weights[~opened] = np.nan
-    return columns | {f"weight_{plan}": weights[:, place] for place, plan in enumerate(scheme.plans)}
+    for place, plan in enumerate(scheme.plans):
+        columns[f"weight_{plan}"] = weights[:, place]
+    return columns
 
 
 def _add_culturons(

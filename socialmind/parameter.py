@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -31,7 +32,8 @@ class Parameter:
         self.name = name
         if type(self.default) not in (float, int, bool):
             raise ModelError(
-                f"{self.default!r} as the default of the parameter {name!r}", "a number or True/False"
+                f"{self.default!r} as the default of the parameter {name!r}",
+                "a number, True or False",
             )
         self.checked(self.default)
 
@@ -77,12 +79,13 @@ class Parameter:
             return value
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise self._wrong(value, "a whole number" if kind is int else "a number")
-        if kind is int and value != int(value) if abs(value) < float("inf") else True:
-            raise self._wrong(value, "a whole number" if kind is int else "a finite number")
+        if not math.isfinite(value):
+            raise self._wrong(value, "a finite number")
+        if kind is int and value != int(value):
+            raise self._wrong(value, "a whole number")
         made: float | int = kind(value)
-        if made != made:
-            raise self._wrong(value, "a number")
-        if (self.low is not None and made < self.low) or (self.high is not None and made > self.high):
+        too_low = self.low is not None and made < self.low
+        if too_low or (self.high is not None and made > self.high):
             raise self._wrong(value, f"{self.range}{f' {self.unit}' if self.unit else ''}")
         if kind is int and not -(2**63) <= made < 2**63:
             raise self._wrong(value, "at most 64 bits")

@@ -35,7 +35,7 @@ from socialmind.fields import Field, class_fields, presence
 from socialmind.language.loop import row_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.shape import PopulationShape
-from socialmind.rows import Row, row_class
+from socialmind.rows import row_class
 
 if TYPE_CHECKING:
     from coglogo_py import CognitiveScheme, Mind, Society
@@ -93,7 +93,9 @@ class Population:
             )
         if self.plans and self.mind is None:
             raise ModelError(
-                f"plans for {name!r}, which has no mind", None, "name its scheme: mind='scheme.yaml'"
+                f"plans for {name!r}, which has no mind",
+                None,
+                "name its scheme: mind='scheme.yaml'",
             )
         self.name = name
 
@@ -218,7 +220,8 @@ class Table:
         """
         names = [one.name for one in self.society.scheme.cognitons] if self.society else []
         if self.society is None or name not in names:
-            raise SocialmindError(f"{self.shape.name!r} has no cogniton {name!r}; {nearest(name, names)}")
+            hint = nearest(name, names)
+            raise SocialmindError(f"{self.shape.name!r} has no cogniton {name!r}; {hint}")
         slots = self.columns["_mind"][self.slots]
         column: NDArray[np.float64] = self.society.minds.values[slots, names.index(name)]
         return column
@@ -245,7 +248,7 @@ class Table:
             self.columns["_mind"][slot] = self.society.new_mind().slot
         return agent
 
-    def hatch(self, parent: Row, keep_groups: bool = False) -> Any:
+    def hatch(self, parent: Any, keep_groups: bool = False) -> Any:
         """Bring an agent into the world that is its parent's copy, body and mind."""
         if not self.alive[parent._slot]:
             raise ValueError("hatch() of an agent that is dead")
@@ -256,7 +259,7 @@ class Table:
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
         return agent
 
-    def die(self, agent: Row) -> None:
+    def die(self, agent: Any) -> None:
         """Take an agent out of the world; its mind leaves its groups."""
         slot = agent._slot
         if self.alive[slot]:

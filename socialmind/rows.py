@@ -61,9 +61,7 @@ class Row:
         return self._table.hatch(self, keep_groups)
 
     def __eq__(self, other: object) -> bool:
-        return (
-            isinstance(other, Row) and other._table is self._table and other._slot == self._slot
-        )
+        return isinstance(other, Row) and other._table is self._table and other._slot == self._slot
 
     def __hash__(self) -> int:
         return hash((id(self._table), self._slot))
@@ -188,12 +186,12 @@ class PatchRow:
     @property
     def x(self) -> int:
         """The column, low … high."""
-        return self._place // self._world.size + self._world.low  # type: ignore[no-any-return]
+        return self._place // self._world.size + self._world.low
 
     @property
     def y(self) -> int:
         """The row, low … high."""
-        return self._place % self._world.size + self._world.low  # type: ignore[no-any-return]
+        return self._place % self._world.size + self._world.low
 
     def __repr__(self) -> str:
         return f"<patch {self.x} {self.y}>"
@@ -205,4 +203,3 @@ def patch_class(fields: dict[str, Field]) -> type[PatchRow]:
     for field in fields.values():
         members[field.name] = _field_property(field, lambda row: (row._world.columns, row._place))
     return type("Patch", (PatchRow,), members)
-

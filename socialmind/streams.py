@@ -44,7 +44,7 @@ def random(stream: Any) -> float:
     drawn = stream.draws
     stream.draws = drawn + 1
     if drawn & 1:
-        return stream.spare  # type: ignore[no-any-return]  # a record's field
+        return stream.spare
     first, second = uniforms(
         drawn >> 1, stream.agent, stream.tick, stream.tag, stream.key_0, stream.key_1
     )

@@ -215,7 +215,7 @@ def _dtype_text(dtype: np.dtype[Any]) -> str:
     for name, (column, *_) in dtype.fields.items():
         shape = f", {column.shape}" if column.shape else ""
         # numba knows no arrays of truth values in a record; bytes are laid out alike.
-        kind = "u1" if shape and column.base == bool else column.base.str[1:]
+        kind = "u1" if shape and column.base == np.bool_ else column.base.str[1:]
         columns.append(f"    ({name!r}, {kind!r}{shape}),\n")
     return f"np.dtype(\n    [\n{''.join(columns)}    ],\n    align={dtype.isalignedstruct},\n)"
 
@@ -391,7 +391,9 @@ def _population_text(population: PopulationShape, own_maker: bool) -> str:
             made = f"_{cls.__name__}(\n{views}    )"
             parts.append(f"@_inner\ndef _{prefix}_{name}(_model):\n    return {made}")
         fills |= {
-            "NEW_MIND": f"agent._mind = _kernel.new_mind(_scheme_{name}(_model), _minds_{name}(_model))",
+            "NEW_MIND": (
+                f"agent._mind = _kernel.new_mind(_scheme_{name}(_model), _minds_{name}(_model))"
+            ),
             "HATCHED_MIND": (
                 f"agent._mind = _kernel.hatch("
                 f"_scheme_{name}(_model), _minds_{name}(_model), parent._mind, keep_groups)"
@@ -454,7 +456,8 @@ def _phase_text(shape: ModelShape, tag: int, place: int, phase: Phase) -> str:
     population = phase.shape.population
     if population is None:
         begin = f"    _begin(rng, {tag + place}, 0, _model._tick)\n" if rng else ""
-        return f"@_inner\ndef {function}(_model, rng):\n{begin}    {_call_text(phase.symbol, phase.takes)}"
+        body = _call_text(phase.symbol, phase.takes)
+        return f"@_inner\ndef {function}(_model, rng):\n{begin}    {body}"
     lines = [
         f"@_inner\ndef {function}(_model, rng):",
         f"    counters = _counters_{population}(_model)",
@@ -506,7 +509,8 @@ def _loops_text(shape: ModelShape, program: Program) -> str:
         for name in shape.populations
     )
     room = "".join(
-        f"    if _short_of_room(_counters_{name}(_model), _slot_of_{name}(_model)):\n        return True\n"
+        f"    if _short_of_room(_counters_{name}(_model), _slot_of_{name}(_model)):\n"
+        "        return True\n"
         for name in program.births
     )
     setup = "".join(f"    _phase_{SETUP_TAG + i}(_model, rng)\n" for i in range(len(program.setup)))
