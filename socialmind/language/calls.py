@@ -73,7 +73,7 @@ def _called_by_name(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
     if name in NAMES:
         typer.refuse(node, f"{name}() in the rule {typer.source.name!r}", NAMES[name])
     return typer.refuse(
-        node, f"the unknown function {name!r}", nearest(name, [*BUILT_IN, *typer.source.names])
+        node, f"the unknown function {name!r}", nearest(name, [*BUILT_IN, *typer.source.public_names])
     )
 
 
@@ -304,6 +304,7 @@ def _population(
 ) -> Typed:
     row = RowType(kind.population)
     if name == "create":
+        without_keywords(typer, node, "create")
         typer.program.bears(kind.population)
         fitted(typer, node, "create", Signature((), NONE))
         return _made(node, base, name, [], ("create", kind.population)), row

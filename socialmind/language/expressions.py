@@ -72,6 +72,11 @@ class ExpressionTyper:
         self.source = source
         self.variables: dict[str, AnyType] = {}
         self.assigned: set[str] = set()
+        self.stored = {
+            node.id
+            for node in ast.walk(source.tree)
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+        }
 
     # Refusals ---------------------------------------------------------------------------------
 
@@ -226,7 +231,7 @@ class ExpressionTyper:
 
     def _on_name(self, node: ast.Name) -> Typed:
         name = node.id
-        if name in self.variables:
+        if name in self.variables or name in self.stored:
             if name not in self.assigned:
                 self.refuse(
                     node,
@@ -242,7 +247,7 @@ class ExpressionTyper:
             return self.module_value(node, name, self.source.names[name])
         if name in NAMES:
             self.refuse(node, f"{name}() in the rule {self.source.name!r}", NAMES[name])
-        known = [*self.variables, *self.source.names]
+        known = [*self.variables, *self.source.public_names]
         if name in BUILT_IN:
             self.refuse(node, f"the function {name!r} as a value", f"call it: {name}(…)")
         return self.refuse(node, f"the unknown name {name!r}", nearest(name, known))
@@ -286,11 +291,10 @@ class ExpressionTyper:
         if isinstance(kind, WorldType):
             if node.attr in ("size", "low", "high"):
                 return marked(new, ("world_size", node.attr)), INT
-            self.refuse(
-                node,
-                f"the world's {node.attr!r} as a value",
-                nearest(node.attr, ("size", "low", "high")),
-            )
+            remedy = nearest(node.attr, ("size", "low", "high"))
+            if node.attr == "patches":
+                remedy = "write `for patch in model.world.patches:`"
+            self.refuse(node, f"the world's {node.attr!r} as a value", remedy)
         return self.refuse(
             node, f"{node.attr!r} of {kind}", "only agents, patches and the model have fields"
         )

@@ -104,7 +104,8 @@ class _Lowering(ast.NodeTransformer):
         field = getattr(place, "mark", (None,))[-1]
         value = self.visit(node.value)
         if isinstance(place, ast.Subscript):
-            return [ast.Assign([self.generic_visit(place)], value)]
+            target: Any = self.generic_visit(place)
+            return [ast.Assign([target], value)]
         if not isinstance(field, Field):  # a plan
             target = ast.Attribute(self.visit(place.value), "_plan", ast.Store())
             return [ast.Assign([target], value)]
@@ -136,7 +137,7 @@ class _Lowering(ast.NodeTransformer):
     # The model and its world ------------------------------------------------------------------
 
     def lower_tick(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
-        return _parsed("_model._tick")  # type: ignore[no-any-return]
+        return _parsed("_model._tick")
 
     def lower_population(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
         return _name("_model")
@@ -144,13 +145,13 @@ class _Lowering(ast.NodeTransformer):
     lower_world = lower_population
 
     def lower_world_size(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
-        return _parsed(f"_model._world_{mark[1]}")  # type: ignore[no-any-return]
+        return _parsed(f"_model._world_{mark[1]}")
 
     def lower_patch_place(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
         operator = "//" if mark[1] == "x" else "%"
         made = _parsed(f"_place {operator} _model._world_size + _model._world_low")
         made.left.left = self.visit(node.value)
-        return made  # type: ignore[no-any-return]
+        return made
 
     def lower_patch_at(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]
@@ -168,7 +169,7 @@ class _Lowering(ast.NodeTransformer):
         return ast.Attribute(self.visit(node.value), "_id", ast.Load())
 
     def lower_mind_of(self, node: ast.Attribute) -> ast.expr:
-        return self.visit(node.value)  # type: ignore[no-any-return]
+        return self.visit(node.value)
 
     def lower_plan(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Attribute(self.visit(node.value), "_plan", ast.Load())

@@ -193,10 +193,12 @@ class Program:
                 calls |= self._reached[symbol]
             return symbol, self.functions[symbol].result
         if source.function in self._open:
-            typer.refuse(
-                node,
+            raise ModelError(
                 f"{source.name}(), which calls itself",
+                None,
                 "write a loop: rules do not call themselves",
+                source.file if typer is None else typer.source.file,
+                getattr(node, "lineno", source.line),
             )
         _check_definition(source)
         self._open.append(source.function)

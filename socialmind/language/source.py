@@ -39,6 +39,11 @@ class RuleSource:
         return dict(zip(self.parameters[len(self.parameters) - len(values) :], values, strict=True))
 
     @property
+    def public_names(self) -> list[str]:
+        """The names of its file that an error may propose."""
+        return [name for name in self.names if not name.startswith("_")]
+
+    @property
     def parameters(self) -> list[str]:
         """The names of its parameters, in order."""
         return [argument.arg for argument in self.tree.args.args]
@@ -50,28 +55,17 @@ def rule_source(function: Any) -> RuleSource:
     Raises:
         ModelError: what is given is no plain function, or its source cannot be read.
     """
+    if hasattr(function, "__wrapped__"):
+        found = f"the rule {inspect.unwrap(function).__name__!r} inside a decorator"
+        raise _no_function(inspect.unwrap(function), found, "leave the decorator out")
     if not inspect.isfunction(function):
-        inner: Any = getattr(function, "__func__", getattr(function, "func", None))
-        known = inspect.isfunction(inner)
-        raise ModelError(
-            f"{function!r} as a rule",
-            "a plain function",
-            "write the rule with `def` at the top of the file",
-            inner.__code__.co_filename if known else None,
-            inner.__code__.co_firstlineno if known else None,
-        )
+        inner = getattr(function, "__func__", getattr(function, "func", None))
+        remedy = "write the rule with `def` at the top of the file"
+        raise _no_function(inner, f"{function!r} as a rule", remedy)
     code = function.__code__
     file, line = code.co_filename, code.co_firstlineno
     if function.__name__ == "<lambda>":
         raise ModelError("a lambda", "a rule with a name", "write it with `def`", file, line)
-    if hasattr(function, "__wrapped__"):
-        raise ModelError(
-            f"the rule {function.__name__!r} inside a decorator",
-            "a plain function",
-            "leave the decorator out",
-            inspect.unwrap(function).__code__.co_filename,
-            inspect.unwrap(function).__code__.co_firstlineno,
-        )
     if function.__closure__:
         raise ModelError(
             f"the rule {function.__name__!r} inside another function",
@@ -97,3 +91,12 @@ def rule_source(function: Any) -> RuleSource:
     if not isinstance(tree, ast.FunctionDef):
         raise ModelError(f"{function!r}", "a plain function", "write `def`", file, line)
     return RuleSource(function, function.__name__, file, tree.lineno, tree, function.__globals__)
+
+
+def _no_function(inner: Any, found: str, remedy: str) -> ModelError:
+    """Return the error of what is no plain function, though one may be inside it."""
+    code = getattr(inner, "__code__", None)
+    file = None if code is None else code.co_filename
+    return ModelError(
+        found, "a plain function", remedy, file, None if code is None else code.co_firstlineno
+    )

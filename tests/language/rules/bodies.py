@@ -1,4 +1,5 @@
 """Constructs with fields, populations and the world; tried at both speeds and as Python."""
+# ruff: noqa
 
 
 def optional_fields(person):

@@ -1,4 +1,5 @@
 """Constructs of logic, conditions and loops. Each rule is tried at both speeds and as Python."""
+# ruff: noqa
 
 
 def comparisons(person):

@@ -1,4 +1,5 @@
 """Constructs with functions of the author's. Each rule is tried at both speeds and as Python."""
+# ruff: noqa
 
 import math
 

@@ -1,4 +1,5 @@
 """Constructs with numbers. Each rule is tried at both speeds and as plain Python."""
+# ruff: noqa
 
 import math
 from math import e, floor, pi, tau

@@ -1,9 +1,10 @@
 """The society in which the constructs of the rule language are tried."""
+# ruff: noqa
 
 import numpy as np
 
 from coglogo_py import CognitiveScheme, Cogniton, Culturon, Group, Role
-from socialmind import Agent, Model, Patch, Population, Torus, parameter
+from socialmind import Agent, Model, Patch, Population, Torus, each, parameter
 
 
 class Person(Agent):

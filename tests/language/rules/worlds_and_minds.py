@@ -1,4 +1,5 @@
 """Commands of the world and of minds, births and deaths; tried at both speeds.
+# ruff: noqa
 
 What plain Python does is not asked here: the commands are the front end's.
 """
