@@ -26,8 +26,9 @@ from numpy.typing import NDArray
 from coglogo_py import CognitiveScheme
 from coglogo_py.society import Society
 from socialmind.connection import connect, names_of_scheme
-from socialmind.errors import ModelError, SocialmindError
-from socialmind.fields import Field, declared, presence
+from socialmind.declaration import declaration_of
+from socialmind.errors import SocialmindError
+from socialmind.fields import Field, presence
 from socialmind.language.compiled import compiled_module
 from socialmind.language.loop import model_dtype, module_text
 from socialmind.language.nodes import nearest
@@ -35,7 +36,6 @@ from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.parameter import Parameter
 from socialmind.population import Population, Table
-from socialmind.rows import ArrayField
 from socialmind.schedule import PhaseDeclaration, run_setup, run_tick, taken
 from socialmind.streams import STREAM
 from socialmind.worlds.grid import Grid, Torus
@@ -64,28 +64,6 @@ class Idle:
     count: int
     first_agent: int | None
     first_tick: int | None
-
-
-class Variable:
-    """A variable of a model (a NetLogo global), readable and writable on its instances."""
-
-    def __init__(self, field: Field) -> None:
-        self.field = field
-
-    def __get__(self, model: Any, owner: type) -> Any:
-        if model is None:
-            return self
-        if self.field.size is not None:
-            return ArrayField(model.context[self.field.name])
-        if self.field.optional and not model.context[presence(self.field.name)]:
-            return None
-        return model.context[self.field.name].item()
-
-    def __set__(self, model: Any, value: Any) -> None:
-        if self.field.optional:
-            model.context[presence(self.field.name)] = value is not None
-            value = 0 if value is None else value
-        model.context[self.field.name] = value
 
 
 class Model:
@@ -126,26 +104,9 @@ class Model:
 
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
+        found = declaration_of(cls, Model)
+        cls.parameters, cls.variables, cls.populations, cls.torus = found
         cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
-        own = {name: value for base in reversed(cls.__mro__) for name, value in vars(base).items()}
-        cls.parameters = {n: v for n, v in own.items() if isinstance(v, Parameter)}
-        cls.populations = {n: v for n, v in own.items() if isinstance(v, Population)}
-        torus = own.get("world")
-        cls.torus = torus if isinstance(torus, Torus) else None
-        cls.variables = {n: v.field for n, v in own.items() if isinstance(v, Variable)}
-        for name, annotation in inspect.get_annotations(cls, eval_str=True).items():
-            value = cls.__dict__.get(name)
-            if isinstance(value, Parameter) or str(annotation).startswith("typing.ClassVar"):
-                continue
-            if hasattr(Model, name):
-                raise ModelError(f"a variable called {name!r}", "a name that models do not use")
-            missing: tuple[Any, ...] = () if name not in cls.__dict__ else (value,)
-            cls.variables[name] = declared(cls, name, annotation, *missing)
-            setattr(cls, name, Variable(cls.variables[name]))
-        for name in (*cls.parameters, *cls.populations):
-            if hasattr(Model, name):
-                found = f"a part of the model called {name!r}"
-                raise ModelError(found, "a name that models do not use")
         cls.shape = cls._shape()
         cls._programs = {}
 
@@ -153,12 +114,6 @@ class Model:
 
     @classmethod
     def _shape(cls) -> ModelShape:
-        for phase in (*cls.setup, *cls.schedule):
-            if not isinstance(phase, PhaseDeclaration):
-                raise ModelError(
-                    f"{phase!r} in the schedule of {cls.name}",
-                    "each(population, rule) or once(rule)",
-                )
         stored = {float: "f8", int: "i8", bool: "?"}
         return ModelShape(
             name=cls.name,
@@ -208,7 +163,7 @@ class Model:
         self.context: Any = self.contexts[0]
         self._set_values(parameters)
         torus = type(self).torus
-        self.grid = None if torus is None else Grid(torus.fields, self._size(torus.size))
+        self.grid = None if torus is None else Grid(torus.fields, self._size(torus.size, 1))
         self.schemes = self._schemes()
         self.tables = self._tables()
         self.stream = np.zeros(1, STREAM)
@@ -240,12 +195,13 @@ class Model:
                 self.context[presence(field.name)] = default is not None
             self.context[field.name] = 0 if default is None else default
 
-    def _size(self, size: int | str) -> int:
+    def _size(self, size: int | str, least: int) -> int:
         if isinstance(size, str):
-            if size not in self.parameters:
-                raise ModelError(f"the size {size!r}", "a number or the name of a parameter")
-            size = self.context[size].item()
-        return int(size)
+            found = int(self.context[size])
+            if found < least:
+                raise SocialmindError(f"parameter {size}: found {found}; expected {least} or more")
+            return found
+        return size
 
     def _schemes(self) -> dict[str, CognitiveScheme]:
         minded = {name: one for name, one in self.populations.items() if one.mind is not None}
@@ -278,7 +234,7 @@ class Model:
                 same = [n for n in self.schemes if self.schemes[n] == scheme and n in tables]
                 society = tables[same[0]].society if same else Society(scheme, self.seed, place)
             shape = self.shape.populations[name]
-            tables[name] = Table(self, shape, self._size(population.size), society)
+            tables[name] = Table(self, shape, self._size(population.size, 0), society)
         return tables
 
     # Running ----------------------------------------------------------------------------------
@@ -492,7 +448,7 @@ class Model:
         if self.grid is not None:
             state["world.rows"] = self.grid.rows.copy()
         for name, table in self.tables.items():
-            for part, array in table.state().items():
+            for part, array in table.snapshot().items():
                 state[f"{name}.{part}"] = array
             if table.society is not None:
                 for part, array in table.society.state().items():

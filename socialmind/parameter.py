@@ -30,12 +30,22 @@ class Parameter:
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
+
+    def check(self) -> None:
+        """Refuse a default of another kind or out of range.
+
+        Raises:
+            ModelError: so it is.
+        """
         if type(self.default) not in (float, int, bool):
             raise ModelError(
-                f"{self.default!r} as the default of the parameter {name!r}",
+                f"{self.default!r} as the default of the parameter {self.name!r}",
                 "a number, True or False",
             )
-        self.checked(self.default)
+        try:
+            self.checked(self.default)
+        except SocialmindError as error:
+            raise ModelError(f"the default of the {error}") from None
 
     def __get__(self, model: Any, owner: type) -> Any:
         return self if model is None else model.context[self.name].item()

@@ -31,7 +31,7 @@ from socialmind.bookkeeping import (
 )
 from socialmind.connection import plan_functions
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.fields import Field, class_fields, presence
+from socialmind.fields import Field, class_fields, place_of_field, presence
 from socialmind.language.loop import row_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.shape import PopulationShape
@@ -56,6 +56,33 @@ class Agent:
     x: float = 0.0
     y: float = 0.0
     heading: float = 0.0
+
+
+TAKEN_NAMES = frozenset(
+    (
+        "id",
+        "mind",
+        "plan",
+        "run_plan",
+        "die",
+        "hatch",
+        "acting",
+        "alive",
+        "columns",
+        "counters",
+        "default",
+        "dtype",
+        "free",
+        "model",
+        "order",
+        "row_class",
+        "rows",
+        "shape",
+        "slot_of",
+        "society",
+    )
+)
+"""What an agent, and a population's table, keep under these names beside its methods."""
 
 
 class Population:
@@ -85,6 +112,15 @@ class Population:
         self.name = ""
 
     def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def check(self) -> None:
+        """Refuse agents of a wrong class, names that are taken, and plans without a mind.
+
+        Raises:
+            ModelError: so it is.
+        """
+        name = self.name
         if not (isinstance(self.agent, type) and issubclass(self.agent, Agent)):
             raise ModelError(
                 f"{self.agent!r} as the agents of {name!r}",
@@ -97,7 +133,14 @@ class Population:
                 None,
                 "name its scheme: mind='scheme.yaml'",
             )
-        self.name = name
+        for field in class_fields(self.agent).values():
+            file, line = place_of_field(self.agent, field.name)
+            found = f"a field called {field.name!r}"
+            if field.name in TAKEN_NAMES or hasattr(Table, field.name):
+                expected = "a name that agents and populations do not use"
+                raise ModelError(found, expected, None, file, line)
+            if field.name in Agent.__annotations__ and (field.storage, field.size) != ("f8", None):
+                raise ModelError(found, "a float, as in every agent", None, file, line)
 
     def __get__(self, model: Any, owner: type) -> Any:
         return self if model is None else model.tables[self.name]
@@ -316,7 +359,7 @@ class Table:
 
     _STATE = ("rows", "order", "alive", "slot_of", "free", "counters")
 
-    def state(self) -> dict[str, NDArray[Any]]:
+    def snapshot(self) -> dict[str, NDArray[Any]]:
         """Return copies of the arrays that a checkpoint keeps."""
         return {name: getattr(self, name).copy() for name in self._STATE}
 

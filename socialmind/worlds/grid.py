@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.fields import Field, class_fields
+from socialmind.fields import Field, class_fields, place_of_field
 from socialmind.language.loop import row_dtype
 from socialmind.population import set_default
 from socialmind.rows import PatchRow, patch_class
-from socialmind.worlds.torus import patch_index, patches_in_radius
+from socialmind.worlds.torus import COMMANDS, patch_index, patches_in_radius
 
 
 class Patch:
@@ -22,6 +22,10 @@ class Patch:
     >>> class Land(Patch):
     ...     taken: bool = False
     """
+
+
+TAKEN_NAMES = frozenset(("x", "y", "columns", "fields", "high", "low", "row_class", "rows", "size"))
+"""What a patch, and the world, keep under these names beside the world's methods."""
 
 
 class Torus:
@@ -36,15 +40,26 @@ class Torus:
         self.size = size
         self.patch = patch
 
-    def __set_name__(self, owner: type, name: str) -> None:
-        if name != "world":
-            raise ModelError(f"a torus called {name!r}", "world", "write world = Torus(…)")
+    def check(self) -> None:
+        """Refuse patches of a wrong class, and names that are taken.
+
+        Raises:
+            ModelError: so it is.
+        """
         if not (isinstance(self.patch, type) and issubclass(self.patch, Patch)):
             raise ModelError(
                 f"{self.patch!r} as the patches of the world",
                 "a class that inherits from socialmind.Patch",
                 "write class Land(Patch): …",
             )
+        for name in class_fields(self.patch):
+            if name in TAKEN_NAMES or hasattr(Grid, name) or name in COMMANDS:
+                raise ModelError(
+                    f"a field called {name!r}",
+                    "a name that patches and the world do not use",
+                    None,
+                    *place_of_field(self.patch, name),
+                )
 
     def __get__(self, model: Any, owner: type) -> Any:
         return self if model is None else model.grid

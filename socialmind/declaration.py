@@ -1,0 +1,211 @@
+"""What a model's class declares: its parts, read and checked when the class is made."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping
+from types import FunctionType
+from typing import Any, NamedTuple
+
+from socialmind.errors import ModelError
+from socialmind.fields import Field, declared, place_of_field, presence
+from socialmind.language.nodes import nearest
+from socialmind.parameter import Parameter
+from socialmind.population import Population
+from socialmind.rows import ArrayField
+from socialmind.schedule import PhaseDeclaration
+from socialmind.worlds.grid import Torus
+
+OWN_NAMES = frozenset(
+    (
+        "compiled",
+        "context",
+        "contexts",
+        "grid",
+        "names",
+        "program",
+        "scheme",
+        "schemes",
+        "seed",
+        "shape",
+        "stream",
+        "tables",
+        "watch",
+        "watched",
+        "world",
+    )
+)
+"""What an instance keeps under these names, and what it is made with."""
+SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
+    "name": ((str,), "a text"),
+    "ticks": ((int,), "a whole number, 0 or more"),
+    "setup": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
+    "schedule": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
+}
+"""The class attributes of `Model` that a modeller sets, and what they are."""
+
+
+class Variable:
+    """A variable of a model (a NetLogo global), readable and writable on its instances."""
+
+    def __init__(self, field: Field) -> None:
+        self.field = field
+
+    def __get__(self, model: Any, owner: type) -> Any:
+        if model is None:
+            return self
+        if self.field.size is not None:
+            return ArrayField(model.context[self.field.name])
+        if self.field.optional and not model.context[presence(self.field.name)]:
+            return None
+        return model.context[self.field.name].item()
+
+    def __set__(self, model: Any, value: Any) -> None:
+        if self.field.optional:
+            model.context[presence(self.field.name)] = value is not None
+            value = 0 if value is None else value
+        model.context[self.field.name] = value
+
+
+class Declaration(NamedTuple):
+    """The parts that a model's class and its bases declare, by name."""
+
+    parameters: dict[str, Parameter]
+    variables: dict[str, Field]
+    populations: dict[str, Population]
+    torus: Torus | None
+
+
+def declaration_of(cls: type, model: type) -> Declaration:
+    """Read what a model's class declares, and put a `Variable` where a variable stands.
+
+    Args:
+        cls: the class.
+        model: `Model`, whose names are taken.
+
+    Raises:
+        ModelError: a part of a wrong kind or under a name that is taken, with file and line.
+    """
+    annotations = {
+        name: kind
+        for name, kind in inspect.get_annotations(cls, eval_str=True).items()
+        if not str(kind).startswith("typing.ClassVar")
+    }
+    for name, value in list(vars(cls).items()):
+        _check_attribute(cls, model, name, value)
+    for name, kind in annotations.items():
+        value = cls.__dict__.get(name)
+        if isinstance(value, Parameter):
+            _check_kind(cls, value, kind)
+        elif not isinstance(value, Population | Torus):
+            _check_name(cls, model, name, "a variable")
+            missing: tuple[Any, ...] = () if name not in cls.__dict__ else (value,)
+            setattr(cls, name, Variable(declared(cls, name, kind, *missing)))
+    own = {name: value for base in reversed(cls.__mro__) for name, value in vars(base).items()}
+    torus = own.get("world")
+    found = Declaration(
+        {name: value for name, value in own.items() if isinstance(value, Parameter)},
+        {name: value.field for name, value in own.items() if isinstance(value, Variable)},
+        {name: value for name, value in own.items() if isinstance(value, Population)},
+        torus if isinstance(torus, Torus) else None,
+    )
+    _check_sizes(cls, found)
+    for name in ("setup", "schedule"):
+        _check_phases(cls, name, own.get(name, ()), found.populations)
+    return found
+
+
+def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
+    """Refuse an attribute of a class that is of a wrong kind or hides what models use."""
+    if isinstance(value, Parameter | Population | Torus):
+        if not isinstance(value, Torus):
+            _check_name(cls, model, name, "a part of the model")
+        elif name != "world":
+            _refuse(cls, name, f"a torus called {name!r}", "world", "write world = Torus(…)")
+        try:
+            value.check()
+        except ModelError as error:
+            if error.file is not None:
+                raise
+            _refuse(cls, name, error.found, error.expected, error.remedy)
+    elif name in SETTINGS:
+        kinds, expected = SETTINGS[name]
+        right = isinstance(value, kinds) and not isinstance(value, bool)
+        if not right or (name == "ticks" and value < 0):
+            alone = isinstance(value, PhaseDeclaration)
+            remedy = f"write {name} = (…,), with a comma" if alone else None
+            _refuse(cls, name, f"{name} = {value if alone else repr(value)}", expected, remedy)
+    elif name in OWN_NAMES or (hasattr(model, name) and not name.startswith("__")):
+        there = getattr(model, name, None)
+        allowed: tuple[type, ...] = ()
+        if isinstance(there, property):
+            allowed = (property,)
+        elif inspect.isroutine(there):
+            allowed = (FunctionType, classmethod, staticmethod)
+        if not isinstance(value, allowed):
+            what = "a method" if inspect.isroutine(there) else "something"
+            _refuse(
+                cls,
+                name,
+                f"a class attribute {name!r}, which hides {what} that every model has",
+                None,
+                "call it something else",
+            )
+
+
+def _check_name(cls: type, model: type, name: str, what: str) -> None:
+    if name.startswith("_"):
+        _refuse(cls, name, f"{what} called {name!r}", "a name without a leading underscore")
+    if name in OWN_NAMES or hasattr(model, name):
+        _refuse(cls, name, f"{what} called {name!r}", "a name that models do not use")
+
+
+def _check_kind(cls: type, parameter: Parameter, kind: Any) -> None:
+    """Hold a parameter's default against its annotation; a whole number may stand for a float."""
+    if kind is float and parameter.kind is int:
+        parameter.default = float(parameter.default)
+    elif kind is not parameter.kind:
+        wanted = getattr(kind, "__name__", kind)
+        _refuse(
+            cls,
+            parameter.name,
+            f"{parameter.default!r} as the default of the parameter {parameter.name!r}",
+            f"a value of {wanted}" if kind in (float, int, bool) else "float, int or bool",
+        )
+
+
+def _check_sizes(cls: type, found: Declaration) -> None:
+    """Refuse a size that is neither a number nor a parameter of whole numbers."""
+    sized: list[tuple[str, Any, int]] = [(n, p.size, 0) for n, p in found.populations.items()]
+    if found.torus is not None:
+        sized.append(("world", found.torus.size, 1))
+    whole = [name for name, one in found.parameters.items() if one.kind is int]
+    for name, size, least in sized:
+        if isinstance(size, str):
+            if size not in whole:
+                expected = "a number or the name of a parameter of whole numbers"
+                _refuse(cls, name, f"the size {size!r}", expected, nearest(size, whole))
+        elif isinstance(size, bool) or not isinstance(size, int) or size < least:
+            _refuse(cls, name, f"the size {size!r}", f"a whole number, {least} or more")
+
+
+def _check_phases(cls: type, name: str, phases: Any, populations: dict[str, Population]) -> None:
+    """Refuse what is no phase, and a phase for a population of another class."""
+    for phase in phases:
+        if not isinstance(phase, PhaseDeclaration):
+            _refuse(cls, name, f"{phase!r} in {name}", "each(population, rule) or once(rule)")
+        who = phase.population
+        if who is not None and not any(who is one for one in populations.values()):
+            _refuse(
+                cls,
+                name,
+                f"a phase in {name} for a population that the class does not have",
+                f"one of {', '.join(populations) or 'its populations, of which there are none'}",
+            )
+
+
+def _refuse(
+    cls: type, name: str, found: str, expected: str | None, remedy: str | None = None
+) -> None:
+    file, line = place_of_field(cls, name)
+    raise ModelError(found, expected, remedy, file, line)
