@@ -94,9 +94,13 @@ def power_whole(x: float, n: int) -> float:
     for _ in range(abs(n)):
         result = result * x
     if n < 0:
-        if result == 0.0:
+        if x == 0.0:
             raise ZeroDivisionError("zero to a negative power")
-        return 1.0 / result
+        if result == 0.0:
+            raise OverflowError("a power beyond the range of floats")
+        result = 1.0 / result
+    if math.isinf(result) and not math.isinf(x):
+        raise OverflowError("a power beyond the range of floats")
     return result
 
 

@@ -90,7 +90,10 @@ def failing(society, speeds, tmp_path_factory):
     lines += ["", "def at(person, model, rng):", "    person.x = 0.0"]
     lines += ["    if model.tick == 3 and person.id == 2:"]
     for place in range(len(FAILURES)):
-        lines += [f"        if model.case == {place}:", f"            fail_{place}(person, model, rng)"]
+        lines += [
+            f"        if model.case == {place}:",
+            f"            fail_{place}(person, model, rng)",
+        ]
     file = tmp_path_factory.mktemp("failing") / "failing.py"
     file.write_text("\n".join(lines) + "\n")
     persons = society.Society.persons

@@ -188,7 +188,10 @@ STATEMENTS = {
     "for k in range(3):\n        x = k\n    person.f = x": ("not every way", "the loop"),
     "for k in range(3):\n        pass\n    person.f = k": ("not every way", "the loop"),
     "for k in range(3):\n        k = 5": ("which counts in a for loop", "another name"),
-    "for k in range(3):\n        for k in range(2):\n            pass": ("inside its own", "another"),
+    "for k in range(3):\n        for k in range(2):\n            pass": (
+        "inside its own",
+        "another",
+    ),
     "for person in model.persons:\n        pass": ("inside its own", "another name"),
     "person.f": ("a value that is not used", "assign it"),
     "person.i + 1": ("a value that is not used", "assign it"),
@@ -361,7 +364,11 @@ def test_a_rule_without_a_file(society):
     space = {}
     exec("def rule(person):\n    person.f = 1", space)
     with pytest.raises(ModelError, match="without a source") as caught:
-        type("Made", (society.Society,), {"schedule": (each(society.Society.persons, space["rule"]),)})()
+        type(
+            "Made",
+            (society.Society,),
+            {"schedule": (each(society.Society.persons, space["rule"]),)},
+        )()
     assert "save the model in a file" in caught.value.remedy
 
 
@@ -373,7 +380,11 @@ def test_a_rule_of_a_notebook(society, speeds):
     space = {"__name__": "__main__"}
     exec(compile(text, "<cell 3>", "exec"), space)
     with pytest.raises(ModelError, match="the unknown field 'wheat'") as caught:
-        type("Cell", (society.Society,), {"schedule": (each(society.Society.persons, space["rule"]),)})()
+        type(
+            "Cell",
+            (society.Society,),
+            {"schedule": (each(society.Society.persons, space["rule"]),)},
+        )()
     assert (caught.value.file, caught.value.line) == ("<cell 3>", 3)
 
 
