@@ -156,10 +156,12 @@ def deactivate_cogniton(minds: MindArrays, slot: int, cogniton: int) -> None:
 
 
 @_inner
-def _weigh(scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats) -> None:
-    """Write each plan's weight (equation 3.2), NaN where no conditional link opens the plan."""
+def _weigh(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats, opened: Bools | Ints
+) -> None:
+    """Write each plan's weight (equation 3.2), and whether a conditional link opens the plan."""
     scheme, minds = borrowed(scheme), borrowed(minds)
-    weights = borrowed(weights)
+    weights, opened = borrowed(weights), borrowed(opened)
     # Taken out of the tuples once, before the loops: it is not free.
     influence = scheme.influence
     conditional = scheme.conditional
@@ -169,14 +171,38 @@ def _weigh(scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats) 
     group_slot = minds.group_slot
     culturons = minds.culturons
     n_cognitons = values.shape[1]
-    for plan in range(weights.shape[0]):
-        weight = 0.0
-        is_open = False
+    n_plans = weights.shape[0]
+    # Four plans at a time: each value is looked at once for all of them, and the sums stay in
+    # registers. Each sum runs in the scheme's order.
+    for first in range(0, n_plans - 3, 4):
+        weight_0 = weight_1 = weight_2 = weight_3 = 0.0
+        open_0 = open_1 = open_2 = open_3 = False
         for cogniton in range(n_cognitons):
             value = values[slot, cogniton]
             if not math.isnan(value):
-                weight += influence[cogniton, plan] * value
-                is_open |= conditional[cogniton, plan]
+                weight_0 += influence[cogniton, first] * value
+                weight_1 += influence[cogniton, first + 1] * value
+                weight_2 += influence[cogniton, first + 2] * value
+                weight_3 += influence[cogniton, first + 3] * value
+                open_0 |= conditional[cogniton, first]
+                open_1 |= conditional[cogniton, first + 1]
+                open_2 |= conditional[cogniton, first + 2]
+                open_3 |= conditional[cogniton, first + 3]
+        weights[first], weights[first + 1] = weight_0, weight_1
+        weights[first + 2], weights[first + 3] = weight_2, weight_3
+        opened[first], opened[first + 1] = open_0, open_1
+        opened[first + 2], opened[first + 3] = open_2, open_3
+    for plan in range(n_plans - n_plans % 4, n_plans):
+        weights[plan] = 0.0
+        opened[plan] = False
+        for cogniton in range(n_cognitons):
+            value = values[slot, cogniton]
+            if not math.isnan(value):
+                weights[plan] += influence[cogniton, plan] * value
+                opened[plan] |= conditional[cogniton, plan]
+    for plan in range(n_plans):
+        weight = weights[plan]
+        is_open = bool(opened[plan])
         for group in range(group_slot.shape[1]):
             row = group_slot[slot, group]
             if row >= 0:
@@ -187,11 +213,10 @@ def _weigh(scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats) 
                         link = n_cognitons + culturon
                         weight += influence[link, plan] * participation * culturons[row, culturon]
                         is_open |= conditional[link, plan]
-        if not is_open:
-            weight = np.nan
-        elif not math.isfinite(weight):
+        if is_open and not math.isfinite(weight):
             raise ValueError("a plan's weight is beyond the largest number")
         weights[plan] = weight
+        opened[plan] = is_open
 
 
 @_operation
@@ -204,12 +229,13 @@ def plan_weights(
     """
     scheme, minds = borrowed(scheme), borrowed(minds)
     weights, available = borrowed(weights), borrowed(available)
-    _weigh(scheme, minds, slot, weights)
+    _weigh(scheme, minds, slot, weights, available)
     count = 0
     for plan in range(weights.shape[0]):
-        available[plan] = not math.isnan(weights[plan])
         if available[plan]:
             count += 1
+        else:
+            weights[plan] = np.nan
     return count
 
 
@@ -220,10 +246,10 @@ def available_weights(
     """Write the available plans and their weights, in the scheme's order; return their number."""
     scheme, minds = borrowed(scheme), borrowed(minds)
     weights, plans = borrowed(weights), borrowed(plans)
-    _weigh(scheme, minds, slot, weights)
+    _weigh(scheme, minds, slot, weights, plans)
     count = 0
     for plan in range(weights.shape[0]):
-        if not math.isnan(weights[plan]):
+        if plans[plan]:
             weights[count] = weights[plan]
             plans[count] = plan
             count += 1
@@ -265,14 +291,18 @@ def _choose(maker_code: int, bias: float, weights: Floats, count: int, u: float)
     scale = 1.0
     if weights[best] > 1e300 / count or least < -1e300 / count:
         scale = 1e-10 / count
+        for i in range(count):
+            weights[i] *= scale
     total = 0.0
     for i in range(count):
-        weights[i] *= scale
         if least < 1.0:
             weights[i] = (weights[i] - least * scale) + scale
         total += weights[i]
+    best = 0
     for i in range(count):
         weights[i] /= total
+        if weights[i] > weights[best]:
+            best = i
 
     if maker_code == WEIGHTED_STOCHASTIC:
         cumulative = 0.0
@@ -284,10 +314,6 @@ def _choose(maker_code: int, bias: float, weights: Floats, count: int, u: float)
 
     # By rank: the largest share first, the earlier first among equals (which unequal weights can
     # become). With a bias of 1 or more u**bias is at most u: within the first share, no power.
-    best = 0
-    for i in range(1, count):
-        if weights[i] > weights[best]:
-            best = i
     cumulative = weights[best]
     if bias >= 1.0 and u <= cumulative:
         return best

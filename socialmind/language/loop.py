@@ -446,6 +446,8 @@ def _plans_text(population: str, entries: list[tuple[str, tuple[str, ...]]]) -> 
     return "\n".join(lines)
 
 
+CACHED_AGENTS = 1000
+"""Up to so many agents the processor's cache holds a population without being asked."""
 FETCH_AHEAD = 4
 """How many agents ahead the memory of a mind is asked for; that of its body twice as many."""
 
@@ -478,11 +480,14 @@ def _phase_text(shape: ModelShape, tag: int, place: int, phase: Phase) -> str:
         ]
     if phase.shape.shuffled and minded:
         lines.append(f"    values = _minds_{population}(_model).values")
+    if phase.shape.shuffled:
+        lines.append(f"    large = count > {CACHED_AGENTS}")
     lines.append("    for place in range(count):")
     if phase.shape.shuffled:
-        # First the row; when it is there, it tells where its mind is.
+        # First the row; when it is there, it tells where its mind is. Small populations are in
+        # the cache anyway.
         lines += [
-            f"        if place + {2 * FETCH_AHEAD} < count:",
+            f"        if large and place + {2 * FETCH_AHEAD} < count:",
             f"            _fetch_ahead(rows, acting[place + {2 * FETCH_AHEAD}])",
         ]
         if minded:
