@@ -30,7 +30,8 @@ from socialmind.declaration import declaration_of
 from socialmind.errors import SocialmindError
 from socialmind.fields import Field, presence
 from socialmind.language.compiled import compiled_module
-from socialmind.language.loop import model_dtype, module_text
+from socialmind.language.layout import model_dtype
+from socialmind.language.loop import module_text
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape

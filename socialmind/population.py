@@ -32,7 +32,7 @@ from socialmind.bookkeeping import (
 from socialmind.connection import plan_functions
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.fields import Field, class_fields, place_of_field, presence
-from socialmind.language.loop import row_dtype
+from socialmind.language.layout import row_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.shape import PopulationShape
 from socialmind.rows import row_class

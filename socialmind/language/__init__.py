@@ -6,5 +6,6 @@
 - `signatures`: what rules may call on a mind, a random stream, a world.
 - `expressions`, `calls`, `statements`: the typing, which puts `arithmetic` where the speeds differ.
 - `program`: all functions that a model's phases reach, and the tree that both speeds run.
-- `lowering`, `loop`: the same tree for numba, and the tick loop around it.
+- `layout`, `lowering`, `access`, `loop`: records and arrays; the same tree for numba; how it
+  reaches agents; the tick loop around it.
 """

@@ -73,7 +73,9 @@ def _called_by_name(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
     if name in NAMES:
         typer.refuse(node, f"{name}() in the rule {typer.source.name!r}", NAMES[name])
     return typer.refuse(
-        node, f"the unknown function {name!r}", nearest(name, [*BUILT_IN, *typer.source.public_names])
+        node,
+        f"the unknown function {name!r}",
+        nearest(name, [*BUILT_IN, *typer.source.public_names]),
     )
 
 

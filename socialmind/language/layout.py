@@ -1,0 +1,116 @@
+"""The layout of a model's data: the records of agents, patches and the model, and its arrays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from coglogo_py.arrays import MindArrays, SchemeArrays
+from socialmind.fields import Field
+from socialmind.language.shape import ModelShape, PopulationShape
+
+Columns = list[Any]
+
+TABLE_ARRAYS: dict[str, tuple[str, int]] = {
+    "order": ("int64", 1),
+    "acting": ("int64", 1),
+    "slot_of": ("int64", 1),
+    "free": ("int64", 1),
+    "alive": ("bool_", 1),
+    "counters": ("int64", 1),
+    "names": ("int64", 1),
+}
+"""The arrays of every population beside its rows: NumPy type and dimensions."""
+
+MIND_SCRATCH: dict[str, tuple[str, int]] = {
+    "weights": ("float64", 1),
+    "plans": ("int64", 1),
+    "functions": ("int64", 1),
+}
+"""Further arrays of a population with minds: room for a decision, the function of each plan."""
+
+
+ENGINE_ARRAYS: dict[str, tuple[str, int]] = {
+    "influence": ("float64", 2),
+    "conditional": ("bool_", 2),
+    "reinforcement": ("float64", 2),
+    "start": ("float64", 1),
+    "culturon_start": ("float64", 1),
+    "role_group": ("int64", 1),
+    "role_culturons": ("bool_", 2),
+    "group_culturons": ("int64", 2),
+    "maker": ("float64", 1),
+    "mind_id": ("int64", 1),
+    "values": ("float64", 2),
+    "draws": ("int64", 1),
+    "group_slot": ("int64", 2),
+    "role": ("int64", 2),
+    "participation": ("float64", 2),
+    "instance_id": ("int64", 1),
+    "instance_group": ("int64", 1),
+    "members": ("int64", 1),
+    "culturons": ("float64", 2),
+    "free_minds": ("int64", 1),
+    "free_instances": ("int64", 1),
+    "counters": ("int64", 1),
+}
+"""Types and dimensions of `SchemeArrays` and `MindArrays`."""
+
+
+def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]:
+    """Return the names, types and dimensions of all plain arrays of a population."""
+    arrays = dict(TABLE_ARRAYS)
+    if population.minded:
+        arrays |= MIND_SCRATCH
+        arrays |= {f"scheme_{name}": ENGINE_ARRAYS[name] for name in SchemeArrays._fields}
+        arrays |= {f"minds_{name}": ENGINE_ARRAYS[name] for name in MindArrays._fields}
+    return arrays
+
+
+def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> np.dtype[Any]:
+    """Return the record of an agent, or of a patch when there is no population."""
+    columns: Columns = []
+    if population is not None:
+        columns += [("_id", "i8"), ("_slot", "i8")]
+        if population.minded:
+            columns += [("_mind", "i8"), ("_plan", "i8"), ("_decided", "i8")]
+    for field in fields.values():
+        columns += field.dtype
+    # A patch may be a few bytes, and there are many: no padding between them.
+    return np.dtype(columns or [("_empty", "i1")], align=population is not None)
+
+
+def model_dtype(shape: ModelShape) -> np.dtype[Any]:
+    """Return the model's record: parameters, variables, and where everything else is."""
+    columns: Columns = []
+    for field in [*shape.parameters.values(), *shape.variables.values()]:
+        columns += field.dtype
+    plain = "tick stream idle idle_agent idle_tick world_size world_low world_high patches"
+    columns += [(f"_{name}", "i8") for name in plain.split()]
+    for population in shape.populations.values():
+        name = population.name
+        columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]
+        for array, (_, dimensions) in population_arrays(population).items():
+            columns.append((f"_{name}_{array}", "i8"))
+            columns += [(f"_{name}_{array}_{axis}", "i8") for axis in range(dimensions)]
+    return np.dtype(columns, align=True)
+
+
+def dtype_text(dtype: np.dtype[Any]) -> str:
+    """Return a record's type as the compiled module writes it."""
+    assert dtype.fields is not None  # a record
+    columns = []
+    for name, (column, *_) in dtype.fields.items():
+        shape = f", {column.shape}" if column.shape else ""
+        # numba knows no arrays of truth values in a record; bytes are laid out alike.
+        kind = "u1" if shape and column.base == np.bool_ else column.base.str[1:]
+        columns.append(f"    ({name!r}, {kind!r}{shape}),\n")
+    return f"np.dtype(\n    [\n{''.join(columns)}    ],\n    align={dtype.isalignedstruct},\n)"
+
+
+def view_text(population: str, array: str, kind: str, dimensions: int) -> str:
+    """Return the expression by which compiled code reaches an array of a population."""
+    place = f"_model._{population}_{array}"
+    shape = "".join(f"{place}_{axis}, " for axis in range(dimensions))
+    return f"carray(_as_pointer({place}), ({shape}), np.{kind})"
