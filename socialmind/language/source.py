@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import inspect
 import textwrap
+import types as python_types
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -90,7 +91,27 @@ def rule_source(function: Any) -> RuleSource:
         raise ModelError("an async rule", "a plain function", "write `def`", file, tree.lineno)
     if not isinstance(tree, ast.FunctionDef):
         raise ModelError(f"{function!r}", "a plain function", "write `def`", file, line)
+    if not _is_source_of(tree, function):
+        raise ModelError(
+            f"another text where the rule {function.__name__!r} stood",
+            "the file as it was loaded",
+            "it has changed since: load the model again, or start Python again",
+            file,
+            line,
+        )
     return RuleSource(function, function.__name__, file, tree.lineno, tree, function.__globals__)
+
+
+def _is_source_of(tree: ast.FunctionDef, function: python_types.FunctionType) -> bool:
+    """Say whether a syntax tree can be a function's; its file may have changed since."""
+    module = compile(ast.Module([tree], []), function.__code__.co_filename, "exec")
+    codes = [one for one in module.co_consts if isinstance(one, python_types.CodeType)]
+    found = [one for one in codes if one.co_name == function.__code__.co_name]
+    return any(
+        (one.co_varnames, one.co_names)
+        == (function.__code__.co_varnames, function.__code__.co_names)
+        for one in found
+    )
 
 
 def _no_function(inner: Any, found: str, remedy: str) -> ModelError:

@@ -372,6 +372,15 @@ def test_a_rule_without_a_file(society):
     assert "save the model in a file" in caught.value.remedy
 
 
+def test_a_file_that_has_changed_since_it_was_loaded(society, speeds, tmp_path):
+    file = tmp_path / "model.py"
+    file.write_text("def rule(person):\n    person.f = 1\n")
+    rule = speeds.load(file).rule
+    file.write_text("def other(person, k):\n    person.g = k\n\n\n" + file.read_text())
+    with pytest.raises(ModelError, match="it has changed since: load the model again"):
+        type("Old", (society.Society,), {"schedule": (each(society.Society.persons, rule),)})()
+
+
 def test_a_rule_of_a_notebook(society, speeds):
     import linecache
 
