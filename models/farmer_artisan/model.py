@@ -15,6 +15,7 @@ from socialmind.economy import (
     buy_ware,
     demand_perception,
     fade_demand,
+    proportional_decay,
     sell_ware,
     signal_demand,
     towards_neutral,
@@ -132,7 +133,7 @@ def live(human, model, rng):
         human.plan = human.mind.choose_next_plan()
         human.timer = model.plan_duration
         human.run_plan(model, rng)
-        human.wheat *= 1 - model.food_decay
+        human.wheat = proportional_decay(human.wheat, model.food_decay)
     else:
         human.timer -= 1
         human.run_plan(model, rng)

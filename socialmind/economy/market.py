@@ -6,7 +6,7 @@ ware W and price p:
 
 - perception of demand: π = (S − W · p) / (R · p), R being the stock that counts as plenty;
 - signalling, by whoever tried to trade: staple demand −= i · π, ware demand += i · π;
-- fading, once a tick: both demands are multiplied by 1 − r.
+- fading, once a tick: both demands are smoothed towards 0 with weight r, d′ = d + r · (0 − d).
 
 π is positive when the ware is scarcer than the price says, negative when the staple is.
 """
@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from socialmind.economy.decay import proportional_decay
+from socialmind.economy.decay import exponential_smoothing
 from socialmind.population import Agent
 
 
@@ -67,9 +67,9 @@ def signal_demand(market: Any, intensity: float) -> None:
 
 
 def fade_demand(market: Any, rate: float) -> None:
-    """Let both demands fade by a share, 0 … 1."""
-    market.staple_demand = proportional_decay(market.staple_demand, rate)
-    market.ware_demand = proportional_decay(market.ware_demand, rate)
+    """Let both demands fade by a share, 0 … 1: smoothed towards what is signalled by nobody, 0."""
+    market.staple_demand = exponential_smoothing(market.staple_demand, 0.0, rate)
+    market.ware_demand = exponential_smoothing(market.ware_demand, 0.0, rate)
 
 
 def buy_ware(market: Any, price: float) -> None:
