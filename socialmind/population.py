@@ -261,7 +261,9 @@ class Table:
         Raises:
             SocialmindError: the scheme has no such cogniton, or there are no minds.
         """
-        names = [one.name for one in self.society.scheme.cognitons] if self.society else []
+        # A society without minds is false, as everything empty.
+        cognitons = () if self.society is None else self.society.scheme.cognitons
+        names = [one.name for one in cognitons]
         if self.society is None or name not in names:
             hint = nearest(name, names)
             raise SocialmindError(f"{self.shape.name!r} has no cogniton {name!r}; {hint}")
