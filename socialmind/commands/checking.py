@@ -32,7 +32,8 @@ def print_findings(file: str) -> bool:
         ModelError: the model cannot be loaded, or a rule is outside the language.
     """
     path = Path(file)
-    if path.suffix in SCHEME_SUFFIXES:
+    # CogLogo knows its files by their first line, whatever they are called.
+    if path.suffix in SCHEME_SUFFIXES or (path.is_file() and path.suffix != ".py"):
         if not path.is_file():
             raise SocialmindError(f"{path}: no such file")
         findings = [f"{path}: {found}" for found in CognitiveScheme.load(path).check()]
