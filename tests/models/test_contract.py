@@ -1,0 +1,202 @@
+"""The contract of a model, held over every model that ships."""
+
+import re
+
+import pytest
+
+from coglogo_py import CognitiveScheme
+from socialmind.catalogue import catalogue, load_model
+
+ODD = (
+    "Purpose and patterns",
+    "Entities, state variables and scales",
+    "Process overview and scheduling",
+    "Design concepts",
+    "Initialisation",
+    "Input data",
+    "Submodels",
+)
+WITHOUT_LUCK = ("tutorial",)  # models that draw nothing
+TICKS = 300
+SEEDS = (0, 1, 2**40 + 7)
+
+
+@pytest.fixture(scope="module", params=list(catalogue()))
+def model(request):
+    """The class of each model."""
+    return load_model(request.param)
+
+
+@pytest.fixture(scope="module")
+def readme(model):
+    return (model.folder() / "README.md").read_text("utf-8")
+
+
+def table_of(readme, title):
+    """Return the rows of the table under a heading, cells stripped of their backquotes."""
+    text = readme.split(f"# {title}\n", 1)[1].split("\n#", 1)[0]
+    rows = [line.strip().strip("|").split("|") for line in text.splitlines() if line[:1] == "|"]
+    return [[cell.strip().replace("`", "") for cell in row] for row in rows[2:]]
+
+
+# What a model declares ----------------------------------------------------------------------------
+
+
+def test_it_says_what_it_is(model):
+    assert model.name == model.folder().name
+    assert model.__doc__
+    assert model.ticks > 0
+    assert model.schedule
+
+
+def test_parameters_have_a_unit_a_range_and_a_meaning(model):
+    for one in model.parameters.values():
+        assert one.doc, one.name
+        if one.kind is not bool:
+            assert one.unit, one.name
+            assert one.low is not None or one.high is not None, one.name
+
+
+def test_rules_are_typed_at_both_speeds(model):
+    for compiled in (True, False):
+        program = model.typed(compiled)
+        assert len(program.schedule) == len(model.schedule)
+
+
+def test_schemes_have_no_findings_and_a_function_for_each_plan(model):
+    for population in model.populations.values():
+        if population.mind is not None:
+            path = model.folder() / population.mind
+            scheme = CognitiveScheme.load(path, population.decision_makers)
+            assert scheme.check(plans=population.plans) == []
+            assert sorted(scheme.plans) == sorted(population.plans)
+
+
+# What its README says ----------------------------------------------------------------------------
+
+
+def test_its_readme_is_in_odd_order(readme):
+    found = re.findall(r"^## (.+)$", readme, re.MULTILINE)
+    assert tuple(found[: len(ODD)]) == ODD
+    for title in ODD:
+        text = readme.split(f"## {title}\n", 1)[1].split("\n## ", 1)[0]
+        assert len(text.split()) > 5, title
+
+
+def test_its_readme_has_the_parameters_of_the_code(model, readme):
+    rows = table_of(readme, "Parameters")
+    assert [row[0] for row in rows] == list(model.parameters)
+    for (_, unit, span, default, meaning), one in zip(rows, model.parameters.values(), strict=True):
+        assert (unit, span, meaning) == (one.unit or "–", one.range, one.doc)
+        assert one.read(default) == one.default
+
+
+@pytest.mark.parametrize("title", ["Series", "Agents"])
+def test_its_readme_has_the_columns_of_the_tables(model, readme, title):
+    society = model(compiled=False)
+    columns = list(society.series() if title == "Series" else society.agents())
+    described = [row[0] for row in table_of(readme, title) if row[0] != "tick"]
+    patterns = [re.escape(one).replace("<Name>", ".+").replace("<Plan>", ".+") for one in described]
+    for name in columns:
+        assert any(re.fullmatch(one, name) for one in patterns), f"{name} is not in the README"
+    for one in patterns:
+        assert any(re.fullmatch(one, name) for name in columns), f"{one} is not in the table"
+
+
+# What a society does -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_both_speeds_agree_to_the_last_bit(model, differences, seed):
+    compiled, interpreted = model(seed), model(seed, compiled=False)
+    assert differences(compiled, interpreted) == []
+    for ticks in (1, 2, TICKS - 3):
+        compiled.advance(ticks)
+        interpreted.advance(ticks)
+        assert compiled.tick == interpreted.tick
+        assert differences(compiled, interpreted) == []
+
+
+def test_a_society_goes_on_from_a_saved_state_at_either_speed(model, differences):
+    straight = model(3)
+    straight.advance(100)
+    saved = straight.state()
+    straight.advance(TICKS - 100)
+    for compiled in (True, False):
+        other = model(3, compiled)
+        other.advance(7)
+        other.restore(saved)
+        assert other.tick == 100
+        other.advance(TICKS - 100)
+        assert differences(other, straight) == []
+
+
+def test_a_saved_state_stays_as_it_is(model):
+    society = model(3)
+    saved = society.state()
+    before = {name: array.tobytes() for name, array in saved.items()}
+    society.advance(50)
+    society.restore(saved)
+    society.advance(50)
+    assert {name: array.tobytes() for name, array in saved.items()} == before
+
+
+def test_the_same_seed_is_the_same_run(model, differences):
+    one, other = model(5), model(5)
+    one.advance(TICKS)
+    for _ in range(TICKS // 50):
+        other.advance(50)
+    assert differences(one, other) == []
+
+
+def test_another_seed_is_another_run_where_anything_is_drawn(model):
+    tables = []
+    for seed in (5, 6):
+        society = model(seed)
+        society.advance(TICKS)
+        tables.append({name: list(column) for name, column in society.agents().items()})
+    assert (str(tables[0]) == str(tables[1])) == (model.name in WITHOUT_LUCK)
+
+
+def test_series_and_agents_keep_their_columns(model):
+    society = model(1)
+    series, agents = list(society.series()), list(society.agents())
+    kinds = {name: type(value) for name, value in society.series().items()}
+    for _ in range(3):
+        society.advance(100)
+        now = society.series()
+        assert list(now) == series
+        assert {name: type(value) for name, value in now.items()} == kinds
+        assert set(kinds.values()) <= {int, float}
+        table = society.agents()
+        assert list(table) == agents
+        living = len(next(iter(society.tables.values())))
+        if society.schemes:
+            living = len(society.tables[next(iter(society.schemes))])
+        assert {len(column) for column in table.values()} == {living}
+        assert len(set(table["agent"])) == living
+
+
+def test_explain_gives_the_plan_that_the_table_shows(model):
+    society = model(2)
+    if not society.schemes:
+        pytest.skip(f"{model.name} has no minds")
+    checked = 0
+    for tick in (1, 2, 60, 200):
+        society.advance(tick - society.tick)
+        table = society.agents()
+        for row in {0, len(table["agent"]) // 2, len(table["agent"]) - 1}:
+            receipt = society.explain(int(table["agent"][row]), tick)
+            assert receipt.choice == table["plan"][row]
+            weights = {plan.name: plan.weight for plan in receipt.plans}
+            assert weights[receipt.choice] is not None
+            checked += 1
+    assert checked >= 4
+    assert society.tick == 200
+
+
+def test_time_passes_without_idle_decisions(model):
+    society = model(4)
+    society.advance(TICKS)
+    assert society.tick == TICKS
+    assert society.idle.count == 0
