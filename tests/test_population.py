@@ -194,6 +194,6 @@ def test_what_a_population_gives_to_its_user():
     herd.cows[2].die()
     assert len(herd.cows) == 4
     with pytest.raises(IndexError, match="no living agent of 'cows' has the identity 2"):
-        herd.cows[2]
+        herd.cows[2].weight = 1
     with pytest.raises(AttributeError, match="no field 'wheat'; there is id, x, y"):
-        herd.cows.wheat
+        herd.cows.wheat.sum()

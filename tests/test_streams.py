@@ -9,9 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from coglogo_py.streams import philox, uniforms
-from socialmind import Agent, Model, Population, each
+from socialmind import Agent, Model, Population, each, streams
 from socialmind.streams import STREAM, Stream, shuffle
-from socialmind import streams
 
 ONES = 0xFFFFFFFF
 KNOWN = {  # Random123's known answers: counter and key, the four words
@@ -196,5 +195,3 @@ def test_seeds_agents_and_ticks_differ():
     large = Casino(3 + 2**32, compiled=False)
     large.advance(1)
     assert not set(first) & set(large.gamblers.purse.tolist())
-
-

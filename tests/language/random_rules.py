@@ -172,7 +172,8 @@ class Author:
             lambda: [f"{pad}m {self.pick('%=', '//=')} {self.divisor(self.int(2))}"],
             lambda: [f"{pad}p = {self.bool()}"],
             lambda: [
-                f"{pad}{self.agent()}.{self.pick('f', 'g')} {self.pick('=', '+=', '*=')} {self.float()}"
+                f"{pad}{self.agent()}.{self.pick('f', 'g')} "
+                f"{self.pick('=', '+=', '*=')} {self.float()}"
             ],
             lambda: [
                 f"{pad}{self.agent()}.{self.pick('i', 'j')} {self.pick('=', '+=')} {self.int()}"

@@ -1,4 +1,4 @@
-"""Arithmetic has one definition: compiled and interpreted agree, and with Python where it promises to."""
+"""Arithmetic has one definition: both speeds agree, and agree with Python where it promises to."""
 
 import math
 import operator
@@ -150,9 +150,9 @@ def test_functions_of_whole_numbers(name):
             here = outcome(slow, x, y)
             assert outcome(fast, x, y) == here, (x, y)
             python = outcome(WHOLE[name], x, y)
-            if name == "multiply_int" and python != 0:
-                if SMALLEST in (x, y) or not within(python, -LARGEST):
-                    python = "OverflowError"
+            exact = name != "multiply_int" or python == 0
+            if not exact and (SMALLEST in (x, y) or not within(python, -LARGEST)):
+                python = "OverflowError"
             assert here == (python if within(python) else "OverflowError"), (x, y)
 
 
@@ -192,7 +192,7 @@ def test_written_powers():
                 assert here == python, (x, n)
                 continue
             (exact,), (mine,) = struct.unpack("d", python), struct.unpack("d", here)
-            if abs(exact) > 1e-290 and abs(exact) < 1e290 or exact == 0 == mine:
+            if 1e-290 < abs(exact) < 1e290 or exact == mine == 0:
                 assert mine == pytest.approx(exact, rel=1e-14), (x, n)
     assert arithmetic.power_whole(1.1, 2) == 1.1 * 1.1
     assert arithmetic.power_whole(1.1, -2) == 1 / (1.1 * 1.1)

@@ -1,7 +1,7 @@
 """What a social scientist would write in a rule runs alike at both speeds.
 
-Each rule of the files in `rules/` is one construct. A model tries one in each tick; both speeds, and
-Python without the front end, must leave the same society behind, to the last bit.
+Each rule of the files in `rules/` is one construct. A model tries one in each tick; both speeds,
+and Python without the front end, must leave the same society behind, to the last bit.
 """
 
 import pytest

@@ -33,9 +33,7 @@ def far(world, agent, x, y):
     """The distance by brute force, over all copies of the world."""
     s = world.size
     return min(
-        math.hypot(x + i * s - agent.x, y + j * s - agent.y)
-        for i in (-1, 0, 1)
-        for j in (-1, 0, 1)
+        math.hypot(x + i * s - agent.x, y + j * s - agent.y) for i in (-1, 0, 1) for j in (-1, 0, 1)
     )
 
 
@@ -169,9 +167,7 @@ def test_is_on_the_patch_of_a_point(u, v, x, y, size):
     place = torus.patch_index(agent.x, agent.y, world.low, size)
     # Within a hair of a patch's edge the rounding of the way round the world decides.
     assume(all(abs((value + 0.5) % 1 - 0.5) < 0.5 - 1e-9 for value in (x, y)))
-    assert torus.is_on(world, agent, x, y) == (
-        place == torus.patch_index(x, y, world.low, size)
-    )
+    assert torus.is_on(world, agent, x, y) == (place == torus.patch_index(x, y, world.low, size))
 
 
 @given(st.floats(-100, 100), st.floats(-100, 100), st.floats(0, 30), st.integers(1, 20))
