@@ -2,57 +2,65 @@
 
 from __future__ import annotations
 
+import operator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from coglogo_py import CognitiveScheme
-from coglogo_py.arrays import culturons_of
+from coglogo_py.arrays import MindArrays, SchemeArrays, culturons_of
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
 
 if TYPE_CHECKING:
     from socialmind.model import Model
-    from socialmind.population import Table
 
 
 def connect(model: Model) -> None:
-    """Write into the model's record where its arrays are, and how large."""
+    """Write into the model's record where its arrays are, and how large, unless it knows.
+
+    The arrays are kept: while they are, no other array can take an address that was written.
+    """
+    arrays = _all_arrays(model)
+    known = model.connected
+    if len(known) == len(arrays) and all(map(operator.is_, known, arrays.values())):
+        return
     context = model.context
     context["_stream"] = _address(model.stream)
     if model.grid is not None:
         context["_world_size"] = model.grid.size
         context["_world_low"] = model.grid.low
         context["_world_high"] = model.grid.high
-        context["_patches"] = _address(model.grid.rows)
     for name, table in model.tables.items():
-        context[f"_{name}_rows"] = _address(table.rows)
         context[f"_{name}_room"] = len(table.rows)
-        context[f"_{name}_default"] = _address(table.default)
-        for array, value in _arrays(model, name, table).items():
-            context[f"_{name}_{array}"] = _address(value)
-            for axis, length in enumerate(value.shape):
-                context[f"_{name}_{array}_{axis}"] = length
+    for name, array in arrays.items():
+        context[f"_{name}"] = _address(array)
+        if array.dtype.names is None:
+            for axis, length in enumerate(array.shape):
+                context[f"_{name}_{axis}"] = length
+    model.connected = list(arrays.values())
 
 
 def _address(array: Any) -> int:
     return int(array.__array_interface__["data"][0])
 
 
-def _arrays(model: Model, name: str, table: Table) -> dict[str, Any]:
-    arrays = {
-        "order": table.order,
-        "acting": table.acting,
-        "slot_of": table.slot_of,
-        "free": table.free,
-        "alive": table.alive,
-        "counters": table.counters,
-        "names": model.names[name],
-    }
-    if table.society is not None:
-        arrays |= table.scratch(model.program)
-        arrays |= {f"scheme_{k}": v for k, v in table.society.arrays._asdict().items()}
-        arrays |= {f"minds_{k}": v for k, v in table.society.minds._asdict().items()}
+def _all_arrays(model: Model) -> dict[str, Any]:
+    """Return the arrays of a model by the names that the record gives their addresses."""
+    arrays: dict[str, Any] = {}
+    if model.grid is not None:
+        arrays["patches"] = model.grid.rows
+    for name, table in model.tables.items():
+        for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
+            arrays[f"{name}_{part}"] = getattr(table, part)
+        arrays[f"{name}_names"] = model.names[name]
+        if table.society is not None:
+            for part, array in table.scratch(model.program).items():
+                arrays[f"{name}_{part}"] = array
+            for part, array in zip(SchemeArrays._fields, table.society.arrays, strict=True):
+                arrays[f"{name}_scheme_{part}"] = array
+            for part, array in zip(MindArrays._fields, table.society.minds, strict=True):
+                arrays[f"{name}_minds_{part}"] = array
     return arrays
 
 

@@ -54,6 +54,7 @@ SNAPSHOT_BYTES = 8 * 2**20
 """The largest state of which a copy is kept, to find the line of an error in compiled code."""
 
 _KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick")
+"""Columns of the record with a leading underscore that are state, not addresses and sizes."""
 
 Loaded = TypeVar("Loaded", bound="Model")
 
@@ -169,6 +170,12 @@ class Model:
         self.tables = self._tables()
         self.stream = np.zeros(1, STREAM)
         self.stream["key_0"], self.stream["key_1"] = seed & 0xFFFFFFFF, seed >> 32
+        self.connected: list[NDArray[Any]] = []
+        self._addresses = [
+            name
+            for name in self.contexts.dtype.names or ()
+            if name.startswith("_") and name not in _KEPT and not name.startswith("_has_")
+        ]
         self.names = {
             name: np.array(names_of_scheme(self.program, name, self.schemes.get(name)), np.int64)
             for name in self.populations
@@ -442,9 +449,8 @@ class Model:
     def state(self) -> dict[str, NDArray[Any]]:
         """Return copies of all arrays that change in a run, by name; `restore` takes them back."""
         context = self.contexts.copy()
-        for name in context.dtype.names or ():
-            if name.startswith("_") and name not in _KEPT and not name.startswith("_has_"):
-                context[name] = 0  # addresses and sizes: `connect` finds them anew
+        for name in self._addresses:
+            context[name] = 0  # `connect` finds them anew
         state: dict[str, NDArray[Any]] = {"context": context}
         if self.grid is not None:
             state["world.rows"] = self.grid.rows.copy()
@@ -461,6 +467,7 @@ class Model:
         if state["context"].dtype != self.contexts.dtype:
             raise SocialmindError(f"the checkpoint is not one of {self.name}")
         self.contexts[:] = state["context"]
+        self.connected = []
         if self.grid is not None:
             self.grid.restore({"rows": state["world.rows"]})
         for name, table in self.tables.items():
