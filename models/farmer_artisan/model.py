@@ -101,9 +101,12 @@ def nearest_village(human, model):
     row = math.floor((human.y - world.low + 0.5) * rows / world.size)
     nearest = 0
     least = math.inf
-    # Villages stand on whole patches, so the nearest may be in a cell next door.
-    for i in range(column - 1, column + 2):
-        for j in range(row - 1, row + 2):
+    # Villages stand on whole patches, so the nearest may be in a cell next door, or further where
+    # cells are narrower than a patch.
+    reach_x = 1 + columns // world.size
+    reach_y = 1 + rows // world.size
+    for i in range(column - reach_x, column + reach_x + 1):
+        for j in range(row - reach_y, row + reach_y + 1):
             candidate = (j % rows) * columns + i % columns
             village = model.villages[candidate]
             away = world.distance(human, village.x, village.y)

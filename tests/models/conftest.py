@@ -1,7 +1,14 @@
-"""What the tests of models share: the states of societies, side by side."""
+"""What the tests of models share: the states of societies, side by side, and single agents."""
+
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+
+from socialmind.catalogue import load_model
+from socialmind.streams import SCHEDULE_TAG, Stream
+
+LIVE = SCHEDULE_TAG + 1  # the phase in which the agents of the farmer-artisan society act
 
 
 def parts(state):
@@ -35,3 +42,79 @@ def different(one, other):
 def differences():
     """What compares the states of two models."""
     return different
+
+
+# The farmer-artisan society -----------------------------------------------------------------------
+
+
+@pytest.fixture(params=[True, False], ids=["compiled", "interpreted"])
+def make(request):
+    """Make a society of one agent, at either speed."""
+
+    def made(n_agents=1, **parameters):
+        return load_model("farmer_artisan")(
+            11, compiled=request.param, n_agents=n_agents, **parameters
+        )
+
+    return made
+
+
+def draws(society, agent=0):
+    """Return the stream of an agent's numbers in the tick to come."""
+    stream = Stream(society.seed)
+    stream.begin(LIVE, agent, society.tick)
+    return stream
+
+
+def place(human, x, y):
+    human.x, human.y = x, y
+
+
+def follow(society, plan, timer=9):
+    """Let the first agent go on with a plan for a tick."""
+    human = society.humans[0]
+    human.plan, human.timer = plan, timer
+    society.advance(1)
+    return human
+
+
+def settle(society, x, y):
+    """Give the first agent land, and put it there."""
+    human = society.humans[0]
+    human.land_x, human.land_y = x, y
+    place(human, float(x), float(y))
+    return human
+
+
+def cogniton(human, name):
+    return human.mind.get_cogniton_value(name)
+
+
+def demands(village):
+    return village.staple_demand, village.ware_demand
+
+
+def trader(society, tools=10.0, wheat=1000.0, staple=8350.0, ware=40.0):
+    """Put the first agent onto the village, with stocks; return the agent and the village."""
+    human, village = society.humans[0], society.villages[0]
+    place(human, 0.3, -0.4)
+    human.tools, human.wheat = tools, wheat
+    human.mind.set_cogniton_value("Farmer", 1.0)
+    human.mind.set_cogniton_value("Artisan", 2.0)
+    village.staple, village.ware = staple, ware
+    village.staple_demand, village.ware_demand = 0.5, 0.25
+    return human, village
+
+
+@pytest.fixture(scope="session")
+def play():
+    """What puts the first agent into a case, and lets it act."""
+    return SimpleNamespace(
+        draws=draws,
+        place=place,
+        follow=follow,
+        settle=settle,
+        trader=trader,
+        cogniton=cogniton,
+        demands=demands,
+    )
