@@ -23,7 +23,7 @@ def _rows_NAME(_model):
 
 @_inner
 def _agent_NAME(_model, identity):
-    return _rows_NAME(_model)[_slot_of_agent(_slot_of_NAME(_model), identity)]
+    return _rows_NAME(_model)[_find_slot(_slot_of_NAME(_model), identity)]
 
 
 @_inner
@@ -114,7 +114,7 @@ def _die_NAME(_model, agent):
         DEAD_MIND"""
 
 _MINDS = """@_inner
-def _slot_of_mind_NAME(agent):
+def _mind_place_NAME(agent):
     if agent._mind < 0:
         raise ValueError("the mind of an agent that is dead")
     return agent._mind
@@ -122,7 +122,7 @@ def _slot_of_mind_NAME(agent):
 
 @_inner
 def _mind_choose_next_plan_NAME(_model, agent):
-    plan = _decide_NAME(_model, _slot_of_mind_NAME(agent))
+    plan = _decide_NAME(_model, _mind_place_NAME(agent))
     agent._decided = _model._tick
     if plan < 0:
         if _model._idle == 0:
@@ -216,7 +216,7 @@ def _command_text(population: str, command: str) -> str:
     return (
         f"@_inner\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
         f"    return _kernel.{command}({scheme}_minds_{population}(_model), "
-        f"_slot_of_mind_{population}(agent){arguments})"
+        f"_mind_place_{population}(agent){arguments})"
     )
 
 
