@@ -4,7 +4,8 @@
 - `refusals`: what the subset leaves out, and what to write instead.
 - `types`, `shape`: what an expression can be; what a model declares.
 - `signatures`: what rules may call on a mind, a random stream, a world.
-- `expressions`, `calls`, `statements`: the typing, which puts `arithmetic` where the speeds differ.
+- `expressions` with `operators`, `comparisons`, `calls` and `built_in`, `statements` with `loops`:
+  the typing, which puts `arithmetic` where the speeds differ.
 - `program`: all functions that a model's phases reach, and the tree that both speeds run.
 - `layout`, `lowering`, `access`, `loop`: records and arrays; the same tree for numba; how it
   reaches agents; the tick loop around it.

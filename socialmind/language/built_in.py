@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from socialmind.language.nodes import Typed, call, constant, marked, nearest
+from socialmind.language.operators import typed_power
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
 from socialmind.language.signatures import MATH, Signature
 from socialmind.language.types import BOOL, FLOAT, INT, NONE, ArrayType, PopulationType, Type
@@ -51,7 +52,10 @@ def fitted(
 def math_function(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
     """Return the call of a function of `math` as both speeds run it."""
     if name == "pow" and len(node.args) == 2:
-        return typer.power(node, *typer.number(node.args[0]), *typer.number(node.args[1]))
+        base, exponent = (
+            (typer.to_float(*typer.number(argument)), FLOAT) for argument in node.args
+        )
+        return typed_power(typer, node, base, exponent)
     if name == "log" and len(node.args) == 2:
         typer.refuse(node, "math.log() to a base", "write math.log(x) / math.log(base)")
     if name not in MATH:

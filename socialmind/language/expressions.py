@@ -15,7 +15,13 @@ from socialmind.language.built_in import BUILT_IN
 from socialmind.language.calls import typed_call
 from socialmind.language.comparisons import typed_comparison
 from socialmind.language.nodes import Typed, call, constant, marked, nearest, written_number
-from socialmind.language.refusals import MODULES, NAMES, OPERATORS, REFUSED
+from socialmind.language.operators import (
+    typed_choice,
+    typed_logic,
+    typed_operation,
+    typed_sign,
+)
+from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.signatures import MATH_CONSTANTS
 from socialmind.language.source import RuleSource
 from socialmind.language.types import (
@@ -36,7 +42,6 @@ from socialmind.language.types import (
     TupleType,
     Type,
     WorldType,
-    unified,
 )
 
 _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
@@ -47,14 +52,6 @@ _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
 )
 """What a constant of an author's file may be; NumPy's numbers become Python's."""
 SCALARS: dict[type, Type] = {float: FLOAT, int: INT, bool: BOOL}
-_INT_OPERATORS = {
-    ast.Add: "add_int",
-    ast.Sub: "subtract_int",
-    ast.Mult: "multiply_int",
-    ast.FloorDiv: "floor_divide_int",
-    ast.Mod: "modulo_int",
-}
-_LARGEST_WHOLE_EXPONENT = 16
 _WRITTEN_NUMBERS = tuple(TextType(text) for text in ("inf", "-inf", "nan"))
 
 
@@ -379,86 +376,19 @@ class ExpressionTyper:
         new = ast.copy_location(ast.Tuple([value for value, _ in items], ast.Load()), node)
         return new, TupleType(tuple(kind for _, kind in items))
 
-    # Operators --------------------------------------------------------------------------------
+    # Operators, names of a scheme, calls -------------------------------------------------------
 
     def _on_unaryop(self, node: ast.UnaryOp) -> Typed:
-        if isinstance(node.op, ast.Not):
-            return self.truth_value(node)
-        if isinstance(node.op, ast.Invert):
-            self.refuse(node, "~", "write `not`")
-        value, kind = self.number(node.operand)
-        if isinstance(value, ast.Constant):
-            number = written_number(value)
-            return constant(-number if isinstance(node.op, ast.USub) else number, node), kind
-        if isinstance(node.op, ast.USub) and kind == INT:
-            return call("_subtract_int", [constant(0, node), value], node), INT
-        return ast.copy_location(ast.UnaryOp(node.op, value), node), kind
+        return typed_sign(self, node)
 
     def _on_binop(self, node: ast.BinOp) -> Typed:
-        if type(node.op) in OPERATORS:
-            self.refuse(
-                node,
-                f"the operator {OPERATORS[type(node.op)]}",
-                "write `and`, `or`, `not` for truth values; numbers have + - * / // % **",
-            )
-        left, left_kind = self.number(node.left)
-        right, right_kind = self.number(node.right)
-        if isinstance(node.op, ast.Pow):
-            return self.power(node, left, left_kind, right, right_kind)
-        whole = left_kind == INT and right_kind == INT
-        if whole and type(node.op) in _INT_OPERATORS:
-            name = "_" + _INT_OPERATORS[type(node.op)]
-            return call(name, [left, right], node), INT
-        operands = self.to_float(left, left_kind), self.to_float(right, right_kind)
-        return ast.copy_location(ast.BinOp(operands[0], node.op, operands[1]), node), FLOAT
-
-    def power(
-        self, node: ast.expr, base: ast.expr, base_kind: AnyType, exponent: ast.expr, kind: AnyType
-    ) -> Typed:
-        """Return `**` by the one definition that both speeds share."""
-        written = written_number(exponent) if isinstance(exponent, ast.Constant) else None
-        if base_kind == INT and kind == INT and (written is None or written >= 0):
-            return call("_power_int", [base, exponent], node), INT
-        base = self.to_float(base, base_kind)
-        if (
-            written is not None
-            and abs(written) <= _LARGEST_WHOLE_EXPONENT
-            and written == int(written)
-        ):
-            return call("_power_whole", [base, constant(int(written), node)], node), FLOAT
-        if written == 0.5:
-            return call("_sqrt", [base], node), FLOAT
-        return call("_power", [base, self.to_float(exponent, kind)], node), FLOAT
+        return typed_operation(self, node)
 
     def _on_boolop(self, node: ast.BoolOp) -> Typed:
-        parts = []
-        for value in node.values:
-            part, kind = self.expression(value)
-            if kind != BOOL:
-                self.refuse(
-                    value,
-                    f"{kind} in `and`/`or` whose value is used",
-                    "write `a if condition else b`, or comparisons",
-                )
-            parts.append(part)
-        return ast.copy_location(ast.BoolOp(node.op, parts), node), BOOL
+        return typed_logic(self, node)
 
     def _on_ifexp(self, node: ast.IfExp) -> Typed:
-        test = self.truth(node.test)
-        yes, yes_kind = self.there(node.body)
-        no, no_kind = self.there(node.orelse)
-        kind = unified(yes_kind, no_kind)
-        if isinstance(yes_kind, TextType) or isinstance(no_kind, TextType):
-            self.refuse(
-                node, "a text that depends on a condition", "write if … else with two lines"
-            )
-        if kind is None:
-            self.refuse(node, f"{yes_kind} or {no_kind}", "give both the same type")
-        yes = self.converted(yes, yes_kind, kind, "this value", node.body)
-        no = self.converted(no, no_kind, kind, "this value", node.orelse)
-        return ast.copy_location(ast.IfExp(test, yes, no), node), kind
-
-    # Comparisons, names of a scheme, calls ----------------------------------------------------
+        return typed_choice(self, node)
 
     def _on_compare(self, node: ast.Compare) -> Typed:
         return typed_comparison(self, node)

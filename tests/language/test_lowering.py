@@ -1,12 +1,14 @@
 """Compiled modules of odd shapes: names that might meet others, fields of every kind everywhere."""
 
+# ruff: noqa: RUF012  # the defaults of array fields are lists
+
 import numpy as np
 import pytest
 
 from coglogo_py import CognitiveScheme, Cogniton
 from socialmind import Agent, Model, Patch, Population, Torus, each, once, parameter
-from socialmind.language.lowering import lowered
 from socialmind.language.loop import module_text
+from socialmind.language.lowering import lowered
 
 
 class Odd(Agent):

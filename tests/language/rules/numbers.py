@@ -145,6 +145,7 @@ def powers_of_numbers(person):
     person.vf[1] = (1 + person.j) ** 0.25
     person.vf[2] = 2.0**person.g
     person.vf[3] = math.pow(person.j, 1.3)
+    person.x = math.pow(2, -person.j) + math.pow(person.j, 3)
 
 
 def a_power_before_a_sign(person):
