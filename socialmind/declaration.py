@@ -19,6 +19,7 @@ from socialmind.worlds.grid import Torus
 OWN_NAMES = frozenset(
     (
         "compiled",
+        "connected",
         "context",
         "contexts",
         "grid",
@@ -200,7 +201,7 @@ def _check_phases(cls: type, name: str, phases: Any, populations: dict[str, Popu
                 cls,
                 name,
                 f"a phase in {name} for a population that the class does not have",
-                f"one of {', '.join(populations) or 'its populations, of which there are none'}",
+                f"one of {', '.join(populations)}" if populations else "once(rule): it has none",
             )
 
 
