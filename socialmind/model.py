@@ -320,7 +320,9 @@ class Model:
         births that the compiled one lacked, and the run goes on behind it.
         """
         begin = self.tick
-        before = self.state() if self._bytes() <= SNAPSHOT_BYTES else None
+        # Births may outrun the room, whatever the size of the state.
+        copied = bool(self.program.births) or self._bytes() <= SNAPSHOT_BYTES
+        before = self.state() if copied else None
         try:
             return int(run() or 0)
         except NumbaError:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import ModelError, RuleError
 from socialmind.language.shape import PhaseShape
 from socialmind.population import Population
-from socialmind.streams import ORDER_TAG, SCHEDULE_TAG, SETUP_TAG, Stream, shuffle
+from socialmind.streams import ORDER_TAG, Stream, shuffle
 
 if TYPE_CHECKING:
     from socialmind.language.program import Phase
@@ -71,35 +71,35 @@ def once(rule: Rule) -> PhaseDeclaration:
 
 def run_setup(model: Model, functions: dict[str, Rule]) -> None:
     """Run the setup of a model in interpreted Python."""
-    for place, phase in enumerate(model.program.setup):
-        _run(model, functions, phase, SETUP_TAG + place)
+    for phase in model.program.setup:
+        _run(model, functions, phase)
     _settle(model)
 
 
 def run_tick(model: Model, functions: dict[str, Rule]) -> None:
     """Run one tick of a model in interpreted Python."""
-    for place, phase in enumerate(model.program.schedule):
-        _run(model, functions, phase, SCHEDULE_TAG + place)
+    for phase in model.program.schedule:
+        _run(model, functions, phase)
     _settle(model)
     model.context["_tick"] += 1
 
 
-def _run(model: Model, functions: dict[str, Rule], phase: Phase, tag: int) -> None:
+def _run(model: Model, functions: dict[str, Rule], phase: Phase) -> None:
     stream = Stream(model.seed)
     rule = functions[phase.symbol]
     if phase.shape.population is None:
-        stream.begin(tag, 0, model.tick)
+        stream.begin(phase.tag, 0, model.tick)
         _follow(model, rule, phase, None, stream)
         return
     table = model.tables[phase.shape.population]
     acting = table.acting_order
     if phase.shape.shuffled:
-        stream.begin(ORDER_TAG, tag, model.tick)
+        stream.begin(ORDER_TAG, phase.tag, model.tick)
         shuffle(stream, acting, len(acting))
     for slot in acting.tolist():
         if table.alive[slot]:
             agent = table.row_class(table, slot)
-            stream.begin(tag, agent.id, model.tick)
+            stream.begin(phase.tag, agent.id, model.tick)
             _follow(model, rule, phase, agent, stream)
 
 

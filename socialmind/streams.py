@@ -1,14 +1,16 @@
 """Random streams of rules: one for each agent, phase and tick, whatever else is drawn.
 
-A number depends on the seed, the phase, the agent's identity, the tick and how many numbers the
-rule has drawn since: adding an agent, a monitor or a second rule disturbs nobody else's luck. The
-functions take a stream's state with the fields of `STREAM`, as a `Stream` here and as a record in
-compiled code.
+A number depends on the seed, the phase (by the name of its rule), the agent's identity, the tick
+and how many numbers the rule has drawn since: adding an agent, a monitor or a second rule disturbs
+nobody else's luck. The functions take a stream's state with the fields of `STREAM`, as a `Stream`
+here and as a record in compiled code.
 """
 
 from __future__ import annotations
 
 import math
+import zlib
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -24,9 +26,34 @@ STREAM = np.dtype(
 """A stream's state: the counter's words, the key, the numbers drawn and the one left over."""
 
 ORDER_TAG = 0x4F00
-SCHEDULE_TAG = 0x5300
-SETUP_TAG = 0x5500
-"""First tags of the streams that shuffle agents, of the phases of a tick and of the setup."""
+SCHEDULE_TAG = 0x8000
+SETUP_TAG = 0xC000
+"""Tag of the streams that shuffle agents; first tags of the phases of a tick and of the setup."""
+TAGS = 0x4000
+"""How many tags there are for the phases of a tick, and for those of the setup."""
+
+
+def phase_tags(first: int, rules: Sequence[str]) -> list[int]:
+    """Return the tags of phases, by the names of their rules, wherever they stand.
+
+    A phase keeps its tag when others come before it, unless two names give the same one (one time
+    in 16,384) or are the same: then the later takes the next.
+
+    Args:
+        first: the first tag, `SCHEDULE_TAG` or `SETUP_TAG`.
+        rules: the names of the phases' rules, in the order of the schedule.
+
+    >>> one, other = phase_tags(SCHEDULE_TAG, ["live", "grow"])
+    >>> phase_tags(SCHEDULE_TAG, ["watch", "live", "grow"])[1:] == [one, other]
+    True
+    """
+    tags: list[int] = []
+    for rule in rules:
+        place = zlib.crc32(rule.encode()) % TAGS
+        while first + place in tags:
+            place = (place + 1) % TAGS
+        tags.append(first + place)
+    return tags
 
 
 @register_jitable

@@ -167,7 +167,7 @@ class CrowdedCasino(Model):
 
 class WatchedCasino(Model):
     gamblers = Population(Gambler, 5)
-    schedule = (each(gamblers, play), each(gamblers, watch))
+    schedule = (each(gamblers, watch), each(gamblers, play))
 
 
 @pytest.mark.parametrize("other", [CrowdedCasino, WatchedCasino])

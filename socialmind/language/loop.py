@@ -11,7 +11,7 @@ from socialmind.language.layout import dtype_text, model_dtype, row_dtype
 from socialmind.language.lowering import lowered
 from socialmind.language.program import RUNTIME, Phase, Program
 from socialmind.language.shape import ModelShape
-from socialmind.streams import ORDER_TAG, SCHEDULE_TAG, SETUP_TAG
+from socialmind.streams import ORDER_TAG
 
 
 def module_text(program: Program, own_makers: frozenset[str]) -> str:
@@ -34,8 +34,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         parts.append(f"@_inner\n{lowered(function)}")
     for name, plans in program.plans.items():
         parts.append(plans_text(name, list(plans.values())))
-    for tag, phases in ((SETUP_TAG, program.setup), (SCHEDULE_TAG, program.schedule)):
-        parts += [_phase_text(shape, tag, place, phase) for place, phase in enumerate(phases)]
+    parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]
     parts.append(_loops_text(shape, program))
     return "\n\n\n".join(parts) + "\n"
 
@@ -124,12 +123,12 @@ FETCH_AHEAD = 4
 """How many agents ahead the memory of a mind is asked for; that of its body twice as many."""
 
 
-def _phase_text(shape: ModelShape, tag: int, place: int, phase: Phase) -> str:
-    function = f"_phase_{tag + place}"
+def _phase_text(shape: ModelShape, phase: Phase) -> str:
+    function = f"_phase_{phase.tag}"
     rng = "rng" in phase.takes
     population = phase.shape.population
     if population is None:
-        begin = f"    _begin(rng, {tag + place}, 0, _model._tick)\n" if rng else ""
+        begin = f"    _begin(rng, {phase.tag}, 0, _model._tick)\n" if rng else ""
         body = call_text(phase.symbol, phase.takes)
         return f"@_inner\ndef {function}(_model, rng):\n{begin}    {body}"
     lines = [
@@ -147,7 +146,7 @@ def _phase_text(shape: ModelShape, tag: int, place: int, phase: Phase) -> str:
             f"    order = _order_{population}(_model)",
             "    for place in range(count):",
             "        acting[place] = order[place]",
-            f"    _begin(rng, {ORDER_TAG}, {tag + place}, _model._tick)",
+            f"    _begin(rng, {ORDER_TAG}, {phase.tag}, _model._tick)",
             "    _shuffle(rng, acting, count)",
         ]
     if phase.shape.shuffled and minded:
@@ -174,7 +173,7 @@ def _phase_text(shape: ModelShape, tag: int, place: int, phase: Phase) -> str:
         "            agent = rows[slot]",
     ]
     if rng:
-        lines.append(f"            _begin(rng, {tag + place}, agent._id, _model._tick)")
+        lines.append(f"            _begin(rng, {phase.tag}, agent._id, _model._tick)")
     lines.append(f"            {call_text(phase.symbol, phase.takes)}")
     return "\n".join(lines)
 
@@ -190,10 +189,8 @@ def _loops_text(shape: ModelShape, program: Program) -> str:
         "        return True\n"
         for name in program.births
     )
-    setup = "".join(f"    _phase_{SETUP_TAG + i}(_model, rng)\n" for i in range(len(program.setup)))
-    tick = "".join(
-        f"    _phase_{SCHEDULE_TAG + i}(_model, rng)\n" for i in range(len(program.schedule))
-    )
+    setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
+    tick = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.schedule)
     return f'''@_inner
 def _end_tick(_model):
 {settle}    return

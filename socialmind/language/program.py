@@ -15,6 +15,7 @@ from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import RuleSource, rule_source
 from socialmind.language.statements import FunctionTyper
 from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TextType
+from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
 
 
 @dataclass(frozen=True)
@@ -54,11 +55,12 @@ class TypedFunction:
 
 @dataclass(frozen=True)
 class Phase:
-    """A phase with its typed rule, and which of agent, model and stream the rule takes."""
+    """A phase with its typed rule, what of agent, model and stream that takes, and its tag."""
 
     shape: PhaseShape
     symbol: str
     takes: tuple[str, ...]
+    tag: int
 
 
 class Program:
@@ -85,8 +87,8 @@ class Program:
         # The populations whose plans a function carries out, by itself or through others.
         self._calls: list[set[str]] = []
         self._reached: dict[str, set[str]] = {}
-        self.setup = tuple(self._phase(phase) for phase in shape.setup)
-        self.schedule = tuple(self._phase(phase) for phase in shape.schedule)
+        self.setup = self._phases(shape.setup, SETUP_TAG)
+        self.schedule = self._phases(shape.schedule, SCHEDULE_TAG)
 
     def source(self, function: Callable[..., Any]) -> RuleSource:
         """Return the source of a function, read once."""
@@ -94,9 +96,12 @@ class Program:
             self._sources[function] = rule_source(function)
         return self._sources[function]
 
-    def _phase(self, shape: PhaseShape) -> Phase:
-        symbol, takes = self._entry(shape.rule, shape.population)
-        return Phase(shape, symbol, takes)
+    def _phases(self, shapes: tuple[PhaseShape, ...], first_tag: int) -> tuple[Phase, ...]:
+        tags = phase_tags(first_tag, [self.source(shape.rule).name for shape in shapes])
+        return tuple(
+            Phase(shape, *self._entry(shape.rule, shape.population), tag)
+            for shape, tag in zip(shapes, tags, strict=True)
+        )
 
     def _entry(
         self, rule: Callable[..., Any], population: str | None

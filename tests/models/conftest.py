@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from socialmind.catalogue import load_model
-from socialmind.streams import SCHEDULE_TAG, Stream
+from socialmind.streams import SCHEDULE_TAG, Stream, phase_tags
 
-LIVE = SCHEDULE_TAG + 1  # the phase in which the agents of the farmer-artisan society act
+LIVE = phase_tags(SCHEDULE_TAG, ["live"])[
+    0
+]  # the phase in which the agents of the farmer-artisan society act
 
 
 def parts(state):
