@@ -121,7 +121,7 @@ def signs(person):
     person.i = -person.i
     person.j = +person.j
     person.vf[0] = -0.0
-    person.vf[1] = - -3
+    person.vf[1] = --3
     person.vi[0] = -(-person.i)
 
 
@@ -292,7 +292,7 @@ def a_variable_named_like_a_module(person):
 
 
 def many_brackets(person):
-    person.f = ((((((((person.f + 1) * 2) - 3) / 4) + 5) * 6) - 7) / 8) + (((9)))
+    person.f = ((((((((person.f + 1) * 2) - 3) / 4) + 5) * 6) - 7) / 8) + (9)
 
 
 def a_long_sum(person):
@@ -316,13 +316,13 @@ def unicode_names(person):
 
 
 def several_statements_in_a_line(person):
-    a = 1; b = 2  # noqa: E702
+    a = 1
+    b = 2  # noqa: E702
     person.i = a + b
 
 
 def a_line_that_goes_on(person):
-    person.f = person.f \
-        + 1
+    person.f = person.f + 1
 
 
 def swap(person):
