@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
+UnsignedInts = NDArray[np.uint64]
 
 
 class SchemeArrays(NamedTuple):
@@ -56,6 +57,14 @@ class SchemeArrays(NamedTuple):
     """(R, K) whether the role holds the culturon."""
     group_culturons: Ints
     """(G, 2) first culturon of the group, and the one after its last."""
+    link_begin: Ints
+    """(P+1,) each plan's first link from a cogniton, and the end of the last plan's."""
+    link_cogniton: UnsignedInts
+    """(L,) the cogniton of each link, plan by plan; influence and conditional are one link here."""
+    link_weight: Floats
+    """(L,) weight of its influence, 0 where it is conditional only."""
+    link_opens: Bools
+    """(L,) whether it makes the plan available."""
     maker: Floats
     """(2,) code of the decision maker, and its bias."""
 
@@ -138,6 +147,10 @@ def scheme_arrays(scheme: CognitiveScheme) -> SchemeArrays:
                 role_culturons[role_row, columns[culturon.name]] = True
             role_row += 1
 
+    own = len(scheme.cognitons)
+    linked = (influence[:own] != 0.0) | conditional[:own]
+    # Of the transposed array the places come plan by plan, cognitons in the scheme's order.
+    plan_of, cogniton_of = np.nonzero(linked.T)
     arrays = SchemeArrays(
         influence=influence,
         conditional=conditional,
@@ -149,6 +162,10 @@ def scheme_arrays(scheme: CognitiveScheme) -> SchemeArrays:
         role_group=role_group,
         role_culturons=role_culturons,
         group_culturons=group_culturons,
+        link_begin=np.concatenate([[0], np.cumsum(linked.sum(axis=0))]).astype(np.int64),
+        link_cogniton=cogniton_of.astype(np.uint64),
+        link_weight=influence[cogniton_of, plan_of],
+        link_opens=conditional[cogniton_of, plan_of],
         maker=maker_code(scheme),
     )
     for array in arrays:

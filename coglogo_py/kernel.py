@@ -163,6 +163,10 @@ def _weigh(
     scheme, minds = borrowed(scheme), borrowed(minds)
     weights, opened = borrowed(weights), borrowed(opened)
     # Taken out of the tuples once, before the loops: it is not free.
+    link_begin = scheme.link_begin
+    link_cogniton = scheme.link_cogniton
+    link_weight = scheme.link_weight
+    link_opens = scheme.link_opens
     influence = scheme.influence
     conditional = scheme.conditional
     group_culturons = scheme.group_culturons
@@ -171,38 +175,14 @@ def _weigh(
     group_slot = minds.group_slot
     culturons = minds.culturons
     n_cognitons = values.shape[1]
-    n_plans = weights.shape[0]
-    # Four plans at a time: each value is looked at once for all of them, and the sums stay in
-    # registers. Each sum runs in the scheme's order.
-    for first in range(0, n_plans - 3, 4):
-        weight_0 = weight_1 = weight_2 = weight_3 = 0.0
-        open_0 = open_1 = open_2 = open_3 = False
-        for cogniton in range(n_cognitons):
-            value = values[slot, cogniton]
+    for plan in range(weights.shape[0]):
+        weight = 0.0
+        is_open = False
+        for link in range(link_begin[plan], link_begin[plan + 1]):
+            value = values[slot, link_cogniton[link]]
             if not math.isnan(value):
-                weight_0 += influence[cogniton, first] * value
-                weight_1 += influence[cogniton, first + 1] * value
-                weight_2 += influence[cogniton, first + 2] * value
-                weight_3 += influence[cogniton, first + 3] * value
-                open_0 |= conditional[cogniton, first]
-                open_1 |= conditional[cogniton, first + 1]
-                open_2 |= conditional[cogniton, first + 2]
-                open_3 |= conditional[cogniton, first + 3]
-        weights[first], weights[first + 1] = weight_0, weight_1
-        weights[first + 2], weights[first + 3] = weight_2, weight_3
-        opened[first], opened[first + 1] = open_0, open_1
-        opened[first + 2], opened[first + 3] = open_2, open_3
-    for plan in range(n_plans - n_plans % 4, n_plans):
-        weights[plan] = 0.0
-        opened[plan] = False
-        for cogniton in range(n_cognitons):
-            value = values[slot, cogniton]
-            if not math.isnan(value):
-                weights[plan] += influence[cogniton, plan] * value
-                opened[plan] |= conditional[cogniton, plan]
-    for plan in range(n_plans):
-        weight = weights[plan]
-        is_open = bool(opened[plan])
+                weight += link_weight[link] * value
+                is_open |= link_opens[link]
         for group in range(group_slot.shape[1]):
             row = group_slot[slot, group]
             if row >= 0:
