@@ -30,7 +30,6 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import mesa_farmer_artisan
-import pandas as pd
 from mesa_farmer_artisan import Society
 
 from socialmind.catalogue import load_model
@@ -122,7 +121,7 @@ def crowd(agents: int, villages: int, size: int, stretches: int, ticks: int) -> 
     with_land = 0.0
     while with_land < 0.99 and model.tick < 5000:
         model.advance(100)
-        with_land = float(pd.Series(model.agents()["land_x"]).notna().mean())
+        with_land = float(model.humans.holds("land_x").mean())
     settled = model.tick
     rates = []
     for _ in range(stretches):
