@@ -22,6 +22,7 @@ OWN_NAMES = frozenset(
         "connected",
         "context",
         "contexts",
+        "engine",
         "grid",
         "names",
         "program",

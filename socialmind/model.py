@@ -10,48 +10,35 @@ instance is a running society:
 
 from __future__ import annotations
 
-import functools
 import inspect
 import re
-import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
-from numba.core.errors import NumbaError
 from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.society import Society
-from socialmind.connection import connect, names_of_scheme
+from socialmind.connection import names_of_scheme
 from socialmind.declaration import declaration_of
+from socialmind.engine import Engine
 from socialmind.errors import SocialmindError
 from socialmind.fields import Field, presence
-from socialmind.language.compiled import compiled_module
 from socialmind.language.layout import model_dtype
-from socialmind.language.loop import module_text
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.parameter import Parameter
 from socialmind.population import Population, Table
-from socialmind.schedule import PhaseDeclaration, run_setup, run_tick, taken
+from socialmind.schedule import PhaseDeclaration, run_tick, taken
 from socialmind.streams import STREAM
 from socialmind.worlds.grid import Grid, Torus
 
 if TYPE_CHECKING:
-    from types import ModuleType
-
     from coglogo_py.receipt import Receipt
-
-CHUNK_SECONDS = 0.2
-"""How long compiled code runs before Ctrl-C is heard."""
-INTERPRETED_SETUP = 20_000
-"""Up to so many agents and patches the setup runs interpreted: faster than loading its code."""
-SNAPSHOT_BYTES = 8 * 2**20
-"""The largest state of which a copy is kept, to find the line of an error in compiled code."""
 
 _KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick")
 """Columns of the record with a leading underscore that are state, not addresses and sizes."""
@@ -180,14 +167,8 @@ class Model:
             name: np.array(names_of_scheme(self.program, name, self.schemes.get(name)), np.int64)
             for name in self.populations
         }
-        self._functions: dict[str, Callable[..., Any]] | None = None
-        self._module: ModuleType | None = None
-        self._ticks_per_chunk = 1
-        if compiled and self._entities() > INTERPRETED_SETUP:
-            connect(self)
-            self._guarded(lambda: self.module.prepare(self.contexts), run_setup)
-        else:
-            run_setup(self, self.functions)
+        self.engine = Engine(self, compiled)
+        self.engine.set_up()
 
     def _set_values(self, parameters: Mapping[str, Any]) -> None:
         for name in parameters:
@@ -252,29 +233,6 @@ class Model:
         """How many ticks have run."""
         return int(self.context["_tick"])
 
-    @property
-    def module(self) -> Any:
-        """The compiled loops."""
-        if self._module is None:
-            own = {
-                name: type(scheme.decision_maker).choose
-                for name, scheme in self.schemes.items()
-                if self.tables[name].society.arrays.maker[0] > 2  # type: ignore[union-attr]  # it has one
-            }
-            self._module = compiled_module(module_text(self.program, frozenset(own)), own)
-        return self._module
-
-    @property
-    def functions(self) -> dict[str, Callable[..., Any]]:
-        """The rules as interpreted Python."""
-        if self._functions is None:
-            world = {
-                "_in_radius": lambda world, x, y, radius: world.around(x, y, radius),
-                "_all_patches": lambda world: world.patches,
-            }
-            self._functions = self.program.interpreted(world)
-        return self._functions
-
     def advance(self, ticks: int = 1) -> None:
         """Run a number of ticks.
 
@@ -284,76 +242,17 @@ class Model:
         Raises:
             RuleError: a rule failed, with its file, line, agent and tick.
         """
-        if not self.compiled:
-            for _ in range(ticks):
-                run_tick(self, self.functions)
-            return
-        left = ticks
-        while left > 0:
-            begin = time.perf_counter()
-            wanted = min(left, self._ticks_per_chunk)
-            connect(self)
-            loop = functools.partial(self.module.advance, self.contexts, wanted)
-            done = self._guarded(loop, run_tick)
-            if done < wanted:
-                self._make_room()
-            left -= done
-            took = time.perf_counter() - begin
-            if done == wanted and took < CHUNK_SECONDS / 2:
-                self._ticks_per_chunk *= 2
-            elif took > CHUNK_SECONDS and self._ticks_per_chunk > 1:
-                self._ticks_per_chunk //= 2
+        self.engine.advance(ticks)
 
     def step(self) -> None:
         """Run one tick."""
         self.advance(1)
 
-    def _make_room(self) -> None:
-        for name in self.program.births:
-            if self.tables[name].short_of_room:
-                self.tables[name].grow()
-
-    def _guarded(self, run: Callable[[], Any], again: Callable[..., None]) -> int:
-        """Run compiled code; when it fails, do its last tick again, interpreted.
-
-        The interpreted tick fails alike, and knows the line. If it does not fail, it was room for
-        births that the compiled one lacked, and the run goes on behind it.
-        """
-        begin = self.tick
-        # Births may outrun the room, whatever the size of the state.
-        copied = bool(self.program.births) or self._bytes() <= SNAPSHOT_BYTES
-        before = self.state() if copied else None
-        try:
-            return int(run() or 0)
-        except NumbaError:
-            raise  # the loop did not compile: a fault of ours, not of a rule
-        except Exception as error:
-            failed = self.tick
-            if before is None:
-                raise SocialmindError(
-                    f"{type(error).__name__} in tick {failed}: {error}; "
-                    "run with --interpreted to see where"
-                ) from error
-            self.restore(before)
-            connect(self)
-            if failed > begin:
-                self.module.advance(self.contexts, failed - begin)
-            again(self, self.functions)
-            return self.tick - begin
-
-    def _entities(self) -> int:
-        patches = 0 if self.grid is None else len(self.grid.rows)
-        return patches + sum(len(table) for table in self.tables.values())
-
-    def _bytes(self) -> int:
-        arrays = [table.rows.nbytes + 64 * len(table.rows) for table in self.tables.values()]
-        return sum(arrays) + (0 if self.grid is None else self.grid.rows.nbytes)
-
     def run_plan(self, population: str, plan: int, agent: Any, rng: Any) -> None:
         """Carry out a plan, by its number in the population's scheme, in an interpreted run."""
         name = self.schemes[population].plans[plan]
         symbol, takes = self.program.plans[population][name]
-        self.functions[symbol](*taken(takes, agent, self, rng).values())
+        self.engine.functions[symbol](*taken(takes, agent, self, rng).values())
 
     # Observing --------------------------------------------------------------------------------
 
@@ -441,7 +340,7 @@ class Model:
         again = self.fresh()
         again.advance(decided)
         again.watch = (population, agent)
-        run_tick(again, again.functions)
+        run_tick(again, again.engine.functions)
         if again.watched is None:
             raise SocialmindError(f"agent {agent} took no decision in tick {decided}")
         return again.watched

@@ -70,7 +70,7 @@ def _content(model):
 def watched(society):
     """Note in `society.met` the errors of compiled code, which the interpreted speed then asks."""
     society.met = []
-    guarded = society._guarded
+    guarded = society.engine._guarded
 
     def noting(run, again):
         def noted():
@@ -82,7 +82,7 @@ def watched(society):
 
         return guarded(noted, again)
 
-    society._guarded = noting
+    society.engine._guarded = noting
     return society
 
 
