@@ -4,7 +4,7 @@ What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Popul
 `parameter`, `each` and `once`.
 """
 
-from socialmind.errors import ModelError, RuleError, SocialmindError
+from socialmind.errors import IdleWarning, ModelError, RuleError, SocialmindError
 from socialmind.model import Model
 from socialmind.parameter import Parameter, parameter
 from socialmind.population import Agent, Population
@@ -15,6 +15,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "Agent",
+    "IdleWarning",
     "Model",
     "ModelError",
     "Parameter",

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import sys
+import warnings
 from collections.abc import Callable
 from functools import wraps
 from pathlib import Path
@@ -16,7 +17,7 @@ from typing import Annotated, Any
 
 import typer
 
-from socialmind.errors import SocialmindError
+from socialmind.errors import IdleWarning, SocialmindError
 
 WRONG = 2
 BROKEN_PIPE = 141
@@ -203,6 +204,8 @@ def _as_path(folder: Path) -> str:
 
 def main() -> None:
     """Entry point of the console script."""
+    # A run says at its end what its agents could not do, once for all of them.
+    warnings.simplefilter("ignore", IdleWarning)
     app()
 
 

@@ -12,6 +12,10 @@ class SocialmindError(Exception):
     """
 
 
+class IdleWarning(UserWarning):
+    """An agent's decision found no plan available; the agent does nothing until the next."""
+
+
 class ModelError(SocialmindError):
     """Something in a model's own files is wrong: says where, what, and what to do.
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import inspect
 import re
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,7 +26,7 @@ from coglogo_py.society import Society
 from socialmind.connection import names_of_scheme
 from socialmind.declaration import declaration_of
 from socialmind.engine import Engine
-from socialmind.errors import SocialmindError
+from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.fields import Field, presence
 from socialmind.language.layout import model_dtype
 from socialmind.language.nodes import nearest
@@ -241,8 +242,21 @@ class Model:
 
         Raises:
             RuleError: a rule failed, with its file, line, agent and tick.
+
+        Warns:
+            IdleWarning: for the first decision of the society that found no plan available.
         """
+        known = self.idle.count
         self.engine.advance(ticks)
+        idle = self.idle
+        if idle.count > known == 0 and idle.first_tick is not None:
+            warnings.warn(
+                f"agent {idle.first_agent} of {self.name} found no available plan in tick "
+                f"{idle.first_tick} and did nothing; `idle` counts such decisions, "
+                f"`explain({idle.first_agent}, {idle.first_tick + 1})` shows why",
+                IdleWarning,
+                stacklevel=2,
+            )
 
     def step(self) -> None:
         """Run one tick."""
@@ -328,7 +342,7 @@ class Model:
             raise SocialmindError(f"the agents of {self.name} have no minds")
         population = next(iter(self.schemes))
         seen = self.fresh()
-        seen.advance(tick)
+        seen.engine.advance(tick)
         table = seen.tables[population]
         if not table.contains(agent):
             living = table.id
@@ -338,7 +352,7 @@ class Model:
         if decided < 0:
             raise SocialmindError(f"agent {agent} has taken no decision up to tick {tick}")
         again = self.fresh()
-        again.advance(decided)
+        again.engine.advance(decided)
         again.watch = (population, agent)
         run_tick(again, again.engine.functions)
         if again.watched is None:

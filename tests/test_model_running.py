@@ -1,12 +1,23 @@
 """Running societies: their schemes, idle agents, rules that fail, receipts of decisions."""
 
+import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from coglogo_py import CognitiveScheme, Cogniton, SchemeError
-from socialmind import Agent, Model, ModelError, Population, RuleError, SocialmindError, each, once
+from socialmind import (
+    Agent,
+    IdleWarning,
+    Model,
+    ModelError,
+    Population,
+    RuleError,
+    SocialmindError,
+    each,
+    once,
+)
 from socialmind.catalogue import load_model
 
 # Minds -------------------------------------------------------------------------------------------
@@ -149,12 +160,15 @@ def test_agents_without_a_plan_idle_and_are_counted(compiled):
     assert dormitory.idle.count == 0
     assert dormitory.idle.first_agent is None
     dormitory.sleepers[0].wakes = 0
-    dormitory.advance(1)
+    with pytest.warns(IdleWarning, match=r"agent 1 of dormitory .* in tick 0 .*explain\(1, 1\)"):
+        dormitory.advance(1)
     # Agents 1 … 3 sleep in tick 0: the first to be counted is agent 1.
     idle = dormitory.idle
     assert (idle.count, idle.first_agent, idle.first_tick) == (3, 1, 0)
     assert dormitory.plans(dormitory.sleepers) == ["work", None, None, None]
-    dormitory.advance(9)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # one warning is enough
+        dormitory.advance(9)
     # They wake at ticks 3, 2 and 1.
     idle = dormitory.idle
     assert (idle.count, idle.first_agent, idle.first_tick) == (6, 1, 0)
@@ -175,7 +189,8 @@ def test_the_first_idle_decision_may_come_late():
     assert society.idle.count == 0
     society.sleepers[2].wakes = 99
     society.sleepers[2].mind.deactivate_cogniton("Awake")
-    society.advance(2)
+    with pytest.warns(IdleWarning, match="agent 2"):
+        society.advance(2)
     idle = society.idle
     assert (idle.count, idle.first_agent, idle.first_tick) == (2, 2, 5)
 
