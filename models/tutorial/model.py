@@ -23,7 +23,7 @@ def paint(model):
 def live(turtle, model, rng):
     """Look at the ground, choose a plan and follow it."""
     colour = model.world.patch(turtle.x, turtle.y).colour
-    if colour == RED or colour == BLUE:
+    if colour in (RED, BLUE):
         turtle.mind.set_cogniton_value("wantRed", colour == BLUE)
         turtle.mind.set_cogniton_value("wantBlue", colour == RED)
     elif colour == GREEN:

@@ -59,7 +59,7 @@ def _identity(typer: ExpressionTyper, node: ast.Compare) -> Typed:
     if len(node.ops) > 1:
         typer.refuse(node, "a chain with `is` or `in`", "write two comparisons joined by `and`")
     if isinstance(operator, ast.In | ast.NotIn):
-        typer.refuse(node, "`in`", "write `x == 1 or x == 2`, or a for loop")
+        return _one_of_several(typer, node, operator)
     other = node.comparators[0]
     if isinstance(node.left, ast.Constant) and node.left.value is None:
         typer.refuse(node, "None on the left of a comparison", "write `x is None`")
@@ -80,6 +80,26 @@ def _identity(typer: ExpressionTyper, node: ast.Compare) -> Typed:
     if isinstance(kind, RowType) and isinstance(right[1], RowType):
         return _agents(typer, node, [(left, kind), right])
     return typer.refuse(node, "`is` between values", "write `==`; `is` is for None and agents")
+
+
+def _one_of_several(typer: ExpressionTyper, node: ast.Compare, operator: ast.cmpop) -> Typed:
+    """Type `x in (1, 2)` as `x == 1 or x == 2`, where asking again changes nothing."""
+    several = node.comparators[0]
+    if not isinstance(several, ast.Tuple | ast.List | ast.Set) or not several.elts:
+        typer.refuse(node, "`in` without written values", "write `x in (1, 2)`, or a for loop")
+    assert isinstance(several, ast.Tuple | ast.List | ast.Set)  # refused above
+    for part in (node.left, *several.elts):
+        if any(isinstance(inner, ast.Call | ast.Subscript) for inner in ast.walk(part)):
+            typer.refuse(part, "a call or a place of an array beside `in`", "give it a name before")
+    negated = isinstance(operator, ast.NotIn)
+    questions: list[ast.expr] = []
+    for value in several.elts:
+        same: ast.cmpop = ast.NotEq() if negated else ast.Eq()
+        questions.append(ast.copy_location(ast.Compare(node.left, [same], [value]), value))
+    joined = ast.BoolOp(ast.And() if negated else ast.Or(), questions)
+    if len(questions) == 1:
+        return typer.expression(questions[0])
+    return typer.expression(ast.copy_location(joined, node))
 
 
 def _agents(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typed:

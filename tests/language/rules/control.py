@@ -22,6 +22,14 @@ def a_chain_draws_once(person, model, rng):
     person.f = rng.random()
 
 
+def among_written_values(person):
+    person.b = person.i in (1, 2, 3)
+    person.c = person.f not in (0.5, person.g)
+    person.vb[0] = person.i in [5]
+    if person.j in {0, -1} and person.i not in (7,):
+        person.f = 3
+
+
 def truth_values_compared(person):
     person.b = person.b == person.c
     person.c = person.c != True  # noqa: E712

@@ -102,6 +102,8 @@ def setting_plans(person, model, rng):
     person.run_plan(model, rng)
     person.c = person.plan == "trade"
     person.b = person.plan != model.persons[0].plan
+    if person.plan in ("trade", "grow"):
+        person.i += 1
 
 
 def founding_groups(person):
