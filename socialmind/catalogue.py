@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 MODEL_FILE = "model.py"
 FIGURES_FILE = "figures.py"
 APP_FILE = "app.py"
+PRIVATE = "_socialmind_"
+"""How the names of modules begin that were loaded by path."""
 
 
 def catalogue() -> dict[str, Path]:
@@ -110,7 +112,7 @@ def load_model(name_or_path: str | Path) -> type[Model]:
         ModelError: the file cannot be read or run, or which class is meant is unclear.
     """
     folder = model_folder(name_or_path)
-    return _model_class(_load_file(folder / MODEL_FILE))
+    return _model_class(load_file(folder / MODEL_FILE))
 
 
 def load_figures(folder: Path) -> ModuleType | None:
@@ -118,7 +120,7 @@ def load_figures(folder: Path) -> ModuleType | None:
     path = folder / FIGURES_FILE
     if not path.is_file():
         return None
-    module = _load_file(path)
+    module = load_file(path)
     if not callable(getattr(module, "draw", None)):
         raise ModelError("no function draw(run)", file=path, remedy="define draw(run) -> figures")
     return module
@@ -148,15 +150,21 @@ def source_hash(folder: Path) -> str:
     return total.hexdigest()
 
 
-def _load_file(path: Path) -> ModuleType:
+def load_file(path: Path) -> ModuleType:
     """Run a Python file as a module with a private name that stands for its folder's content.
 
     The module is the package of its folder, so ``from .rules import eat`` finds ``rules.py``
-    beside it, and two models may both have one.
+    beside it, and two models may both have one. The same, unchanged file gives the same module.
+
+    Args:
+        path: the file.
+
+    Raises:
+        ModelError: it is no Python, or stopped with an error.
     """
     source = path.read_bytes()
     key = hashlib.sha256(f"{path}\0{source_hash(path.parent)}\0".encode() + source).hexdigest()
-    name = f"_socialmind_{path.parent.name}_{path.stem}_{key[:16]}"
+    name = f"{PRIVATE}{path.parent.name}_{path.stem}_{key[:16]}"
     if name in sys.modules:
         return sys.modules[name]
     spec = importlib.util.spec_from_file_location(
@@ -207,7 +215,7 @@ def _forget(name: str) -> None:
 
 
 def _failed_import(error: Exception, path: Path) -> ModelError:
-    """Say in one line why a file of a model cannot be loaded."""
+    """Say in one line why a file of a model or mind cannot be loaded."""
     if isinstance(error, SyntaxError):
         return ModelError(
             f"not valid Python ({error.msg})", file=error.filename or path, line=error.lineno

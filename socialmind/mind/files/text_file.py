@@ -1,0 +1,206 @@
+"""Text files of minds: lines of fields between colons, `#` before comments.
+
+All the grammars of the thesis's appendix A are made of such lines. Blank lines and blanks around
+fields count for nothing; lines end in LF, CR LF or CR.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import unicodedata
+from dataclasses import dataclass
+from pathlib import Path
+
+from socialmind.errors import ModelError
+
+NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", re.A)
+WHOLE_NUMBER = re.compile(r"[0-9]{1,9}", re.A)
+BYTE_ORDER_MARK = "\ufeff"
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line that says something.
+
+    Attributes:
+        text: the line without comment and blanks around it.
+        number: its number in the file, from 1.
+
+    >>> Line("SH: S1 :5", 7).fields
+    ('SH', 'S1', '5')
+    """
+
+    text: str
+    number: int
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """What stands between the colons."""
+        return tuple(field.strip() for field in self.text.split(":"))
+
+
+class Lines:
+    r"""The lines of a file that say something, taken one after another.
+
+    Args:
+        text: the file's content.
+        file: its path, for messages.
+
+    Raises:
+        ModelError: it holds control characters.
+
+    >>> lines = Lines("Avoid  # turns away\n\ninput: 2\n", "Avoid.ades")
+    >>> [line.text for line in lines.rest()]
+    ['Avoid', 'input: 2']
+    """
+
+    def __init__(self, text: str, file: str | Path) -> None:
+        self.file = str(file)
+        # Not splitlines, which also splits at characters that a name may hold.
+        text = text.removeprefix(BYTE_ORDER_MARK).replace("\r\n", "\n").replace("\r", "\n")
+        whole = text.split("\n")
+        self.lines: list[Line] = []
+        for number, content in enumerate(whole, start=1):
+            said = content.partition("#")[0].strip()
+            self._check_characters(said, number)
+            if said:
+                self.lines.append(Line(said, number))
+        self.last = max(len(whole) - (whole[-1] == ""), 1)
+        self.taken = 0
+
+    def _check_characters(self, said: str, number: int) -> None:
+        for character in said:
+            if unicodedata.category(character) == "Cc" and character != "\t":
+                raise self.error(
+                    f"the control character {character!r}",
+                    "text",
+                    "take it out; is it a text file in UTF-8?",
+                    number,
+                )
+
+    @property
+    def next(self) -> Line | None:
+        """The line to be taken next; None at the end of the file."""
+        return self.lines[self.taken] if self.taken < len(self.lines) else None
+
+    def take(self, expected: str, remedy: str = "the file may have been cut off") -> Line:
+        """Take the next line; `expected` and `remedy` say what is wrong when there is none."""
+        line = self.next
+        if line is None:
+            raise self.unexpected(expected, remedy)
+        self.taken += 1
+        return line
+
+    def rest(self) -> list[Line]:
+        """Take all lines that are left."""
+        left = self.lines[self.taken :]
+        self.taken = len(self.lines)
+        return left
+
+    def unexpected(self, expected: str, remedy: str | None = None) -> ModelError:
+        """Return the error that the next line is not what is expected."""
+        line = self.next
+        if line is None:
+            return self.error("the end of the file", expected, remedy, self.last)
+        return self.error(repr(line.text), expected, remedy, line.number)
+
+    def error(
+        self, found: str, expected: str | None, remedy: str | None, line: int | None
+    ) -> ModelError:
+        """Return an error at a line of the file."""
+        return ModelError(found, expected, remedy, self.file, line)
+
+    def placed(
+        self, error: ModelError, line: int | None, remedy: str, where: str = ""
+    ) -> ModelError:
+        """Return an error of a module at its line, with a remedy where it has none."""
+        found = f"{error.found} {where}".strip()
+        return self.error(found, error.expected, error.remedy or remedy, line)
+
+    def number(self, text: str, what: str, line: int) -> float:
+        """Return a finite number."""
+        if not NUMBER.fullmatch(text):
+            raise self.error(
+                f"{text!r} as {what}", "a number", "write it with a point, as 0.5", line
+            )
+        value = float(text)
+        if value in (float("inf"), float("-inf")):
+            raise self.error(f"{text!r} as {what}", "a number", "it is too large", line)
+        return value
+
+    def whole_number(self, text: str, what: str, line: int) -> int:
+        """Return a whole number, 0 or more."""
+        if not WHOLE_NUMBER.fullmatch(text):
+            raise self.error(
+                f"{text!r} as {what}", "a whole number, 0 or more", "write it in digits, as 2", line
+            )
+        return int(text)
+
+
+def text_of(path: Path) -> str:
+    """Return a file's text.
+
+    Raises:
+        ModelError: there is no such file, or it is not text in UTF-8.
+    """
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise ModelError(
+            f"the file cannot be read ({error.strerror or error})",
+            remedy="check its name and whether you may read it",
+            file=path,
+        ) from None
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise ModelError(
+            f"the byte 0x{content[error.start]:02x}",
+            "text in UTF-8",
+            "save it as UTF-8",
+            path,
+            line,
+        ) from None
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a file in one step: whenever the process is killed, a whole one stands there.
+
+    Raises:
+        ModelError: the file cannot be written.
+    """
+    unfinished = path.with_name(path.name + ".partial")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with unfinished.open("wb") as file:
+            file.write(text.encode("utf-8"))
+            file.flush()
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+    except OSError as error:
+        raise ModelError(
+            f"the file cannot be written ({error.strerror or error})",
+            remedy="check the folder and whether you may write there",
+            file=path,
+        ) from None
+
+
+def field(text: str, what: str) -> str:
+    """Return a text as a field of a line, or refuse it.
+
+    Raises:
+        ModelError: a colon, a comment sign, a control character or blanks around it.
+
+    >>> field("propeller", "the type of the actuator 'M1'")
+    'propeller'
+    """
+    control = any(unicodedata.category(character) == "Cc" for character in text)
+    if text != text.strip() or control or ":" in text or "#" in text:
+        raise ModelError(
+            f"{text!r} as {what}",
+            "a text without ':', '#', control characters and blanks around it",
+            "rename it",
+        )
+    return text
