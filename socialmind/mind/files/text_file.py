@@ -187,20 +187,31 @@ def write_text(path: Path, text: str) -> None:
         ) from None
 
 
-def field(text: str, what: str) -> str:
-    """Return a text as a field of a line, or refuse it.
+def one_line(text: str, what: str, barred: str = "#") -> str:
+    """Return a text that a line can hold, or refuse it.
+
+    Args:
+        text: the text.
+        what: what it is, in words.
+        barred: the signs that it may not have.
 
     Raises:
-        ModelError: a colon, a comment sign, a control character or blanks around it.
+        ModelError: a barred sign, a control character or blanks around it.
 
-    >>> field("propeller", "the type of the actuator 'M1'")
-    'propeller'
+    >>> one_line("Minds/2026", "the root folder")
+    'Minds/2026'
     """
     control = any(unicodedata.category(character) == "Cc" for character in text)
-    if text != text.strip() or control or ":" in text or "#" in text:
+    if text != text.strip() or control or any(sign in text for sign in barred):
+        signs = " and ".join(repr(sign) for sign in barred)
         raise ModelError(
             f"{text!r} as {what}",
-            "a text without ':', '#', control characters and blanks around it",
-            "rename it",
+            f"a text without {signs}, control characters and blanks around it",
+            "change it",
         )
     return text
+
+
+def field(text: str, what: str) -> str:
+    """Return a text as a field between colons, or refuse it as `one_line` does."""
+    return one_line(text, what, ":#")
