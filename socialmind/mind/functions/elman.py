@@ -1,0 +1,67 @@
+"""Elman networks: hidden layers that read what they gave last time (thesis, A.3.1)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from socialmind.mind.functions.contract import InternalFunction
+from socialmind.mind.functions.draft import NetworkDraft
+from socialmind.mind.functions.network import CLAMP, Network
+from socialmind.mind.functions.perceptron import (
+    ADDED,
+    HIDDEN_ACTIVATIONS,
+    check_hidden_layers,
+    hidden_layers,
+    hidden_size,
+)
+
+
+@dataclass(frozen=True)
+class Elman(InternalFunction):
+    """A perceptron whose hidden layers also read their own values of the last evaluation.
+
+    Each hidden layer reads the layer below, then its context: its own neurons as they were at the
+    last evaluation, 0 at the start. The genome goes layer by layer, neuron by neuron: the weights
+    of the layer below, the weights of the context, the bias. The output layer has no context.
+
+    Args:
+        layers: how many hidden layers, 1 or more.
+        hidden: their activation, "relu" or "sigmoid".
+        added: neurons a hidden layer has more than the larger of inputs and outputs.
+
+    Raises:
+        ModelError: another value of one of these.
+
+    >>> Elman(layers=1, added=0).genome_size(1, 2)  # 2 · (1 + 2 + 1) + 2 · (2 + 1)
+    14
+    """
+
+    layers: int = 2
+    hidden: str = "relu"
+    added: int = ADDED
+    keyword: ClassVar[str] = "ELMAN"
+
+    def __post_init__(self) -> None:
+        check_hidden_layers(self, "an Elman network", 1)
+
+    def network(self, inputs: int, outputs: int) -> Network:
+        """Return what it computes as steps of arithmetic."""
+        draft = NetworkDraft(inputs)
+        size = hidden_size(inputs, outputs, self.added)
+        activation = HIDDEN_ACTIVATIONS[self.hidden]
+        below, count = 0, inputs
+        kept = []
+        for _ in range(self.layers):
+            # Recalled nodes follow the layer below, so that one range holds all the layer reads.
+            context = draft.keep_memory(size)
+            draft.recall(context, size)
+            below, count = draft.dense(below, count + size, size, activation), size
+            kept.append((below, context))
+        output = draft.dense(below, count, outputs, CLAMP)
+        for layer, context in kept:
+            draft.remember(layer, context, size)
+        return draft.finished(output, outputs)
+
+    def __repr__(self) -> str:
+        return f"an Elman network of {hidden_layers(self)}"
