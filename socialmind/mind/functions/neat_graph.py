@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from functools import partial
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,7 @@ from socialmind.mind.functions.perceptron import check_whole
 if TYPE_CHECKING:
     from socialmind.mind.modules import Skill
 
+Made = TypeVar("Made")
 Weights = Sequence[float] | NDArray[np.float64]
 
 FORWARD, RECURRENT, MINIMAL = "feed-forward", "recurrent", "minimal"
@@ -262,16 +264,14 @@ class NeatGraph(InternalFunction):
         a recurrent NEAT graph of 1 neuron and 2 connections
         """
         written = [(line, text) for line, text in enumerate(lines, first) if text.strip()]
-        line, text = written[0] if written else (first, "")
-        try:
-            fields = _header(text)
-            neurons = []
-            for line, text in written[1:]:
-                neurons.append(GraphNeuron.from_line(text))
-            line = first
-            return cls(**fields, neurons=tuple(neurons))
-        except ModelError as error:
-            raise ModelError(error.found, error.expected, error.remedy, file, line) from None
+        if not written:
+            raise ModelError("a NEAT graph without lines", "one or more", file=file, line=first)
+        (start, header), *rest = written
+        fields = _at(file, start, partial(_header, header))
+        neurons = tuple(
+            _at(file, line, partial(GraphNeuron.from_line, text)) for line, text in rest
+        )
+        return _at(file, start, lambda: cls(**fields, neurons=neurons))
 
     def __repr__(self) -> str:
         if self.inputs is None:
@@ -306,6 +306,14 @@ def _neuron(draft: NetworkDraft, neuron: GraphNeuron, nodes: Mapping[int, int]) 
         aggregation=NEAT_AGGREGATIONS[neuron.aggregation],
         response=float(neuron.response),
     )
+
+
+def _at(file: str | None, line: int, make: Callable[[], Made]) -> Made:
+    """Return what is made of a line; an error in it names file and line."""
+    try:
+        return make()
+    except ModelError as error:
+        raise ModelError(error.found, error.expected, error.remedy, file, line) from None
 
 
 def _header(line: str) -> dict[str, Any]:
