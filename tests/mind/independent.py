@@ -170,6 +170,7 @@ class Agent:
         self.outputs: dict[Link, float] = {}
         self.links: dict[Link, float] = {}
         self.motors = {name: Sums() for name in self.description.actuators}
+        self.written: dict[str, Sums] = {}
         self.driven: dict[str, float] = {}
 
     def sense(self, values: Mapping[str, float]) -> None:
@@ -177,18 +178,27 @@ class Agent:
         for name, value in values.items():
             self.sensors.setdefault(name, Signal()).past.append(float(value))
 
-    # What a drive may do (thesis, 5.1.3).
+    # What a drive may do (thesis, 5.1.3), by the names that drives use.
+
+    def sensor(self, name: str) -> float:
+        return self.sensors[name].value()
+
+    def variable(self, name: str) -> float:
+        return self.variables[name].value
 
     def set_variable(self, name: str, value: float) -> None:
         module = self.variables[name]
         module.value = value
         module.signal.past[-1] = value
 
-    def command(self, actuator: str, value: float, influence: float = 1.0) -> None:
-        self.motors[actuator].add(value * influence, influence)
-
-    def influence(self, skill: str, value: float) -> None:
+    def add_influence(self, skill: str, value: float) -> None:
         self.driven[skill] = self.driven.get(skill, 0.0) + value
+
+    def command(self, actuator: str, value: float, weight: float = 1.0) -> None:
+        self.motors[actuator].add(value * weight, weight)
+
+    def command_variable(self, variable: str, value: float, weight: float = 1.0) -> None:
+        self.written.setdefault(variable, Sums()).add(value * weight, weight)
 
     def evaluate_skills(self) -> None:
         """Let influence flow from the master down to the base skills (equations 4.1 and 4.2)."""
@@ -216,9 +226,9 @@ class Agent:
             for name in sorted(sources):
                 self.motors[actuator].add(*sources[name])
         for variable, sources in written.items():
-            sums = Sums()
             for name in sorted(sources):
-                sums.add(*sources[name])
+                self.written.setdefault(variable, Sums()).add(*sources[name])
+        for variable, sums in self.written.items():
             share = self.participation.get(variable, 1.0)
             self.variables[variable].received.append((share, sums))
 
@@ -268,7 +278,8 @@ class Society:
         roots: the master; further skills that a drive may influence.
         agents: how many.
         genomes: for each agent, the weights of skills by name; None for the description's.
-        groups: for each group, for each agent: the instance it is in, and its participation.
+        groups: for each group, for each agent: the instance it is in and its participation, or
+            None for a variable of its own.
         drive: is called for each agent between steps 2 and 3 of figure 5.4.
     """
 
@@ -278,7 +289,7 @@ class Society:
         roots: Sequence[str],
         agents: int = 1,
         genomes: Sequence[Mapping[str, Sequence[float]]] | None = None,
-        groups: Mapping[str, Sequence[tuple[int, float]]] | None = None,
+        groups: Mapping[str, Sequence[tuple[int, float] | None]] | None = None,
         drive: Drive | None = None,
     ) -> None:
         groups = groups or {}
@@ -287,11 +298,11 @@ class Society:
         for number in range(agents):
             shared, shares = {}, {}
             for name, variable in description.variables.items():
-                if variable.group in groups:
-                    instance, share = groups[variable.group][number]
+                membership = groups.get(variable.group or "", [None] * agents)[number]
+                if membership is not None:
+                    instance, shares[name] = membership
                     new = VariableModule(variable)
                     shared[name] = instances.setdefault((name, instance), new)
-                    shares[name] = share
             own = None if genomes is None else genomes[number]
             agent = Agent(description, roots, own, shared)
             agent.participation = shares
@@ -325,9 +336,7 @@ class Alone(Society):
         drive: Drive | None = None,
     ) -> None:
         own = None if genomes is None else [genomes]
-        groups = {variable.group for variable in description.variables.values()} - {None}
-        alone = {group: [(0, 1.0)] for group in groups if group is not None}
-        super().__init__(description, roots or description.masters, 1, own, alone, drive)
+        super().__init__(description, roots or description.masters, 1, own, None, drive)
 
     @property
     def agent(self) -> Agent:

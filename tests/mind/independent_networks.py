@@ -92,15 +92,20 @@ NEAT: dict[str, Callable[[float], float]] = {
 }
 """The activations of neat-python 2.0 by name."""
 
+
+def held(f: Callable[[float], float]) -> Callable[[float], float]:
+    """Return an activation that takes its input as the neurons of NEAT graphs do."""
+    return lambda x: f(neat_range(x))
+
+
 ACTIVATIONS: dict[int, Callable[[float], float]] = {
     form.LINEAR: lambda x: x,
     form.RELU: relu,
     form.SIGMOID: sigmoid,
     form.CLAMP: clamped,
     form.TANH: math.tanh,
-    **{code: (lambda x, f=NEAT[name]: f(neat_range(x)))
-       for name, code in form.NEAT_ACTIVATIONS.items()},
-}  # fmt: skip
+    **{code: held(NEAT[name]) for name, code in form.NEAT_ACTIVATIONS.items()},
+}
 
 AGGREGATIONS: dict[int, Callable[[list[float]], float]] = {
     form.SUM: sum,

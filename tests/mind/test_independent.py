@@ -138,8 +138,8 @@ def test_a_drive_acts_between_variables_and_skills():
 
     def drive(agent):
         agent.set_variable("X", 0.75)
-        agent.command("M", 1.0, influence=3.0)
-        agent.influence("Outside", 0.2)
+        agent.command("M", 1.0, weight=3.0)
+        agent.add_influence("Outside", 0.2)
 
     alone = Alone(mind(skills, ["X"]), "Master", "Outside", drive=drive)
     # M: (0.0 · 1.0 + 1.0 · 3.0) / (1.0 + 3.0)
