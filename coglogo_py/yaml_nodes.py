@@ -24,8 +24,13 @@ NOTHING = yaml.ScalarNode("tag:yaml.org,2002:null", "")
 """What stands where a field is left out."""
 
 
-def composed(text: str, file: str | Path) -> yaml.Node:
+def composed(text: str, file: str | Path, what: str = "a cognitive scheme") -> yaml.Node:
     """Return the root node of a YAML text.
+
+    Args:
+        text: the file's content.
+        file: its path, for messages.
+        what: what the text should describe, for messages.
 
     Raises:
         SchemeError: the text is empty, or no YAML.
@@ -47,7 +52,7 @@ def composed(text: str, file: str | Path) -> yaml.Node:
             "a control character", "text", "write it as an escape, in quotes", file, line
         ) from None
     if root is None:
-        raise SchemeError("an empty file", "a cognitive scheme", "begin with name:", file, 1)
+        raise SchemeError("an empty file", what, "begin with name:", file, 1)
     return root
 
 

@@ -96,11 +96,15 @@ def load_beside(path: Path, file: str, name: str, named_in: str, line: int | Non
     return load_function(path, name, named_in, line)
 
 
-def function_text(function: Function) -> str:
+def function_text(function: Function, called: str = "") -> str:
     """Return a Python file that defines a function.
 
     A file of a mind's folder is taken as it is. Out of any other, only the function is taken, with
     the modules, numbers and functions that it names.
+
+    Args:
+        function: the function.
+        called: the name under which it is to be found; nothing for its own.
 
     Raises:
         ModelError: the function's source cannot be had, or it names anything else.
@@ -118,7 +122,10 @@ def function_text(function: Function) -> str:
         return text
     extract = _Extract()
     extract.add(function)
-    return extract.text()
+    text = extract.text()
+    if called not in ("", function.__name__) and snake_case(called) != function.__name__:
+        text += f"\n\n{called} = {function.__name__}\n"
+    return text
 
 
 def source_file(function: Function) -> Path | None:

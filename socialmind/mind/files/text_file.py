@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import re
-import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,6 +15,8 @@ from socialmind.errors import ModelError
 
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", re.A)
 WHOLE_NUMBER = re.compile(r"[0-9]{1,9}", re.A)
+CONTROL = re.compile(r"[\x00-\x08\x0a-\x1f\x7f-\x9f]")
+"""Control characters, but for the tab."""
 BYTE_ORDER_MARK = "\ufeff"
 
 
@@ -70,14 +71,14 @@ class Lines:
         self.taken = 0
 
     def _check_characters(self, said: str, number: int) -> None:
-        for character in said:
-            if unicodedata.category(character) == "Cc" and character != "\t":
-                raise self.error(
-                    f"the control character {character!r}",
-                    "text",
-                    "take it out; is it a text file in UTF-8?",
-                    number,
-                )
+        control = CONTROL.search(said)
+        if control is not None:
+            raise self.error(
+                f"the control character {control[0]!r}",
+                "text",
+                "take it out; is it a text file in UTF-8?",
+                number,
+            )
 
     @property
     def next(self) -> Line | None:
@@ -91,6 +92,10 @@ class Lines:
             raise self.unexpected(expected, remedy)
         self.taken += 1
         return line
+
+    def put_back(self) -> None:
+        """Make the line just taken the next one again."""
+        self.taken -= 1
 
     def rest(self) -> list[Line]:
         """Take all lines that are left."""
@@ -179,9 +184,10 @@ def write_text(path: Path, text: str) -> None:
             file.flush()
             os.fsync(file.fileno())
         unfinished.replace(path)
-    except OSError as error:
+    except (OSError, UnicodeEncodeError) as error:
+        reason = error.reason if isinstance(error, UnicodeEncodeError) else error.strerror
         raise ModelError(
-            f"the file cannot be written ({error.strerror or error})",
+            f"the file cannot be written ({reason or error})",
             remedy="check the folder and whether you may write there",
             file=path,
         ) from None
@@ -201,7 +207,7 @@ def one_line(text: str, what: str, barred: str = "#") -> str:
     >>> one_line("Minds/2026", "the root folder")
     'Minds/2026'
     """
-    control = any(unicodedata.category(character) == "Cc" for character in text)
+    control = CONTROL.search(text) or "\t" in text
     if text != text.strip() or control or any(sign in text for sign in barred):
         signs = " and ".join(repr(sign) for sign in barred)
         raise ModelError(

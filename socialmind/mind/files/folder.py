@@ -1,0 +1,55 @@
+"""Minds in files: a folder as EvoAgents has it, or one YAML file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from socialmind.mind.description import MindDescription
+from socialmind.mind.files import yaml_form, yaml_writer
+from socialmind.mind.files.folder_reader import BOTDESC, load_tasks, read_folder
+from socialmind.mind.files.folder_writer import save_tasks, write_folder
+
+__all__ = ["load_description", "load_tasks", "save_description", "save_tasks"]
+
+YAML = (".yaml", ".yml")
+
+
+def load_description(path: str | Path) -> MindDescription:
+    """Read a mind.
+
+    Args:
+        path: its folder, its `.botdesc` file, or its YAML file.
+
+    Raises:
+        ModelError: there is none, or one of its files is wrong.
+    """
+    path = Path(path)
+    if _is_yaml(path):
+        return yaml_form.load(path)
+    if path.suffix == BOTDESC and path.is_file():
+        path = path.parent
+    return read_folder(path)
+
+
+def save_description(description: MindDescription, path: str | Path) -> None:
+    """Write a mind, so that it reads back as an equal one.
+
+    The mind's own files are replaced where they are there. Nothing is written where the folder
+    holds other skills, weights or descriptions: they would be read with the mind.
+
+    Args:
+        description: the mind.
+        path: a folder, or a YAML file where the path ends in .yaml or .yml.
+
+    Raises:
+        ModelError: the mind does not go into such files, or they cannot be written.
+    """
+    path = Path(path)
+    if _is_yaml(path):
+        yaml_writer.save(description, path)
+    else:
+        write_folder(description, path)
+
+
+def _is_yaml(path: Path) -> bool:
+    return path.suffix.lower() in YAML and not path.is_dir()
