@@ -164,10 +164,13 @@ def replay(folder: Folder, quiet: Quiet = False) -> None:
 @command
 def check(
     file: Annotated[
-        str, typer.Argument(metavar="FILE", help="A scheme's file or a model's folder.")
+        str,
+        typer.Argument(
+            metavar="FILE", help="A scheme's file, a mind's folder or YAML, or a model's folder."
+        ),
     ],
 ) -> None:
-    """Check a cognitive scheme or a model: exit code 0 when nothing is odd, 1 when something is."""
+    """Check a scheme, a mind or a model: exit code 0 when nothing is odd, 1 when something is."""
     from socialmind.commands.checking import print_findings
 
     if print_findings(file):

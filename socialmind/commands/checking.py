@@ -1,4 +1,4 @@
-"""`socialmind check` and `socialmind explain`: looking at schemes, rules and single decisions."""
+"""`socialmind check` and `socialmind explain`: at schemes, minds, rules and single decisions."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import typer
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_model
+from socialmind.commands.checking_minds import is_mind, print_mind
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.sources import model_of
@@ -21,17 +22,19 @@ SCHEME_SUFFIXES = (".cogscheme", ".yaml", ".yml")
 
 
 def print_findings(file: str) -> bool:
-    """Check a scheme's file or a model and print what is odd; True when something is.
+    """Check a scheme, a mind or a model and print what is odd; True when something is.
 
     Args:
-        file: a scheme's file, a model's folder, or the name of a model.
+        file: a scheme's file, a mind's folder or YAML file, a model's folder, or a model's name.
 
     Raises:
         SocialmindError: there is no such file.
         SchemeError: the scheme cannot be read.
-        ModelError: the model cannot be loaded, or a rule is outside the language.
+        ModelError: the mind or model cannot be loaded, or a rule is outside the language.
     """
     path = Path(file)
+    if is_mind(path):
+        return print_mind(path)
     # CogLogo knows its files by their first line, whatever they are called.
     if path.suffix in SCHEME_SUFFIXES or (path.is_file() and path.suffix != ".py"):
         if not path.is_file():

@@ -1,0 +1,125 @@
+"""`socialmind check` for minds of skills: what is odd, and how large the genomes are."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import typer
+import yaml
+
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.mind.description import MindDescription
+from socialmind.mind.files.folder_reader import (
+    ADES,
+    BOTDESC,
+    GENOME,
+    SIMBATCH,
+    VARDESC,
+    files_in,
+    load_tasks,
+)
+from socialmind.mind.files.simbatch import Task
+from socialmind.mind.files.text_file import BYTE_ORDER_MARK
+from socialmind.mind.files.yaml_form import ACTUATORS, SENSORS, SKILLS, VARIABLES
+from socialmind.mind.lint import Finding, findings, genome_sizes
+
+SUFFIXES = (BOTDESC, VARDESC, ADES, GENOME, SIMBATCH)
+_SECTIONS = (SENSORS, ACTUATORS, VARIABLES, SKILLS)
+_SECTION = re.compile(rf"^[\"']?({'|'.join(_SECTIONS)})[\"']?\s*:", re.MULTILINE)
+
+
+def is_mind(path: Path) -> bool:
+    """Whether a path is a mind's folder or YAML file; a scheme's YAML file is none.
+
+    Raises:
+        SocialmindError: it is one of the files of a mind's folder.
+    """
+    if path.is_dir():
+        return bool(files_in(path, BOTDESC))
+    if path.suffix in SUFFIXES:
+        raise SocialmindError(
+            f"{path}: one file of a mind; expected the mind's folder; give the folder that holds "
+            f"its {BOTDESC} file"
+        )
+    if path.suffix.lower() not in (".yaml", ".yml") or not path.is_file():
+        return False
+    text = path.read_bytes().decode("utf-8", errors="replace").removeprefix(BYTE_ORDER_MARK)
+    try:
+        root = yaml.compose(text, Loader=yaml.SafeLoader)
+    except yaml.YAMLError:
+        # Broken or not, it is the reader of minds that should say so.
+        return _SECTION.search(text) is not None
+    keys = root.value if isinstance(root, yaml.MappingNode) else []
+    return any(key.value in _SECTIONS for key, _ in keys)
+
+
+def print_mind(path: Path) -> bool:
+    """Print what is odd about a mind and how many weights it has; True when something is odd.
+
+    Args:
+        path: the mind's folder or YAML file.
+
+    Raises:
+        ModelError: one of its files is wrong.
+    """
+    description = MindDescription.load(path)
+    tasks = load_tasks(path) if path.is_dir() else {}
+    odd, masters = _of_tasks(tasks, description)
+    odd += findings(description, masters or None)
+    for finding in odd:
+        typer.echo(f"{path}: {finding}")
+    if not odd:
+        typer.echo(f"{path}: nothing odd found")
+    typer.echo("\n".join(table(description)))
+    return bool(odd)
+
+
+def _of_tasks(
+    tasks: dict[str, Task], description: MindDescription
+) -> tuple[list[Finding], tuple[str, ...]]:
+    """Return what is odd about tasks, and the masters that they name."""
+    odd = []
+    masters: dict[str, None] = {}
+    for name, task in tasks.items():
+        for what, skill in (("master", task.master_skill), ("learning", task.learning_skill)):
+            if not skill:
+                continue
+            try:
+                description.skill(skill)
+            except ModelError as error:
+                message = f"its {what} skill is {skill!r}; {error.remedy}"
+                odd.append(Finding("unknown skill", f"task {name!r}", message))
+                continue
+            if what == "master":
+                masters[skill] = None
+    return odd, tuple(masters)
+
+
+def table(description: MindDescription) -> list[str]:
+    r"""Return the table of genome sizes, from the master down.
+
+    >>> from socialmind.mind import Programmed, Skill
+    >>> def stop():
+    ...     return 0.5
+    >>> still = Skill("Still", (), ["MO:MotL"], Programmed(stop))
+    >>> print(*table(MindDescription("m", (), ["MotL"], skills=[still])), sep="\n")
+    skill  function           inputs  outputs  weights
+    Still  the function stop       0        1        0
+    total                                            0
+    """
+    sizes = genome_sizes(description)
+    rows = [("skill", "function", "inputs", "outputs", "weights")]
+    for name, size in sizes.items():
+        skill = description.skills[name]
+        counts = (str(len(skill.inputs)), str(len(skill.outputs)), str(size))
+        rows.append((name, str(skill.function), *counts))
+    rows.append(("total", "", "", "", str(sum(sizes.values()))))
+    widths = [max(len(row[column]) for row in rows) for column in range(5)]
+    return [
+        "  ".join(
+            text.ljust(width) if column < 2 else text.rjust(width)
+            for column, (text, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    ]
