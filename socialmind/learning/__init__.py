@@ -1,0 +1,1 @@
+"""Learning: how the genomes of a mind's skills come about."""
