@@ -92,7 +92,8 @@ def names_of_scheme(program: Program, population: str, scheme: CognitiveScheme |
                     "a function for each plan",
                     f"the population {population!r} has {', '.join(program.plans[population])}",
                 )
-    return program.placed(population, tables, f"the scheme {scheme.name!r}")
+    owners = dict.fromkeys(tables, f"the scheme {scheme.name!r}")
+    return program.placed(population, tables, owners)
 
 
 def plan_functions(program: Program, population: str, scheme: CognitiveScheme) -> Any:

@@ -13,6 +13,7 @@ from socialmind.language.built_in import (
     math_function,
     without_keywords,
 )
+from socialmind.language.hierarchies import hierarchy_call
 from socialmind.language.nodes import Typed, call, constant, marked, nearest
 from socialmind.language.refusals import METHODS, MODULES, NAMES
 from socialmind.language.signatures import CHOSEN, MIND, RNG, Signature
@@ -23,6 +24,7 @@ from socialmind.language.types import (
     MODEL,
     NONE,
     AnyType,
+    HierarchyType,
     MindType,
     OptionalType,
     PatchType,
@@ -188,6 +190,8 @@ def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Type
         return _draw(typer, node, base, name)
     if isinstance(kind, MindType):
         return _mind(typer, node, base, kind, name)
+    if isinstance(kind, HierarchyType):
+        return hierarchy_call(typer, node, base, kind, name)
     if isinstance(kind, RowType):
         return _agent(typer, node, base, kind, name)
     if isinstance(kind, PopulationType):

@@ -36,6 +36,15 @@ _FILES = (
     "socialmind/language/arithmetic.py",
     "socialmind/language/memory.py",
     "socialmind/worlds/torus.py",
+    "socialmind/mind/functions/activations.py",
+    "socialmind/mind/functions/network.py",
+    "socialmind/mind/regulation.py",
+    "socialmind/mind/kernel/flow.py",
+    "socialmind/mind/kernel/layout.py",
+    "socialmind/mind/kernel/networks.py",
+    "socialmind/mind/kernel/reach.py",
+    "socialmind/mind/kernel/signals.py",
+    "socialmind/mind/kernel/variables.py",
 )
 
 

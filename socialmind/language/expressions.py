@@ -32,6 +32,7 @@ from socialmind.language.types import (
     NUMBERS,
     AnyType,
     ArrayType,
+    HierarchyType,
     MindType,
     OptionalType,
     PatchType,
@@ -330,6 +331,14 @@ class ExpressionTyper:
             return marked(node, ("mind", shape.name)), MindType(shape.name)
         if node.attr == "plan" and shape.minded:
             return marked(node, ("plan",)), PlanType(shape.name)
+        if node.attr == "hierarchy" and shape.hierarchy:
+            return marked(node, ("hierarchy", shape.name)), HierarchyType(shape.name)
+        if node.attr == "hierarchy":
+            self.refuse(
+                node,
+                f"the hierarchy of {kind}",
+                "give the population one: Population(…, hierarchy='mind', master='Collect')",
+            )
         if node.attr in ("mind", "plan"):
             self.refuse(
                 node,

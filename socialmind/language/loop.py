@@ -23,7 +23,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             puts its function into the module as `_own_<population>`.
     """
     shape = program.shape
-    parts = [_HEAD, _runtime_names(), f"MODEL = {dtype_text(model_dtype(shape))}"]
+    parts = [HEAD, runtime_names(), f"MODEL = {dtype_text(model_dtype(shape))}"]
     if shape.patch is not None:
         parts.append(f"PATCH = {dtype_text(row_dtype(dict(shape.patch), None))}")
         parts.append(_PATCHES)
@@ -39,7 +39,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     return "\n\n\n".join(parts) + "\n"
 
 
-_HEAD = '''"""Generated from a model's rules; see ARCHITECTURE.md, "One definition, two speeds"."""
+HEAD = '''"""Generated from a model's rules; see ARCHITECTURE.md, "One definition, two speeds"."""
 
 import numpy as np
 from numba import carray, njit
@@ -103,7 +103,8 @@ def _optional_names(shape: ModelShape) -> list[str]:
     return sorted({field.name for own in owners for field in own.values() if field.optional})
 
 
-def _runtime_names() -> str:
+def runtime_names() -> str:
+    """Return the names by which rules call the arithmetic that both speeds share."""
     builtins = (
         "_present",
         "_as_int",

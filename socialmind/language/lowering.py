@@ -210,6 +210,20 @@ class _Lowering(ast.NodeTransformer):
         agent = self.visit(node.func.value)
         return _call(f"_mind_{method}_{population}", agent, *arguments)
 
+    def lower_hierarchy(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        if isinstance(node, ast.Attribute):
+            # A hierarchy is reached by the number of its agent.
+            return ast.Attribute(self.visit(node.value), "_slot", ast.Load())
+        _, population, method, places = mark
+        arguments = [
+            self.visit(argument)
+            if place is None
+            else self.lower_name(node, ("name", population, place))
+            for argument, place in zip(node.args, places, strict=True)
+        ]
+        agent = self.visit(node.func.value)
+        return _call(f"_hierarchy_{method}_{population}", agent, *arguments)
+
     def lower_draw(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]
         if mark[1:] == ("integers", 1):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import types as python_types
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -251,14 +251,16 @@ class Program:
             made.__code__ = made.__code__.replace(co_name=name, co_qualname=name)
         return {symbol: names[symbol] for symbol in self.functions}
 
-    def placed(self, population: str, tables: dict[str, dict[Any, int]], scheme: str) -> list[int]:
-        """Return the index in a scheme of every written name of a population.
+    def placed(
+        self, population: str, tables: Mapping[str, Mapping[Any, int]], owners: Mapping[str, str]
+    ) -> list[int]:
+        """Return the index in a scheme or a hierarchy of every written name of a population.
 
         Args:
             population: whose names.
-            tables: the scheme's parts: part -> key -> index; keys are names, and for roles and
-                culturons pairs of group and name.
-            scheme: what to call the scheme in an error.
+            tables: the parts: part -> key -> index; keys are names, and for roles and culturons
+                pairs of group and name.
+            owners: what to call the owner of each part in an error.
 
         Raises:
             ModelError: a rule names a part that the scheme does not have.
@@ -274,7 +276,8 @@ class Program:
                     if isinstance(one, str) or one[0] == written.keys[0]
                 ]
                 raise ModelError(
-                    f"the {written.part} {written.keys[-1]!r}, which {scheme} does not have",
+                    f"the {written.part} {written.keys[-1]!r}, "
+                    f"which {owners[written.part]} does not have",
                     None,
                     nearest(written.keys[-1], known),
                     written.file,

@@ -11,12 +11,21 @@ from socialmind.fields import Field
 
 @dataclass(frozen=True)
 class PopulationShape:
-    """A population: its fields, whether its agents have minds, and the functions of its plans."""
+    """A population: its fields, its minds of either kind, and the functions of its plans.
+
+    Attributes:
+        name: its name.
+        fields: the fields of an agent.
+        minded: whether its agents have cogniton minds.
+        plans: the function of each plan.
+        hierarchy: whether its agents have hierarchies of skills.
+    """
 
     name: str
     fields: Mapping[str, Field]
     minded: bool = False
     plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    hierarchy: bool = False
 
 
 @dataclass(frozen=True)

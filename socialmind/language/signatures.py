@@ -54,6 +54,33 @@ MIND: dict[str, Signature] = {
 }
 """The commands of a mind, as `coglogo_py.Mind` spells them."""
 
+SENSOR, ACTUATOR, VARIABLE, SKILL, SHARED = (
+    Named("sensor"),
+    Named("actuator"),
+    Named("variable"),
+    Named("skill"),
+    Named("group of variables"),
+)
+
+HIERARCHY: dict[str, Signature] = {
+    "sensor": Signature((SENSOR,), FLOAT),
+    "set_sensor": Signature((SENSOR, FLOAT), NONE),
+    "evaluate": Signature((), NONE),
+    "actuator": Signature((ACTUATOR,), FLOAT),
+    "variable": Signature((VARIABLE,), FLOAT),
+    "set_variable": Signature((VARIABLE, FLOAT), NONE),
+    "influence": Signature((SKILL,), FLOAT),
+    "add_influence": Signature((SKILL, FLOAT), NONE),
+    "command": Signature((ACTUATOR, FLOAT, FLOAT), NONE),
+    "command_variable": Signature((VARIABLE, FLOAT, FLOAT), NONE),
+    "join_group": Signature((SHARED, INT, FLOAT), NONE),
+    "leave_group": Signature((SHARED,), NONE),
+    "restart": Signature((), NONE),
+}
+"""What rules and drives may do with a hierarchy, as `AgentHierarchy` spells it."""
+BETWEEN_EVALUATIONS = ("set_sensor", "evaluate", "join_group", "leave_group", "restart")
+"""What a drive may not do, as it runs in the middle of an evaluation."""
+
 RNG: dict[str, tuple[Signature, ...]] = {
     "random": (Signature((), FLOAT),),
     "uniform": (Signature((FLOAT, FLOAT), FLOAT),),

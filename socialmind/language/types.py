@@ -66,6 +66,22 @@ class MindType:
 
 
 @dataclass(frozen=True)
+class HierarchyType:
+    """The hierarchy of skills of an agent of a population.
+
+    Attributes:
+        population: the population.
+        driven: whether this is what a drive module holds, in the middle of an evaluation.
+    """
+
+    population: str
+    driven: bool = False
+
+    def __str__(self) -> str:
+        return "the mind" if self.driven else f"the hierarchy of an agent of {self.population!r}"
+
+
+@dataclass(frozen=True)
 class PopulationType:
     """A population."""
 
@@ -127,6 +143,7 @@ AnyType = (
     | ArrayType
     | RowType
     | MindType
+    | HierarchyType
     | PopulationType
     | WorldType
     | PatchType

@@ -40,7 +40,9 @@ class MindDescription:
     ...     "vehicle",
     ...     sensors=["EyeL", "EyeR"],
     ...     actuators=["MotL", "MotR"],
-    ...     skills=[Skill("Seek", ["SE:EyeL", "SE:EyeR"], ["MO:MotL", "MO:MotR"], Programmed(wire))],
+    ...     skills=[
+    ...         Skill("Seek", ["SE:EyeL", "SE:EyeR"], ["MO:MotL", "MO:MotR"], Programmed(wire))
+    ...     ],
     ... )
     >>> vehicle.masters
     ('Seek',)
@@ -97,7 +99,8 @@ class MindDescription:
             "variable": self.variables,
             "skill": self.skills,
         }
-        for link in (*skill.inputs, *skill.outputs):
+        links: list[Any] = [*skill.inputs, *skill.outputs]
+        for link in links:
             if link.name not in known[link.module]:
                 names = known[link.module]
                 raise skill.refused(
@@ -178,7 +181,9 @@ class MindDescription:
         """Return the mind with further modules.
 
         Args:
-            sensors, actuators, variables: a module that is there already must be equal.
+            sensors: sensors; one that is there already must be equal.
+            actuators: actuators, likewise.
+            variables: variables, likewise.
             skills: a skill of a name that is there takes its place.
             without: names of skills that are left out.
         """
@@ -200,12 +205,11 @@ class MindDescription:
         )
 
 
-def _by_name(modules: Iterable[Any], kind: type, what: str) -> dict[str, Any]:
+def _by_name(modules: Iterable[Any], kind: type[Any], what: str) -> dict[str, Any]:
     """Return modules by their names; a text stands for a module of that name."""
     found: dict[str, Any] = {}
-    for one in modules:
-        if isinstance(one, str) and kind is not Skill:
-            one = kind(one)
+    for given in modules:
+        one: Any = kind(given) if isinstance(given, str) and kind is not Skill else given
         if not isinstance(one, kind):
             raise ModelError(f"{one!r} among the {what}s", f"a {kind.__name__}")
         if one.name in found:

@@ -1,0 +1,452 @@
+"""A hierarchy of skills that steers one agent: built, evaluated and looked into from Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.errors import ModelError
+from socialmind.language.nodes import nearest
+from socialmind.mind import variants
+from socialmind.mind.arrays import assemble, master_of
+from socialmind.mind.description import MindDescription
+from socialmind.mind.drive import AgentHierarchy
+from socialmind.mind.kernel.reach import ROUNDING
+from socialmind.mind.modules import Actuator, Input, Sensor, Skill, Variable
+from socialmind.mind.state import Record, new_state, societies_of
+from socialmind.mind.steps import Steps
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from coglogo_py import Mind
+    from socialmind.mind.explanation import Explanation
+    from socialmind.mind.functions.contract import InternalFunction
+    from socialmind.mind.minds import Minds
+
+
+class Hierarchy:
+    """A mind that runs: the skills below a master, for one agent.
+
+    Args:
+        description: the mind.
+        master: the name of its master skill, which receives the influence 1.0; may be left out
+            where no other skill influences exactly one.
+        seed: the key of the draws of cogniton schemes, 0 … 2⁶⁴ − 1.
+        drive: the drive module (thesis, 5.1.3): a function of one parameter, the mind, called in
+            every evaluation before the skills; see `socialmind.mind.drive`.
+
+    Raises:
+        ModelError: there is no such master, or it is unclear which.
+
+    >>> from socialmind.mind import MindDescription, Programmed, Skill
+    >>> def seek_light(left, right):
+    ...     return right, left
+    >>> wiring = Skill(
+    ...     "Seek", ["SE:EyeL", "SE:EyeR"], ["MO:MotL", "MO:MotR"], Programmed(seek_light)
+    ... )
+    >>> vehicle = Hierarchy(
+    ...     MindDescription("vehicle", ["EyeL", "EyeR"], ["MotL", "MotR"], skills=[wiring])
+    ... )
+    >>> vehicle.evaluate({"EyeL": 0.9, "EyeR": 0.2})
+    {'MotL': 0.2, 'MotR': 0.9}
+    """
+
+    def __init__(
+        self,
+        description: MindDescription,
+        master: str | None = None,
+        seed: int = 0,
+        drive: Callable[..., None] | None = None,
+    ) -> None:
+        self.description = description
+        self.master = master_of(description, master)
+        self.seed = seed
+        self.drive = drive
+        self.assembly = assemble(description, self.master, drive is not None, observed=True)
+        self._genomes = {name: description.skills[name].genome for name in self.assembly.skills}
+        self._record = Record(self.assembly, np.zeros(0, np.int64))
+        self._steps = Steps(
+            self.assembly,
+            self._record,
+            [one.function for one, _, _ in self.assembly.programs],
+            [one.function for one in self.assembly.regulations],
+            drive,
+        )
+        self._required = self.assembly.required
+        self.reset()
+
+    # Evaluating -------------------------------------------------------------------------------
+
+    def evaluate(self, sensors: Mapping[str, float]) -> dict[str, float]:
+        """Evaluate the hierarchy once, in the order of figure 5.4 of the thesis.
+
+        Args:
+            sensors: the value, 0 … 1, of each sensor that the skills below the master read;
+                further sensors of the mind may be given too.
+
+        Returns:
+            The command of each actuator, 0 … 1 (equation 4.3); its neutral one where no skill
+            influences it.
+
+        Raises:
+            ModelError: a sensor is missing, unknown or outside [0, 1]; a genome is not set; or a
+                programmed function gave what is no number.
+        """
+        values = self._state.sensors[0, :, 0]
+        for name in self._required:
+            if name not in sensors:
+                raise ModelError(
+                    f"no value for the sensor {name!r}",
+                    "one for each sensor that the skills read",
+                )
+        places = self._sensor_places
+        checked = {name: self._checked(name, value) for name, value in sensors.items()}
+        for name, value in checked.items():
+            values[places[name]] = value
+        self._check_genomes()
+        try:
+            if self._steps.is_plain:
+                self._steps.module.evaluate(self._steps.address)
+            else:
+                self._steps.evaluate(0)
+                self._state.now[0] += 1
+        except ValueError as error:
+            raise ModelError(f"the mind {self.description.name!r}: {error}") from error
+        self.tick += 1
+        return self.actuators()
+
+    def _checked(self, name: str, value: Any) -> float:
+        if name not in self._sensor_places:
+            known = self._sensor_places
+            hint = nearest(name, known) if known else "the mind has no sensors"
+            raise ModelError(f"the unknown sensor {name!r}", remedy=hint)
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            number = np.nan
+        if not -ROUNDING <= number <= 1 + ROUNDING:
+            raise ModelError(f"{value!r} for the sensor {name!r}", "a number, 0 … 1")
+        return min(max(number, 0.0), 1.0)
+
+    def _check_genomes(self) -> None:
+        if self._unset:
+            name = next(iter(self._unset))
+            skill = self.description.skills[name]
+            raise skill.refused(
+                "without a genome",
+                f"{skill.genome_size} weights",
+                "set it, or call randomise(seed)",
+            )
+
+    def reset(self) -> None:
+        """Put the mind back to before its first evaluation; genomes stay."""
+        self.tick = 0
+        self._state = new_state(self.assembly, 1, 1, False, 0)
+        self._societies = societies_of(self.assembly, self.seed, 1)
+        self._record.connect(1, self._state, self._societies)
+        self._steps.connect(self._state, self._societies)
+        self._sensor_places = {name: place for place, name in enumerate(self.description.sensors)}
+        self._unset = set()
+        for name, genome in self._genomes.items():
+            if genome is not None:
+                self._state.genome[0, self.assembly.genome_of(name), 0] = genome
+            elif self.description.skills[name].genome_size:
+                self._unset.add(name)
+
+    # Looking ----------------------------------------------------------------------------------
+
+    @property
+    def skills(self) -> tuple[str, ...]:
+        """The names of the skills that are evaluated, from the master down."""
+        return self.assembly.skills
+
+    def influences(self) -> dict[str, float]:
+        """Return the sum of the influence that each skill received in the last evaluation."""
+        return dict(zip(self.skills, self._state.totals[0, :, 0].tolist(), strict=True))
+
+    def links(self) -> dict[tuple[str, str], float]:
+        """Return what each output of a skill transmitted: its value times the influence (eq. 4.2).
+
+        Returns:
+            By the skill and the output's text, as in `("Collect", "SK:Avoid")`.
+        """
+        return dict(zip(self._entries(), self._state.sent[0, :, 0].tolist(), strict=True))
+
+    def outputs(self) -> dict[tuple[str, str], float]:
+        """Return what each skill's function gave by itself, V_O of equation 4.1."""
+        return dict(zip(self._entries(), self._state.output[0, :, 0].tolist(), strict=True))
+
+    def _entries(self) -> list[tuple[str, str]]:
+        skills = self.description.skills
+        return [(name, str(output)) for name in self.skills for output in skills[name].outputs]
+
+    def sensors(self) -> dict[str, float]:
+        """Return the sensors' values of the last evaluation."""
+        return dict(
+            zip(self.description.sensors, self._state.sensors[0, :, 0].tolist(), strict=True)
+        )
+
+    def variables(self) -> dict[str, float]:
+        """Return the variables' values."""
+        return dict(
+            zip(self.description.variables, self._state.values[0, :, 0].tolist(), strict=True)
+        )
+
+    def actuators(self) -> dict[str, float]:
+        """Return the actuators' commands of the last evaluation."""
+        return dict(
+            zip(self.description.actuators, self._state.actuators[0, :, 0].tolist(), strict=True)
+        )
+
+    def set_variable(self, name: str, value: float) -> None:
+        """Set a variable, 0 … 1; skills see it in the next evaluation.
+
+        Raises:
+            ModelError: there is no such variable, or the value is outside [0, 1].
+        """
+        try:
+            AgentHierarchy(self._steps, 0).set_variable(name, value)
+        except ValueError:
+            raise ModelError(f"{value!r} for the variable {name!r}", "a number, 0 … 1") from None
+
+    def skill(self, name: str) -> RunningSkill:
+        """Return a skill of the hierarchy, whose genome can be read and set.
+
+        Raises:
+            ModelError: there is none of this name below the master.
+        """
+        self.description.skill(name)
+        if name not in self.skills:
+            raise ModelError(
+                f"the skill {name!r}, which the master {self.master!r} does not reach",
+                f"one of {', '.join(self.skills)}",
+            )
+        return RunningSkill(self, name)
+
+    # Genomes ----------------------------------------------------------------------------------
+
+    def genome(self, skill: str) -> NDArray[np.float64] | None:
+        """Return a skill's weights, read-only; None where they are not set or it has none."""
+        return self._genomes[skill]
+
+    def set_genome(self, skill: str, genome: Any) -> None:
+        """Set a skill's weights.
+
+        Raises:
+            ModelError: a wrong size, or a weight that is not a finite number.
+        """
+        weights = self.description.skills[skill].fitting(genome)
+        self._genomes[skill] = weights
+        self._state.genome[0, self.assembly.genome_of(skill), 0] = weights
+        self._unset.discard(skill)
+
+    def randomise(self, seed: int) -> None:
+        """Draw the weights of every network from [-1, 1].
+
+        Args:
+            seed: the key of the draws; skill by skill, in the order of their names.
+        """
+        rng = np.random.default_rng(seed)
+        for name in sorted(self.skills):
+            size = self.description.skills[name].genome_size
+            if size:
+                self.set_genome(name, rng.uniform(-1.0, 1.0, size))
+
+    def trained(self) -> MindDescription:
+        """Return the mind's description with the genomes as they are set."""
+        skills = [
+            self.description.skills[name].changed(genome=genome)
+            for name, genome in self._genomes.items()
+        ]
+        return self.description.with_modules(skills=skills)
+
+    def save(self, path: str | Path) -> None:
+        """Write the mind with its genomes: a folder, or YAML where the path ends in .yaml."""
+        self.trained().save(path)
+
+    # Variants ---------------------------------------------------------------------------------
+
+    def replace(self, name: str, other: Skill | Hierarchy, **modules: Any) -> Hierarchy:
+        """Return a hierarchy in which another skill, or a hierarchy, stands in a skill's place.
+
+        Args:
+            name: the skill that goes.
+            other: what comes; whatever influenced the old skill influences it, or its master.
+            modules: `sensors`, `actuators`, `variables` that it needs beside the mind's own.
+
+        Raises:
+            ModelError: there is no such skill, or the modules do not fit together.
+        """
+        description, master = variants.replaced(self.trained(), self.master, name, other, **modules)
+        return self._variant(description, master)
+
+    def encapsulate(
+        self, new_master: Skill, skills: Iterable[Skill] = (), **modules: Any
+    ) -> Hierarchy:
+        """Return a hierarchy under a further master, of which the old master is a subskill.
+
+        The encapsulated variant of section 6.3 of the thesis.
+
+        Args:
+            new_master: the skill above; one of its outputs goes to the old master.
+            skills: further skills that it influences.
+            modules: `sensors`, `actuators`, `variables` that they need beside the mind's own.
+
+        Raises:
+            ModelError: the new master does not influence the old one, or does not fit.
+        """
+        description, master = variants.encapsulated(
+            self.trained(), self.master, new_master, skills, **modules
+        )
+        return self._variant(description, master)
+
+    def graft(
+        self,
+        skill: Skill | Hierarchy,
+        under: str | None = None,
+        inputs: Iterable[Input | str] = (),
+        skills: Iterable[Skill] = (),
+        **modules: Any,
+    ) -> Hierarchy:
+        """Return a hierarchy in which a complex skill has a further subskill.
+
+        The retrained variant of section 6.3: the complex skill keeps its name and gets an output
+        more, so its genome is unset and must be learned anew.
+
+        Args:
+            skill: the subskill, or a hierarchy whose master it is.
+            under: the complex skill, the master unless said.
+            inputs: what it reads from now on beside its inputs.
+            skills: further skills that the new one influences.
+            modules: `sensors`, `actuators`, `variables` that they need beside the mind's own.
+
+        Raises:
+            ModelError: there is no such skill, or the modules do not fit together.
+        """
+        description = variants.grafted(
+            self.trained(), skill, under or self.master, inputs, skills, **modules
+        )
+        return self._variant(description, self.master)
+
+    def _variant(self, description: MindDescription, master: str) -> Hierarchy:
+        return Hierarchy(description, master, self.seed, self.drive)
+
+    def many(self, agents: int, own_genomes: bool = False, **settings: Any) -> Minds:
+        """Return many agents with this hierarchy, evaluated together; see `Minds`."""
+        from socialmind.mind.minds import Minds
+
+        own: dict[str, Any] = {"seed": self.seed, "drive": self.drive}
+        return Minds(self.trained(), self.master, agents, own_genomes, **(own | settings))
+
+    # Showing ----------------------------------------------------------------------------------
+
+    def explain(self) -> Explanation:
+        """Print who influenced what in the last evaluation, and how much it counted in each motor.
+
+        Returns:
+            The same as tables.
+        """
+        from socialmind.mind.explanation import explanation_of
+
+        explanation = explanation_of(self)
+        print(explanation)
+        return explanation
+
+    def draw(self, ax: Axes | None = None) -> Axes:
+        """Draw the hierarchy with its state, as in figure 5.5 of the thesis.
+
+        Args:
+            ax: matplotlib Axes to draw in; fresh ones unless given.
+        """
+        from socialmind.mind.drawing import draw_hierarchy
+
+        return draw_hierarchy(self, ax)
+
+    def __repr__(self) -> str:
+        return (
+            f"<hierarchy {self.description.name!r}: {self.master!r} over {len(self.skills)} skills>"
+        )
+
+
+class RunningSkill:
+    """A skill of a running hierarchy."""
+
+    def __init__(self, hierarchy: Hierarchy, name: str) -> None:
+        self._hierarchy = hierarchy
+        self.name = name
+
+    @property
+    def description(self) -> Skill:
+        """The skill as it is described, with its genome as it is set."""
+        return self._hierarchy.description.skills[self.name].changed(genome=self.genome)
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """What it reads, as texts."""
+        return tuple(str(one) for one in self._hierarchy.description.skills[self.name].inputs)
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Where its function's results go, as texts."""
+        return tuple(str(one) for one in self._hierarchy.description.skills[self.name].outputs)
+
+    @property
+    def function(self) -> InternalFunction:
+        """Its internal function."""
+        return self._hierarchy.description.skills[self.name].function
+
+    @property
+    def genome(self) -> NDArray[np.float64] | None:
+        """Its weights, read-only; None where they are not set or it has none."""
+        return self._hierarchy.genome(self.name)
+
+    @genome.setter
+    def genome(self, weights: Any) -> None:
+        self._hierarchy.set_genome(self.name, weights)
+
+    @property
+    def mind(self) -> Mind:
+        """The cogniton mind of a skill whose function is a cogniton scheme.
+
+        Raises:
+            ModelError: it is none.
+        """
+        hierarchy = self._hierarchy
+        if self.name not in hierarchy.assembly.schemes:
+            raise ModelError(
+                f"the mind of the skill {self.name!r}, which is {self.function}",
+                "a skill with a cogniton scheme",
+            )
+        return hierarchy._societies[hierarchy.assembly.schemes.index(self.name)].mind_in(0)
+
+    def __repr__(self) -> str:
+        return f"<skill {self.name!r}: {self.function}>"
+
+
+def load_mind(
+    path: str | Path,
+    master: str | None = None,
+    seed: int = 0,
+    drive: Callable[..., None] | None = None,
+) -> Hierarchy:
+    """Read a mind's folder, or its YAML file, and make a hierarchy of it.
+
+    Args:
+        path: a folder with a `.botdesc` (thesis, appendix A), or a YAML file.
+        master: the name of its master skill; may be left out where no other skill influences
+            exactly one.
+        seed: the key of the draws of cogniton schemes.
+        drive: the drive module, as for `Hierarchy`.
+
+    Raises:
+        ModelError: a file is missing or wrong, with file and line.
+    """
+    return Hierarchy(MindDescription.load(path), master, seed, drive)
+
+
+__all__ = ["Actuator", "Hierarchy", "RunningSkill", "Sensor", "Variable", "load_mind"]

@@ -1,0 +1,1 @@
+"""The evaluation of hierarchies as compiled functions over arrays; see `kernel.layout`."""

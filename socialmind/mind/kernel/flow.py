@@ -1,0 +1,136 @@
+"""The flow of influence over lanes: equations 4.2 and 4.3 (thesis, section 4.2)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from numba.extending import register_jitable
+
+from socialmind.mind.kernel.layout import (
+    ACTUATORS,
+    MASTER,
+    NETWORK,
+    OBSERVED,
+    SENSORS,
+    SKILLS,
+    VARIABLES,
+)
+from socialmind.mind.kernel.networks import run_network
+from socialmind.mind.kernel.signals import present_variables, sense
+from socialmind.mind.kernel.variables import commanded, forget_drive, share, vary
+
+_sense = sense
+_vary = vary
+_present_variables = present_variables
+
+
+@register_jitable
+def receive(structure: Any, state: Any, block: int, lanes: int, skill: int) -> bool:
+    """Add up the influence that a skill receives, and give it its inputs.
+
+    Returns:
+        Whether its function must be evaluated; if not, what it sends is set to zero. A skill
+        without influence in any lane changes nothing, unless its function remembers.
+    """
+    total = state.totals[block, skill]
+    drive = state.drive_influence[block, skill]
+    impulse = 1.0 if skill == structure.sizes[MASTER] else 0.0
+    for lane in range(lanes):
+        total[lane] = impulse + drive[lane]
+        drive[lane] = 0.0
+    sent = state.sent[block]
+    for place in range(structure.source_begin[skill], structure.source_begin[skill + 1]):
+        row = sent[structure.source_entry[place]]
+        for lane in range(lanes):
+            total[lane] += row[lane]
+    influenced = structure.sizes[OBSERVED] != 0 or structure.skill_keeps[skill] != 0
+    if not influenced:
+        for lane in range(lanes):
+            influenced |= total[lane] > 0.0
+    if not influenced:
+        for entry in range(structure.entry_begin[skill], structure.entry_begin[skill + 1]):
+            for lane in range(lanes):
+                sent[entry, lane] = 0.0
+        return False
+    nodes, signals = state.nodes[0], state.signals[block]
+    first = structure.input_begin[skill]
+    for place in range(first, structure.input_begin[skill + 1]):
+        row, node = signals[structure.input_signal[place]], nodes[place - first]
+        for lane in range(lanes):
+            node[lane] = row[lane]
+    return True
+
+
+@register_jitable
+def transmit(structure: Any, state: Any, block: int, lanes: int, skill: int) -> None:
+    """Hold a function's outputs to [0, 1] and send them, times the influence (equation 4.2).
+
+    The outputs are the nodes from `output_node` on.
+    """
+    nodes, total = state.nodes[0], state.totals[block, skill]
+    output, sent = state.output[block], state.sent[block]
+    node = structure.output_node[skill]
+    for entry in range(structure.entry_begin[skill], structure.entry_begin[skill + 1]):
+        row, own, out = nodes[node], output[entry], sent[entry]
+        for lane in range(lanes):
+            value = row[lane]
+            value = value if value > 0.0 else 0.0
+            value = value if value < 1.0 else 1.0
+            own[lane] = value
+            out[lane] = value * total[lane]
+        node += 1
+
+
+@register_jitable
+def act(structure: Any, state: Any, block: int, lanes: int) -> None:
+    """Step 4: the actuators' commands (equation 4.3), and the end of the cycle."""
+    com, weight = state.nodes[0, 0], state.nodes[0, 1]
+    actuators = state.actuators[block]
+    for actuator in range(structure.sizes[ACTUATORS]):
+        module = structure.sizes[VARIABLES] + actuator
+        commanded(structure, state, block, lanes, module, com, weight)
+        forget_drive(state, block, lanes, module)
+        neutral, row = structure.neutral[actuator], actuators[actuator]
+        for lane in range(lanes):
+            row[lane] = com[lane] / weight[lane] if weight[lane] > 0.0 else neutral
+    share(structure, state, block, lanes)
+    fresh = state.fresh[block]
+    for lane in range(lanes):
+        fresh[lane] = 0
+    state.clock[block] += 1
+
+
+@register_jitable
+def evaluate_networks(structure: Any, state: Any, block: int, lanes: int, skill: int) -> None:
+    """Evaluate a skill whose function is a network."""
+    if structure.skill_kind[skill] == NETWORK:
+        run_network(structure, state, block, lanes, skill)
+
+
+@register_jitable
+def start_lane(structure: Any, state: Any, block: int, lane: int) -> None:
+    """Put an agent back to before its first evaluation; its genome and groups stay."""
+    for variable in range(structure.sizes[VARIABLES]):
+        state.values[block, variable, lane] = structure.start[variable, 0]
+        state.before[block, variable, lane] = structure.start[variable, 0]
+        state.memory[block, variable, lane] = structure.start[variable, 1]
+        state.command[block, variable, lane] = math.nan
+    for signal in range(state.signals.shape[1]):
+        state.signals[block, signal, lane] = 0.0
+    for row in range(structure.sizes[SENSORS]):
+        state.sensors[block, row, lane] = 0.0
+    for skill in range(structure.sizes[SKILLS]):
+        state.totals[block, skill, lane] = 0.0
+        state.drive_influence[block, skill, lane] = 0.0
+    for entry in range(state.sent.shape[1]):
+        state.output[block, entry, lane] = 0.0
+        state.sent[block, entry, lane] = 0.0
+    for module in range(state.drive_command.shape[1]):
+        state.drive_command[block, module, lane] = 0.0
+        state.drive_weight[block, module, lane] = 0.0
+    for actuator in range(structure.sizes[ACTUATORS]):
+        state.actuators[block, actuator, lane] = structure.neutral[actuator]
+    for place in range(state.remembered.shape[1]):
+        state.remembered[block, place, lane] = 0.0
+    state.fresh[block, lane] = 1

@@ -1,0 +1,523 @@
+"""The compiled module of a hierarchy, as text: how its arrays are reached, and its evaluation.
+
+The text depends on the mind's programs alone: its programmed functions, regulations, drive, and how
+many cogniton schemes it has. Skills, links, networks and genomes are data.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from coglogo_py.arrays import MindArrays, SchemeArrays
+from socialmind.errors import ModelError
+from socialmind.language.layout import ENGINE_ARRAYS, dtype_text
+from socialmind.language.program import Program
+from socialmind.language.types import BOOL, FLOAT, INT, AnyType, ArrayType, TupleType
+from socialmind.mind.arrays import Assembly
+from socialmind.mind.functions.programmed import Programmed
+from socialmind.mind.kernel.layout import State, Structure, array_types
+from socialmind.mind.regulation import Regulated
+
+SCHEME_LISTS = {
+    "cogniton": ("int64", 1),
+    "plan_output": ("int64", 1),
+    "weights": ("float64", 1),
+    "plans": ("int64", 1),
+}
+"""Arrays beside a scheme's own: the cogniton of each input, the output of each plan, room."""
+
+
+def mind_arrays(schemes: int) -> dict[str, tuple[str, int]]:
+    """Return the names, types and dimensions of all arrays of a hierarchy with so many schemes."""
+    arrays = {f"structure_{name}": kind for name, kind in array_types(Structure).items()}
+    arrays |= {f"state_{name}": kind for name, kind in array_types(State).items()}
+    for number in range(schemes):
+        of_scheme = {f"scheme_{name}": ENGINE_ARRAYS[name] for name in SchemeArrays._fields}
+        of_minds = {f"minds_{name}": ENGINE_ARRAYS[name] for name in MindArrays._fields}
+        for name, kind in {**of_scheme, **of_minds, **SCHEME_LISTS}.items():
+            arrays[f"{number}_{name}"] = kind
+    return arrays
+
+
+def mind_dtype(schemes: int) -> np.dtype[Any]:
+    """Return the record that says where the arrays of a hierarchy are, and how large."""
+    columns: list[Any] = [("agents", "i8"), ("names", "i8"), ("names_0", "i8")]
+    for name, (_, dimensions) in mind_arrays(schemes).items():
+        columns.append((name, "i8"))
+        columns += [(f"{name}_{axis}", "i8") for axis in range(dimensions)]
+    return np.dtype(columns, align=True)
+
+
+@dataclass(frozen=True)
+class MindProgram:
+    """The typed programs of a hierarchy.
+
+    Attributes:
+        programs: symbol, inputs, outputs and whether it takes an array, for each function.
+        regulations: symbol, what it takes and whether it returns a memory, for each.
+        drive: the drive's symbol, or None.
+        schemes: how many cogniton schemes there are.
+    """
+
+    programs: tuple[tuple[str, int, int, bool], ...]
+    regulations: tuple[tuple[str, tuple[str, ...], bool], ...]
+    drive: str | None
+    schemes: int
+
+
+def typed_programs(program: Program, assembly: Assembly, drive: str | None = None) -> MindProgram:
+    """Type a hierarchy's functions and regulations as parts of a program.
+
+    Raises:
+        ModelError: one is outside the language of rules, or returns what it should not.
+    """
+    return MindProgram(
+        tuple(_typed_function(program, *one) for one in assembly.programs),
+        tuple(_typed_regulation(program, one) for one in assembly.regulations),
+        drive,
+        len(assembly.schemes),
+    )
+
+
+def _typed_function(
+    program: Program, one: Programmed, inputs: int, outputs: int
+) -> tuple[str, int, int, bool]:
+    source = program.source(one.function)
+    kinds: tuple[AnyType, ...] = (FLOAT,) * inputs
+    if one.takes_array:
+        kinds = (ArrayType(FLOAT, inputs),)
+    symbol, result = program.specialised(source, kinds, None, source.tree)
+    items = result.items if isinstance(result, TupleType) else (result,)
+    if len(items) != outputs or any(item not in (FLOAT, INT, BOOL) for item in items):
+        raise ModelError(
+            f"the function {source.name!r}, which returns {result}",
+            f"{outputs} numbers, one for each output of its skill" if outputs > 1 else "a number",
+            None,
+            source.file,
+            source.line,
+        )
+    return symbol, inputs, outputs, one.takes_array
+
+
+def _typed_regulation(program: Program, one: Regulated) -> tuple[str, tuple[str, ...], bool]:
+    source = program.source(one.function)
+    kinds = tuple(BOOL if name == "commanded" else FLOAT for name in one.takes)
+    symbol, result = program.specialised(source, kinds, None, source.tree)
+    items = result.items if isinstance(result, TupleType) else (result,)
+    if not 1 <= len(items) <= 2 or any(item not in (FLOAT, INT, BOOL) for item in items):
+        raise ModelError(
+            f"the regulation {source.name!r}, which returns {result}",
+            "the variable's value, or the value and the memory",
+            None,
+            source.file,
+            source.line,
+        )
+    return symbol, one.takes, len(items) == 2
+
+
+HEAD = '''import math as _math
+from socialmind.mind.kernel import flow as _flow
+from socialmind.mind.kernel import reach as _reach
+from socialmind.mind.kernel import variables as _variables
+from socialmind.mind.kernel.layout import NETWORK as _NETWORK
+from socialmind.mind.kernel.layout import PROGRAM as _PROGRAM
+from socialmind.mind.kernel.layout import SENSORS as _SENSORS
+from socialmind.mind.kernel.layout import SKILLS as _SKILLS
+from socialmind.mind.kernel.layout import VARIABLES as _VARIABLES
+from socialmind.mind.kernel.layout import State as _State
+from socialmind.mind.kernel.layout import Structure as _Structure
+from socialmind.mind.kernel.networks import run_network as _run_network
+from socialmind.mind.regulation import REGULATED as _REGULATED
+
+
+@_inner
+def _held(value):
+    """A value of the modeller's function, held to [0, 1]."""
+    if _math.isnan(value):
+        raise ValueError("a function of the mind gave a value that is not a number")
+    return min(max(float(value), 0.0), 1.0)'''
+
+_EVALUATE = """@_inner
+def _evaluate_NAME(_model, mind, block, lanes):
+    structure = _structure_NAME(mind)
+    state = _state_NAME(mind)
+    _flow._sense(structure, state, block, lanes)
+    _flow._vary(structure, state, block, lanes)
+    REGULATE
+    _flow._present_variables(structure, state, block, lanes)
+    DRIVE
+    for skill in range(structure.sizes[_SKILLS]):
+        if _flow.receive(structure, state, block, lanes, skill):
+            kind = structure.skill_kind[skill]
+            if kind == _NETWORK:
+                _run_network(structure, state, block, lanes, skill)
+            elif kind == _PROGRAM:
+                _program_NAME(_model, structure, state, lanes, skill)
+            else:
+                _scheme_NAME(mind, structure, state, block, lanes, skill)
+            _flow.transmit(structure, state, block, lanes, skill)
+    _flow.act(structure, state, block, lanes)
+
+
+@_inner
+def _restart_NAME(mind, agent):
+    structure = _structure_NAME(mind)
+    state = _state_NAME(mind)
+    lanes = state.sensors.shape[2]
+    _flow.start_lane(structure, state, agent // lanes, agent % lanes)
+    SCHEMES_RESTART"""
+
+_METHODS = """@_inner
+def _hierarchy_evaluate_NAME(_model, agent):
+    _evaluate_NAME(_model, _record_NAME(_model), agent, 1)
+
+
+@_inner
+def _hierarchy_restart_NAME(_model, agent):
+    _restart_NAME(_record_NAME(_model), agent)"""
+
+_METHOD = """@_inner
+def _hierarchy_METHOD_NAME(_model, agentARGUMENTS):
+    mind = _record_NAME(_model)
+    structure = _structure_NAME(mind)
+    state = _state_NAME(mind)
+    lanes = state.fresh.shape[1]
+    block, lane = agent // lanes, agent % lanes
+    BODY"""
+
+METHODS: dict[str, tuple[str, str]] = {
+    "sensor": ("place", "return state.sensors[block, place, lane]"),
+    "set_sensor": ("place, value", "_reach.set_sensor(state, block, lane, place, value)"),
+    "actuator": ("place", "return state.actuators[block, place, lane]"),
+    "variable": ("place", "return state.values[block, place, lane]"),
+    "set_variable": (
+        "place, value",
+        "_reach.set_variable(structure, state, block, lane, place, value)",
+    ),
+    "override": (
+        "place, value",
+        "_reach.set_variable(structure, state, block, lane, place, value)\n"
+        "    _reach.override(structure, state, block, lane, place, value)",
+    ),
+    "influence": ("place", "return state.totals[block, place, lane]"),
+    "add_influence": ("place, value", "_reach.add_influence(state, block, lane, place, value)"),
+    "command": (
+        "place, value, weight",
+        "_reach.command(structure, state, block, lane, True, place, value, weight)",
+    ),
+    "command_variable": (
+        "place, value, weight",
+        "_reach.command(structure, state, block, lane, False, place, value, weight)",
+    ),
+    "join_group": (
+        "group, instance, part",
+        "_reach.join(structure, state, block, lane, group, instance, part)",
+    ),
+    "leave_group": ("group", "_reach.join(structure, state, block, lane, group, -1, 1.0)"),
+}
+"""What rules and drives do with a hierarchy, but to evaluate it: arguments, and the body."""
+
+
+def methods_text(name: str, evaluating: bool) -> str:
+    """Return the functions by which compiled rules reach the hierarchy of an agent.
+
+    Args:
+        name: the population's name.
+        evaluating: whether rules may evaluate it; a drive may not.
+    """
+    parts = [
+        _METHOD.replace("METHOD", method)
+        .replace("ARGUMENTS", f", {arguments}")
+        .replace("BODY", body)
+        for method, (arguments, body) in METHODS.items()
+    ]
+    return "\n\n\n".join([*parts, _METHODS] if evaluating else parts).replace("NAME", name)
+
+
+_REGULATE_LOOP = """for variable in range(structure.sizes[_VARIABLES]):
+        if structure.regulation[variable] == _REGULATED:
+            _regulate_NAME(_model, structure, state, block, lanes, variable)"""
+
+_REGULATION = """@_inner
+def _regulate_NAME(_model, structure, state, block, lanes, variable):
+    row = _variables.take_commands(structure, state, block, lanes, variable)
+    number = structure.regulation_number[variable]
+    for lane in range(lanes):
+        commanded = not _math.isnan(row[lane])
+        if commanded:
+            state.command[block, variable, lane] = row[lane]
+        command = state.command[block, variable, lane]
+        if _math.isnan(command):
+            command = 0.0
+        value = state.values[block, variable, lane]
+        memory = state.memory[block, variable, lane]
+BRANCHES        state.values[block, variable, lane] = _held(value)
+        state.memory[block, variable, lane] = memory"""
+
+_SCHEME = """@_inner
+def _scheme_NAME(mind, structure, state, block, lanes, skill):
+    nodes = state.nodes[0]
+    number = structure.skill_number[skill]
+    first = structure.output_node[skill]
+    inputs = structure.input_begin[skill + 1] - structure.input_begin[skill]
+    outputs = structure.entry_begin[skill + 1] - structure.entry_begin[skill]
+    for lane in range(lanes):
+        slot = block * state.sensors.shape[2] + lane
+        for output in range(outputs):
+            nodes[first + output, lane] = 0.0
+BRANCHES"""
+
+_ONE_SCHEME = """        if number == NUMBER:
+            scheme, minds = _scheme_NAME_NUMBER(mind), _minds_NAME_NUMBER(mind)
+            cogniton, plan_output = _cogniton_NAME_NUMBER(mind), _plan_output_NAME_NUMBER(mind)
+            for i in range(inputs):
+                _kernel.set_cogniton_value(minds, slot, cogniton[i], nodes[i, lane])
+            plan = _kernel.choose_next_plan(
+                scheme, minds, slot, _weights_NAME_NUMBER(mind), _plans_NAME_NUMBER(mind)
+            )
+            if plan >= 0:
+                nodes[first + plan_output[plan], lane] = 1.0
+"""
+
+_SCHEME_RESTART = """minds_NUMBER = _minds_NAME_NUMBER(mind)
+    _kernel.leave_all_groups(minds_NUMBER, agent)
+    minds_NUMBER.draws[agent] = 0
+    for i in range(minds_NUMBER.values.shape[1]):
+        minds_NUMBER.values[agent, i] = _scheme_NAME_NUMBER(mind).start[i]"""
+
+
+def hierarchy_text(name: str, programs: MindProgram) -> str:
+    """Return the functions that evaluate a hierarchy, for a compiled module.
+
+    Args:
+        name: the population's name, which ends the functions' names.
+        programs: the typed programs; their functions stand in the module already.
+    """
+    views: dict[str, list[str]] = {"structure": [], "state": []}
+    for array, (kind, dimensions) in mind_arrays(0).items():
+        views[array.split("_", 1)[0]].append(_view(array, kind, dimensions))
+    parts = [f"MIND_{name} = {dtype_text(mind_dtype(programs.schemes))}"]
+    for prefix in ("structure", "state"):
+        made = "".join(f"        {view},\n" for view in views[prefix])
+        cls = "_Structure" if prefix == "structure" else "_State"
+        parts.append(f"@_inner\ndef _{prefix}_{name}(mind):\n    return {cls}(\n{made}    )")
+    for number in range(programs.schemes):
+        parts += _scheme_views(name, number)
+    parts.append(_programs_text(name, programs))
+    schemes = range(programs.schemes)
+    branches = "".join(_ONE_SCHEME.replace("NUMBER", str(number)) for number in schemes)
+    parts.append(_SCHEME.replace("BRANCHES", branches or "        pass\n").replace("NAME", name))
+    if programs.regulations:
+        text = "".join(_regulation_branch(*one) for one in enumerate(programs.regulations))
+        parts.append(_REGULATION.replace("BRANCHES", text).replace("NAME", name))
+    restart = "\n    ".join(_SCHEME_RESTART.replace("NUMBER", str(number)) for number in schemes)
+    fills = {
+        "REGULATE": _REGULATE_LOOP if programs.regulations else "pass",
+        "DRIVE": _drive_text(programs.drive),
+        "SCHEMES_RESTART": restart or "return",
+    }
+    text = _EVALUATE
+    for mark, fill in fills.items():
+        text = text.replace(mark, fill)
+    parts.append(text.replace("NAME", name))
+    return "\n\n\n".join(parts)
+
+
+def _drive_text(drive: str | None) -> str:
+    if drive is None:
+        return "pass"
+    return (
+        f"for lane in range(lanes):\n        {drive}(_model, block * state.sensors.shape[2] + lane)"
+    )
+
+
+def _view(array: str, kind: str, dimensions: int) -> str:
+    shape = "".join(f"mind.{array}_{axis}, " for axis in range(dimensions))
+    return f"carray(_as_pointer(mind.{array}), ({shape}), np.{kind})"
+
+
+def _scheme_views(name: str, number: int) -> list[str]:
+    parts = []
+    for prefix, cls in (("scheme", SchemeArrays), ("minds", MindArrays)):
+        views = "".join(
+            f"        {_view(f'{number}_{prefix}_{array}', *ENGINE_ARRAYS[array])},\n"
+            for array in cls._fields
+        )
+        parts.append(
+            f"@_inner\ndef _{prefix}_{name}_{number}(mind):\n    return _{cls.__name__}(\n{views}    )"
+        )
+    for array, (kind, dimensions) in SCHEME_LISTS.items():
+        view = _view(f"{number}_{array}", kind, dimensions)
+        parts.append(f"@_inner\ndef _{array}_{name}_{number}(mind):\n    return {view}")
+    return parts
+
+
+def _programs_text(name: str, programs: MindProgram) -> str:
+    lines = [
+        f"@_inner\ndef _program_{name}(_model, structure, state, lanes, skill):",
+        "    nodes = state.nodes[0]",
+        "    number = structure.skill_number[skill]",
+    ]
+    for number, (symbol, inputs, outputs, takes_array) in enumerate(programs.programs):
+        read = ", ".join(f"nodes[{i}, lane]" for i in range(inputs))
+        read = f"nodes[:{inputs}, lane]" if takes_array else read
+        results = ", ".join(f"out_{i}" for i in range(outputs))
+        lines += [
+            f"    if number == {number}:",
+            "        for lane in range(lanes):",
+            f"            {results} = {symbol}(_model{', ' if read else ''}{read})",
+        ]
+        for i in range(outputs):
+            lines.append(f"            nodes[{inputs + i}, lane] = _held(out_{i})")
+    return "\n".join([*lines, "    return"])
+
+
+def _regulation_branch(number: int, one: tuple[str, tuple[str, ...], bool]) -> str:
+    symbol, takes, remembers = one
+    results = "value, memory" if remembers else "value"
+    arguments = ", ".join(["_model", *takes])
+    return f"        if number == {number}:\n            {results} = {symbol}({arguments})\n"
+
+
+def module_text(program: Program, programs: MindProgram) -> str:
+    """Return the compiled module of minds that stand outside any model.
+
+    The doors of Python take the address of the record of arrays (`mind_dtype`), which numba passes
+    on without looking at it.
+    """
+    from socialmind.language.loop import HEAD as RULES
+    from socialmind.language.loop import runtime_names
+    from socialmind.language.lowering import lowered
+
+    parts = [RULES, runtime_names(), HEAD]
+    if program.names[MIND_NAME]:
+        parts.append(
+            f"@_inner\ndef _names_{MIND_NAME}(_model):\n"
+            f"    return carray(_as_pointer(_model.names), (_model.names_0, ), np.int64)"
+        )
+    record = f"@_inner\ndef _record_{MIND_NAME}(_model):\n    return _model"
+    parts += [record, methods_text(MIND_NAME, evaluating=False)]
+    parts += [f"@_inner\n{lowered(function)}" for function in program.functions.values()]
+    parts += [hierarchy_text(MIND_NAME, programs), _DOORS.replace("NAME", MIND_NAME)]
+    return "\n\n\n".join(parts) + "\n"
+
+
+MIND_NAME = "mind"
+"""What the compiled module calls the minds that stand outside any model."""
+
+_DOORS = """@_inner
+def _at(address):
+    return carray(_as_pointer(address), (1,), MIND_NAME)[0]
+
+
+@njit(cache=True)
+def evaluate(address):
+    \"\"\"Evaluate all agents once.\"\"\"
+    mind = _at(address)
+    state = _state_NAME(mind)
+    lanes = state.sensors.shape[2]
+    for block in range(state.sensors.shape[0]):
+        _evaluate_NAME(mind, mind, block, min(lanes, mind.agents - block * lanes))
+    state.now[0] += 1
+
+
+@njit(cache=True)
+def restart(address, agents):
+    \"\"\"Put agents back to before their first evaluation.\"\"\"
+    mind = _at(address)
+    for agent in agents:
+        _restart_NAME(mind, agent)
+
+
+# The steps of one evaluation of one agent, for functions that Python runs in between.
+
+
+@njit(cache=True)
+def begin(address, block):
+    \"\"\"Steps 1 and 2 but for the modeller's regulations.\"\"\"
+    mind = _at(address)
+    _flow._sense(_structure_NAME(mind), _state_NAME(mind), block, 1)
+    _flow._vary(_structure_NAME(mind), _state_NAME(mind), block, 1)
+
+
+@njit(cache=True)
+def command_of(address, block, variable):
+    \"\"\"Take the command that a variable received in the last cycle, NaN for none.\"\"\"
+    mind = _at(address)
+    return _variables.take_commands(_structure_NAME(mind), _state_NAME(mind), block, 1, variable)[0]
+
+
+@njit(cache=True)
+def show_variables(address, block):
+    \"\"\"End step 2.\"\"\"
+    mind = _at(address)
+    _flow._present_variables(_structure_NAME(mind), _state_NAME(mind), block, 1)
+
+
+@njit(cache=True)
+def override(address, block, variable, value):
+    \"\"\"Give a variable a value at once.\"\"\"
+    mind = _at(address)
+    _reach.override(_structure_NAME(mind), _state_NAME(mind), block, 0, variable, value)
+
+
+@njit(cache=True)
+def set_sensor(address, block, sensor, value):
+    \"\"\"Set a sensor.\"\"\"
+    _reach.set_sensor(_state_NAME(_at(address)), block, 0, sensor, value)
+
+
+@njit(cache=True)
+def add_influence(address, block, skill, value):
+    \"\"\"Let the drive influence a skill.\"\"\"
+    _reach.add_influence(_state_NAME(_at(address)), block, 0, skill, value)
+
+
+@njit(cache=True)
+def command(address, block, actuator, place, value, weight):
+    \"\"\"Let the drive command an actuator or a variable.\"\"\"
+    mind = _at(address)
+    _reach.command(
+        _structure_NAME(mind), _state_NAME(mind), block, 0, actuator, place, value, weight
+    )
+
+
+@njit(cache=True)
+def join(address, block, group, instance, part):
+    \"\"\"Make an agent a member of a group's instance.\"\"\"
+    mind = _at(address)
+    _reach.join(_structure_NAME(mind), _state_NAME(mind), block, 0, group, instance, part)
+
+
+@njit(cache=True)
+def set_variable(address, block, variable, value):
+    \"\"\"Set a variable; skills see it in the next evaluation.\"\"\"
+    mind = _at(address)
+    _reach.set_variable(_structure_NAME(mind), _state_NAME(mind), block, 0, variable, value)
+
+
+@njit(cache=True)
+def receive(address, block, skill):
+    \"\"\"Add up a skill's influence and take its inputs; evaluate it if it is a network.\"\"\"
+    mind = _at(address)
+    structure, state = _structure_NAME(mind), _state_NAME(mind)
+    _flow.receive(structure, state, block, 1, skill)
+    if structure.skill_kind[skill] == _NETWORK:
+        _run_network(structure, state, block, 1, skill)
+
+
+@njit(cache=True)
+def transmit(address, block, skill):
+    \"\"\"Send a skill's outputs.\"\"\"
+    mind = _at(address)
+    _flow.transmit(_structure_NAME(mind), _state_NAME(mind), block, 1, skill)
+
+
+@njit(cache=True)
+def end(address, block):
+    \"\"\"Step 4.\"\"\"
+    mind = _at(address)
+    _flow.act(_structure_NAME(mind), _state_NAME(mind), block, 1)"""

@@ -1,0 +1,349 @@
+"""Minds: any number of agents that share a hierarchy, evaluated together by compiled code."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.language.compiled import compiled_module
+from socialmind.language.nodes import nearest
+from socialmind.language.program import Program
+from socialmind.mind.arrays import Assembly, assemble, master_of
+from socialmind.mind.description import MindDescription
+from socialmind.mind.drive import names_of, typed_drive
+from socialmind.mind.kernel.layout import LIVES
+from socialmind.mind.kernel.text import module_text, typed_programs
+from socialmind.mind.state import Record, copied, new_state, restored, societies_of
+from socialmind.mind.steps import outside_models
+
+LANES = 256
+"""How many agents are evaluated in lockstep: the more, the longer the vectors; all nodes of a
+network for so many agents still fit into a core's own cache."""
+
+
+class Minds:
+    """Many agents with one hierarchy: all share a genome, or each has its own.
+
+    Every agent has its own sensors, variables and memory.
+
+    Args:
+        description: the mind.
+        master: the name of its master skill; may be left out where no other skill influences
+            exactly one.
+        agents: how many, 1 or more.
+        own_genomes: whether each agent has weights of its own.
+        seed: the key of the draws of cogniton schemes, 0 … 2⁶⁴ − 1.
+        drive: the drive module (thesis, 5.1.3): a plain function `drive(mind)`; see
+            `socialmind.mind.drive`.
+        instances: how many instances of groups there are, for shared variables.
+        lanes: how many agents are evaluated in lockstep.
+
+    Raises:
+        ModelError: no such master, or a programmed function outside the language of rules.
+
+    >>> from socialmind.mind import MindDescription, Perceptron, Skill
+    >>> seek = Skill("Seek", ["SE:EyeL", "SE:EyeR"], ["MO:MotL", "MO:MotR"], Perceptron(layers=0))
+    >>> vehicle = MindDescription("vehicle", ["EyeL", "EyeR"], ["MotL", "MotR"], [], [seek])
+    >>> minds = Minds(vehicle, agents=3)
+    >>> minds.set_genome("Seek", [0, 1, 0, 1, 0, 0])  # each motor follows the eye across
+    >>> minds.evaluate({"EyeL": [0.1, 0.2, 0.3], "EyeR": 0.5})["MotR"]
+    array([0.1, 0.2, 0.3])
+    """
+
+    def __init__(
+        self,
+        description: MindDescription,
+        master: str | None = None,
+        agents: int = 1,
+        own_genomes: bool = False,
+        seed: int = 0,
+        drive: Callable[..., None] | None = None,
+        instances: int = 0,
+        lanes: int = LANES,
+    ) -> None:
+        for what, number, least in (
+            ("agents", agents, 1), ("instances", instances, 0), ("lanes", lanes, 1),
+        ):  # fmt: skip
+            if isinstance(number, bool) or not isinstance(number, int) or number < least:
+                raise SocialmindError(f"{what}: found {number!r}; expected {least} or more")
+        self.description = description
+        self.master = master_of(description, master)
+        self.assembly: Assembly = assemble(description, self.master, drive is not None)
+        self.agents = agents
+        self.lanes = min(lanes, agents)
+        self.own_genomes = own_genomes
+        self.seed = seed
+        self.drive = drive
+        self.unset = _unset(self.assembly)
+        self.program = Program(outside_models(), compiled=True)
+        symbol = None if drive is None else typed_drive(self.program, drive)
+        self._programs = typed_programs(self.program, self.assembly, symbol)
+        self._record = Record(self.assembly, names_of(self.program, self.assembly))
+        self._module: Any = None
+        self.state_arrays = new_state(self.assembly, agents, self.lanes, own_genomes, instances)
+        self.societies = societies_of(self.assembly, seed, agents)
+        self._record.connect(agents, self.state_arrays, self.societies)
+        for name in self.assembly.skills:
+            genome = description.skills[name].genome
+            if genome is not None:
+                self.set_genome(name, genome)
+
+    # Evaluating -------------------------------------------------------------------------------
+
+    def evaluate(self, sensors: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
+        """Evaluate all agents once (thesis, figure 5.4).
+
+        Args:
+            sensors: for each sensor that the skills read, a number, 0 … 1, or an array (agents,).
+
+        Returns:
+            For each actuator its commands, (agents,).
+
+        Raises:
+            ModelError: a sensor is missing, unknown or outside [0, 1], or a genome is not set.
+        """
+        missing = [name for name in self.assembly.required if name not in sensors]
+        if missing:
+            raise ModelError(f"no value for the sensor {missing[0]!r}", "one for each agent")
+        for name, values in sensors.items():
+            self.set_sensor(name, values)
+        self.step()
+        return {name: self.actuator(name) for name in self.description.actuators}
+
+    def step(self) -> None:
+        """Evaluate all agents once on the sensors as they are set; nothing is allocated.
+
+        Raises:
+            ModelError: a sensor is outside [0, 1], or a genome is not set.
+        """
+        if self.unset:
+            raise _no_genome(self.description, next(iter(self.unset)))
+        if self._module is None:
+            self._module = compiled_module(module_text(self.program, self._programs), {})
+        try:
+            self._module.evaluate(self._record.address)
+        except ValueError as error:
+            raise self._explained(error) from error
+
+    def _explained(self, error: ValueError) -> ModelError:
+        """Return the error that names the agent and the sensor, where one is at fault."""
+        for name in self.description.sensors:
+            values = self.sensor(name)
+            bad = np.flatnonzero(~((values >= 0) & (values <= 1)))
+            if len(bad):
+                return ModelError(
+                    f"{values[bad[0]]} for the sensor {name!r} of agent {bad[0]}",
+                    "a number, 0 … 1",
+                )
+        return ModelError(f"the mind {self.description.name!r}: {error}")
+
+    # Modules ----------------------------------------------------------------------------------
+
+    def set_sensor(self, name: str, values: Any) -> None:
+        """Set a sensor of all agents, by a number in [0, 1] or an array (agents,)."""
+        place = _place(self.description.sensors, name, "sensor")
+        self._write(self.state_arrays.sensors[:, place], values, f"the sensor {name!r}")
+
+    def sensor(self, name: str) -> NDArray[np.float64]:
+        """Return the values of a sensor, (agents,), as they are set."""
+        place = _place(self.description.sensors, name, "sensor")
+        return self._read(self.state_arrays.sensors[:, place])
+
+    def actuator(self, name: str) -> NDArray[np.float64]:
+        """Return an actuator's commands of the last evaluation, (agents,)."""
+        place = _place(self.description.actuators, name, "actuator")
+        return self._read(self.state_arrays.actuators[:, place])
+
+    def variable(self, name: str) -> NDArray[np.float64]:
+        """Return the values of a variable, (agents,)."""
+        place = _place(self.description.variables, name, "variable")
+        return self._read(self.state_arrays.values[:, place])
+
+    def set_variable(self, name: str, values: Any) -> None:
+        """Set a variable of all agents; one that is not shared in a group.
+
+        Raises:
+            ModelError: a value outside [0, 1].
+        """
+        place = _place(self.description.variables, name, "variable")
+        found = np.asarray(values, float)
+        if not ((found >= 0) & (found <= 1)).all():
+            raise ModelError(f"{values} for the variable {name!r}", "numbers, 0 … 1")
+        self._write(self.state_arrays.values[:, place], found, f"the variable {name!r}")
+
+    def influence(self, skill: str) -> NDArray[np.float64]:
+        """Return the sum of the influence that a skill received, (agents,)."""
+        place = _place(dict.fromkeys(self.assembly.skills), skill, "skill")
+        return self._read(self.state_arrays.totals[:, place])
+
+    def _read(self, lanes: NDArray[Any]) -> NDArray[Any]:
+        return lanes.reshape(-1)[: self.agents].copy()
+
+    def _write(self, lanes: NDArray[Any], values: Any, what: str) -> None:
+        found = np.asarray(values, float)
+        if found.ndim == 0:
+            lanes[...] = found
+            return
+        if found.shape != (self.agents,):
+            raise ModelError(
+                f"{len(found.reshape(-1))} values for {what}", f"{self.agents}, one for each agent"
+            )
+        full, rest = divmod(self.agents, self.lanes)
+        lanes[:full] = found[: full * self.lanes].reshape(full, self.lanes)
+        if rest:
+            lanes[full, :rest] = found[full * self.lanes :]
+
+    # Genomes ----------------------------------------------------------------------------------
+
+    def genome(self, skill: str) -> NDArray[np.float64]:
+        """Return a skill's weights: (genome size,), or (agents, genome size) with own genomes."""
+        weights = self.state_arrays.genome[:, self._genome_of(skill)]
+        if not self.own_genomes:
+            return weights[0, :, 0].copy()
+        return np.moveaxis(weights, 2, 1).reshape(-1, weights.shape[1])[: self.agents].copy()
+
+    def set_genome(self, skill: str, genome: Any) -> None:
+        """Set a skill's weights.
+
+        Args:
+            skill: its name.
+            genome: (genome size,) for all agents, or (agents, genome size) with own genomes.
+
+        Raises:
+            ModelError: a wrong size, or a weight that is not a finite number.
+        """
+        place = self._genome_of(skill)
+        one = self.description.skills[skill]
+        found = np.asarray(genome, float)
+        if found.ndim == 2 and self.own_genomes:
+            if found.shape != (self.agents, one.genome_size):
+                raise one.refused(
+                    f"with genomes of the shape {found.shape}",
+                    f"{(self.agents, one.genome_size)}: agents, weights",
+                )
+            if not np.isfinite(found).all():
+                raise one.refused("with a weight that is not finite", "finite numbers")
+            weights = self.state_arrays.genome[:, place]
+            for agent in range(0, self.agents, self.lanes):
+                some = found[agent : agent + self.lanes]
+                weights[agent // self.lanes, :, : len(some)] = some.T
+        else:
+            self.state_arrays.genome[:, place] = one.fitting(found)[:, None]
+        self.unset.discard(skill)
+
+    def _genome_of(self, skill: str) -> slice:
+        _place(dict.fromkeys(self.assembly.skills), skill, "skill")
+        return self.assembly.genome_of(skill)
+
+    # Groups -----------------------------------------------------------------------------------
+
+    def join(
+        self, group: str, agents: Any, instance: int | None, participation: float = 1.0
+    ) -> None:
+        """Make agents members of an instance of a group, whose shared variables they then see.
+
+        Args:
+            group: the group of one or more variables.
+            agents: the numbers of the agents.
+            instance: 0 … instances − 1; None to leave the group.
+            participation: how much their commands count, 0 or more.
+
+        Raises:
+            ModelError: no variable is shared in such a group, or there is no such instance.
+        """
+        variables = self.description.variables
+        groups = {one.group for one in variables.values() if one.group is not None}
+        if group not in groups:
+            hint = nearest(group, sorted(groups)) if groups else "no variable is shared"
+            raise ModelError(f"the unknown group {group!r}", remedy=hint)
+        count = len(self.state_arrays.instances)
+        if instance is not None and not 0 <= instance < count:
+            raise ModelError(
+                f"the instance {instance} of the group {group!r}",
+                f"0 … {count - 1}" if count else "Minds(…, instances=N)",
+            )
+        if not participation >= 0:
+            raise ModelError(f"a participation of {participation}", "a number, 0 or more")
+        numbers = np.atleast_1d(np.asarray(agents, int))
+        blocks, lanes = numbers // self.lanes, numbers % self.lanes
+        for number, name in enumerate(self.assembly.shared):
+            if variables[name].group == group:
+                joined = -1 if instance is None else instance
+                self.state_arrays.group[blocks, number, lanes] = joined
+                self.state_arrays.participation[blocks, number, lanes] = participation
+
+    # State ------------------------------------------------------------------------------------
+
+    def reset(self, agents: Sequence[int] | None = None) -> None:
+        """Put agents back to before their first evaluation; genomes and groups stay.
+
+        Args:
+            agents: their numbers; None for all, and then the groups' shared variables too.
+        """
+        if agents is None:
+            fresh = new_state(
+                self.assembly, self.agents, self.lanes, False, len(self.state_arrays.instances)
+            )
+            for name in (*LIVES, "instances", "now"):
+                if name not in ("group", "participation"):
+                    getattr(self.state_arrays, name)[...] = getattr(fresh, name)
+            self.societies = societies_of(self.assembly, self.seed, self.agents)
+            self._record.connect(self.agents, self.state_arrays, self.societies)
+            return
+        if self._module is None:
+            self._module = compiled_module(module_text(self.program, self._programs), {})
+        self._module.restart(self._record.address, np.asarray(agents, np.int64))
+
+    def state(self) -> dict[str, NDArray[Any]]:
+        """Return copies of all arrays that change, by name; `restore` takes them back."""
+        arrays = copied(self.state_arrays)
+        for number, society in enumerate(self.societies):
+            arrays |= {f"scheme_{number}.{k}": v for k, v in society.state().items()}
+        return arrays
+
+    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
+        """Take back what `state` returned."""
+        self.state_arrays = restored(self.state_arrays, state)
+        for number, society in enumerate(self.societies):
+            begin = f"scheme_{number}."
+            society.restore(
+                {k.removeprefix(begin): v for k, v in state.items() if k.startswith(begin)}
+            )
+        self._record.connect(self.agents, self.state_arrays, self.societies)
+
+    def __len__(self) -> int:
+        return self.agents
+
+    def __repr__(self) -> str:
+        return f"<{self.agents} minds {self.description.name!r} with the master {self.master!r}>"
+
+
+def _unset(assembly: Assembly) -> set[str]:
+    """Return the skills whose genomes must be set before anything can be evaluated."""
+    skills = assembly.description.skills
+    return {name for name in assembly.skills if skills[name].genome_size}
+
+
+def _no_genome(description: MindDescription, skill: str) -> ModelError:
+    return description.skills[skill].refused(
+        "without a genome",
+        f"{description.skills[skill].genome_size} weights",
+        "set it, or call randomise(seed)",
+    )
+
+
+def _place(modules: Mapping[str, Any], name: str, what: str) -> int:
+    """Return the number of a module.
+
+    Raises:
+        ModelError: there is none of this name.
+    """
+    try:
+        return list(modules).index(name)
+    except ValueError:
+        hint = nearest(name, modules) if modules else f"there is no {what}"
+        raise ModelError(f"the unknown {what} {name!r}", remedy=hint) from None
