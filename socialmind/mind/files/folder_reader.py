@@ -12,14 +12,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from socialmind.errors import ModelError
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files import ades, botdesc, genome_file, simbatch, vardesc
+from socialmind.mind.files.ades import GENERAL_REMEDY
 from socialmind.mind.files.simbatch import Task
 from socialmind.mind.files.text_file import text_of
-from socialmind.mind.modules import Skill, Variable
+from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 
 BOTDESC, VARDESC, ADES, GENOME, SIMBATCH = ".botdesc", ".vardesc", ".ades", ".genome", ".simbatch"
 SKILLS, TASKS = "Skills", "Tasks"
@@ -46,7 +48,27 @@ def read_folder(path: Path) -> MindDescription:
                 other,
             )
     skills = [_skill(folder) for folder in skill_folders(path)]
-    return MindDescription(agent.stem, sensors, actuators, variables, skills)
+    return whole(agent.stem, sensors, actuators, variables, skills)
+
+
+def whole(
+    name: str,
+    sensors: Iterable[Sensor],
+    actuators: Iterable[Actuator],
+    variables: Iterable[Variable],
+    skills: Iterable[Skill],
+) -> MindDescription:
+    """Return the mind of modules that were read from files.
+
+    Raises:
+        ModelError: they do not fit together; with a remedy for files.
+    """
+    try:
+        return MindDescription(name, sensors, actuators, variables, skills)
+    except ModelError as error:
+        raise ModelError(
+            error.found, error.expected, error.remedy or GENERAL_REMEDY, error.file, error.line
+        ) from None
 
 
 def agent_file(folder: Path) -> Path:

@@ -15,9 +15,9 @@ from socialmind.errors import ModelError
 
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", re.A)
 WHOLE_NUMBER = re.compile(r"[0-9]{1,9}", re.A)
-CONTROL = re.compile(r"[\x00-\x08\x0a-\x1f\x7f-\x9f]")
-"""Control characters, but for the tab."""
 BYTE_ORDER_MARK = "\ufeff"
+CONTROL = re.compile(rf"[\x00-\x08\x0a-\x1f\x7f-\x9f{BYTE_ORDER_MARK}]")
+"""Control characters, but for the tab."""
 
 
 @dataclass(frozen=True)

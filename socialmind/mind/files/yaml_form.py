@@ -19,6 +19,7 @@ from socialmind.language.nodes import nearest
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files import genome_file
 from socialmind.mind.files.ades import CLASS, GENERAL_REMEDY, SCHEME, scheme_function
+from socialmind.mind.files.folder_reader import whole
 from socialmind.mind.files.network_lines import BRANCHES, HIDDEN, KEYWORDS, TYPE, network_of
 from socialmind.mind.files.python_file import load_beside
 from socialmind.mind.files.text_file import WHOLE_NUMBER, Line, Lines, text_of
@@ -127,7 +128,7 @@ class _Mind:
             raise self.nodes.error(self.root, "a mind without a name", "name:", "begin with name:")
         name = self.nodes.name(given["name"], "name of the mind")
         skills = self.nodes.entries(given.get(SKILLS, NOTHING), SKILLS)
-        return MindDescription(
+        return whole(
             name,
             self._modules(given, SENSORS, self._sensor),
             self._modules(given, ACTUATORS, self._actuator),
