@@ -51,6 +51,10 @@ def composed(text: str, file: str | Path, what: str = "a cognitive scheme") -> y
         raise SchemeError(
             "a control character", "text", "write it as an escape, in quotes", file, line
         ) from None
+    except RecursionError:
+        raise SchemeError(
+            "brackets within brackets, hundreds deep", "YAML", "close the brackets", file
+        ) from None
     if root is None:
         raise SchemeError("an empty file", what, "begin with name:", file, 1)
     return root

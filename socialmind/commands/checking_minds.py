@@ -47,7 +47,7 @@ def is_mind(path: Path) -> bool:
     text = path.read_bytes().decode("utf-8", errors="replace").removeprefix(BYTE_ORDER_MARK)
     try:
         root = yaml.compose(text, Loader=yaml.SafeLoader)
-    except yaml.YAMLError:
+    except (yaml.YAMLError, RecursionError):
         # Broken or not, it is the reader of minds that should say so.
         return _SECTION.search(text) is not None
     keys = root.value if isinstance(root, yaml.MappingNode) else []

@@ -86,9 +86,11 @@ def _function(lines: Lines, skill: Skill) -> InternalFunction:
         lines.put_back()
         raise lines.unexpected(NEURAL, "after it come the lines of the network")
     given = []
-    while lines.next is not None and lines.next.fields[0] != WEIGHTS:
+    while (line := lines.next) is not None and line.fields[0] != WEIGHTS:
+        if NUMBER.fullmatch(line.text):
+            raise lines.unexpected(f"{WEIGHTS}:number", "write how many weights follow")
         given.append(lines.take(WEIGHTS))
-    if lines.next is None:
+    if line is None:
         raise lines.unexpected(f"{WEIGHTS}:number", CUT_OFF)
     function = network_of(lines, given, len(skill.inputs), len(skill.outputs), begun.number)
     undrawn = skill.function == NeatGraph() and isinstance(function, NeatGraph)

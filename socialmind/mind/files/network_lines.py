@@ -155,7 +155,7 @@ class _Parameters:
                 raise self.lines.error(
                     f"{value} in {keyword}",
                     f"0 … {most}",
-                    "is there a digit too many?",
+                    "write a smaller number",
                     line.number,
                 )
         return values

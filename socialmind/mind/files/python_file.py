@@ -34,7 +34,9 @@ def snake_case(name: str) -> str:
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
 
 
-def load_function(path: Path, name: str, named_in: str, line: int | None) -> Function:
+def load_function(
+    path: Path, name: str, named_in: str, line: int | None, only: bool = False
+) -> Function:
     """Return a function of a Python file.
 
     Args:
@@ -42,6 +44,7 @@ def load_function(path: Path, name: str, named_in: str, line: int | None) -> Fun
         name: the function's name, or that of a class in EvoAgents.
         named_in: the file that names it, for messages.
         line: its line there.
+        only: whether the file's only public function will do, whatever it is called.
 
     Raises:
         ModelError: the file cannot be loaded, or has no such function.
@@ -56,7 +59,7 @@ def load_function(path: Path, name: str, named_in: str, line: int | None) -> Fun
         if wanted in own:
             return own[wanted]
     public = [key for key in own if not key.startswith("_")]
-    if len(public) == 1:
+    if only and len(public) == 1:
         return own[public[0]]
     there = f"there is {', '.join(public)}" if public else "write one there"
     names = " or ".join(dict.fromkeys((f"{name}()", f"{snake_case(name)}()")))
@@ -69,7 +72,9 @@ def load_function(path: Path, name: str, named_in: str, line: int | None) -> Fun
     )
 
 
-def load_beside(path: Path, file: str, name: str, named_in: str, line: int | None) -> Function:
+def load_beside(
+    path: Path, file: str, name: str, named_in: str, line: int | None, only: bool = False
+) -> Function:
     """Return a function of a Python file that stands in the folder of the file that names it.
 
     Args:
@@ -78,6 +83,7 @@ def load_beside(path: Path, file: str, name: str, named_in: str, line: int | Non
         name: the function's name.
         named_in: the file that names it.
         line: its line there.
+        only: whether the file's only public function will do, whatever it is called.
 
     Raises:
         ModelError: no such file or function.
@@ -93,7 +99,7 @@ def load_beside(path: Path, file: str, name: str, named_in: str, line: int | Non
             named_in,
             line,
         )
-    return load_function(path, name, named_in, line)
+    return load_function(path, name, named_in, line, only)
 
 
 def function_text(function: Function, called: str = "") -> str:

@@ -18,7 +18,13 @@ from socialmind.errors import ModelError
 from socialmind.language.nodes import nearest
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files import genome_file
-from socialmind.mind.files.ades import CLASS, GENERAL_REMEDY, SCHEME, scheme_function
+from socialmind.mind.files.ades import (
+    CLASS,
+    GENERAL_REMEDY,
+    SCHEME,
+    read_input,
+    scheme_function,
+)
 from socialmind.mind.files.folder_reader import whole
 from socialmind.mind.files.network_lines import BRANCHES, HIDDEN, KEYWORDS, TYPE, network_of
 from socialmind.mind.files.python_file import load_beside
@@ -267,12 +273,12 @@ class _Mind:
         return int(node.value)
 
     def _function(
-        self, given: dict[str, yaml.Node], name: str, node: yaml.Node
+        self, given: dict[str, yaml.Node], name: str, node: yaml.Node, only: bool = False
     ) -> Callable[..., object]:
         """Return a Python function of the file that is named, or of that called as this one."""
         named = self._word(given["file"], "file") if "file" in given else ""
         path = Path(self.file).with_suffix(".py")
-        return load_beside(path, named, name, self.file, _line(node))
+        return load_beside(path, named, name, self.file, _line(node), only)
 
     def _skill(self, name: str, key: yaml.Node, node: yaml.Node) -> Skill:
         where = f"the skill {name!r}"
@@ -280,7 +286,7 @@ class _Mind:
         if "function" not in given:
             raise self.nodes.error(key, f"{where} without function", "function:", "add function:")
         try:
-            inputs = self._links(given, "inputs", Input.parse, where)
+            inputs = self._links(given, "inputs", read_input, where)
             outputs = self._links(given, "outputs", Output.parse, where)
             function = self._internal(given["function"], len(inputs), len(outputs), where)
             return Skill(name, inputs, outputs, function, None, self.file, _line(key))
@@ -307,12 +313,12 @@ class _Mind:
         self._check_fields(kind, given, FUNCTION_FIELDS, where, node)
         if kind == Programmed.keyword:
             written = self._needed(given, CLASS, where, node)
-            return Programmed(self._function(given, written, given[CLASS]), written)
+            return Programmed(self._function(given, written, given[CLASS], True), written)
         if kind == CognitonScheme.keyword:
             source = self._needed(given, SCHEME, where, node)
             entries = self.nodes.entries(given.get("cognitons", NOTHING), f"cognitons of {where}")
             cognitons = {
-                str(Input.parse(text, _line(key))): self._word(value, f"the cogniton of {text}")
+                str(read_input(text, _line(key))): self._word(value, f"the cogniton of {text}")
                 for text, key, value in entries
             }
             folder = Path(self.file).parent
