@@ -20,7 +20,7 @@ from typing import Any
 
 from socialmind.catalogue import MODEL_FILE, PRIVATE, load_file
 from socialmind.errors import ModelError
-from socialmind.mind.files.text_file import text_of
+from socialmind.mind.files.text_file import is_file, text_of
 
 Function = Callable[..., Any]
 
@@ -90,7 +90,7 @@ def load_beside(
     """
     if file:
         path = Path(named_in).parent / file
-    if not name.isidentifier() or not (path.suffix == ".py" and path.is_file()):
+    if not name.isidentifier() or not (path.suffix == ".py" and is_file(path)):
         wrong = not name.isidentifier()
         raise ModelError(
             f"the function {name!r} of {path}",

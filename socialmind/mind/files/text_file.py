@@ -170,6 +170,14 @@ def text_of(path: Path) -> str:
         ) from None
 
 
+def is_file(path: Path) -> bool:
+    """Whether there is a file of this name; none has a name that files cannot have."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # too long, or with a null character
+        return False
+
+
 def write_text(path: Path, text: str) -> None:
     """Write a file in one step: whenever the process is killed, a whole one stands there.
 
