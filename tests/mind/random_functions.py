@@ -135,19 +135,13 @@ def overshooting(command, value, memory, commanded):
     return value + 1.5 * step, step
 
 
-def random_regulation(draw: random.Random) -> Regulation:
-    """Return any regulation."""
+def random_regulation(draw: random.Random, programs: bool = True) -> Regulation:
+    """Return any regulation; with `programs`, those above as well."""
     low, high = sorted((draw.uniform(0.05, 0.95), draw.uniform(0.05, 0.95)))
-    return draw.choice(
-        [
-            Simple(),
-            Simple(),
-            Wave(),
-            Counter(),
-            Counter(draw.randint(1, 4), high, low),
-            Regulated(draw.choice([leak, held, accumulated, overshooting])),
-        ]
-    )
+    choices = [Simple(), Simple(), Wave(), Counter(), Counter(draw.randint(1, 4), high, low)]
+    if programs:
+        choices.append(Regulated(draw.choice([leak, held, accumulated, overshooting])))
+    return draw.choice(choices)
 
 
 # Networks --------------------------------------------------------------------------------------
@@ -260,7 +254,11 @@ def _graph(draw: random.Random, inputs: int, outputs: int) -> NeatGraph:
 
 
 def random_function(
-    draw: random.Random, inputs: int, outputs: int, memory: bool = True
+    draw: random.Random,
+    inputs: int,
+    outputs: int,
+    memory: bool = True,
+    programs: bool = True,
 ) -> InternalFunction:
     """Return any internal function for so many inputs and outputs.
 
@@ -268,13 +266,14 @@ def random_function(
         draw: what to draw from.
         inputs, outputs: the skill's.
         memory: whether networks that remember may be among them.
+        programs: whether programmed functions may.
     """
     fitting = [
         function
         for function, takes, gives in PROGRAMS
         if gives == outputs and (takes == inputs or (takes is None and inputs > 0))
     ]
-    if fitting and draw.random() < 0.35:
+    if programs and fitting and draw.random() < 0.35:
         return Programmed(draw.choice(fitting))
     hidden = draw.choice(["relu", "sigmoid"])
     added = draw.randint(0, 3)

@@ -2,13 +2,24 @@
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from random_functions import random_function, random_regulation
 
-from socialmind.mind import Actuator, Input, MindDescription, Output, Sensor, Skill, Variable
+from socialmind.mind import (
+    Actuator,
+    Input,
+    MindDescription,
+    Output,
+    Regulation,
+    Sensor,
+    Skill,
+    Variable,
+)
+from socialmind.mind.functions.contract import InternalFunction
 
 WORDS = (
     "Avoid",
@@ -30,6 +41,7 @@ def random_mind(
     skills: int = 60,
     depth: int = 8,
     memory: bool = True,
+    programs: bool = True,
     group: str | None = None,
 ) -> MindDescription:
     """Return a mind whose skill `MASTER` reaches all others.
@@ -39,6 +51,7 @@ def random_mind(
         skills: at most so many skills.
         depth: at most so many levels of skills.
         memory: whether networks that remember may be among the functions.
+        programs: whether programmed functions and regulations may; each set of them is compiled.
         group: the group that shares some of the variables; None for none.
     """
     levels = _levels(draw, draw.randint(1, skills), draw.randint(1, depth))
@@ -47,7 +60,10 @@ def random_mind(
         Actuator(name, neutral=draw.choice([0.5, 0.0, 1.0, draw.random()]))
         for name in _names(draw, "MO", draw.randint(1, 6))
     ]
-    variables = [_variable(draw, name, group) for name in _names(draw, "V", draw.randint(0, 6))]
+    variables = [
+        _variable(draw, name, random_regulation(draw, programs), group)
+        for name in _names(draw, "V", draw.randint(0, 6))
+    ]
     read = [module.name for module in sensors], [module.name for module in variables]
     written = [Output("MO", module.name) for module in actuators]
     written += [Output("VA", module.name) for module in variables]
@@ -58,14 +74,19 @@ def random_mind(
         if not below or draw.random() < 0.3:
             outputs += draw.sample(written, draw.randint(1, min(4, len(written))))
         draw.shuffle(outputs)
-        made.append(_skill(draw, name, _inputs(draw, *read), outputs, memory))
+        inputs = _inputs(draw, *read)
+        function = random_function(draw, len(inputs), len(outputs), memory, programs)
+        made.append(_skill(draw, name, inputs, outputs, function))
     return MindDescription("random", sensors, actuators, variables, made)
 
 
 def _skill(
-    draw: random.Random, name: str, inputs: list[Input], outputs: list[Output], memory: bool
+    draw: random.Random,
+    name: str,
+    inputs: list[Input],
+    outputs: list[Output],
+    function: InternalFunction,
 ) -> Skill:
-    function = random_function(draw, len(inputs), len(outputs), memory)
     network = function.network(len(inputs), len(outputs))
     if network is None:
         return Skill(name, inputs, outputs, function)
@@ -110,8 +131,9 @@ def _children(draw: random.Random, levels: Sequence[Sequence[str]]) -> dict[str,
     return children
 
 
-def _variable(draw: random.Random, name: str, group: str | None) -> Variable:
-    regulation = random_regulation(draw)
+def _variable(
+    draw: random.Random, name: str, regulation: Regulation, group: str | None
+) -> Variable:
     default = None
     if regulation.keyword == "CounterVariableModule":
         default = draw.choice([None, 1.0, 0.0])
@@ -145,8 +167,11 @@ def shuffled(description: MindDescription, draw: random.Random) -> MindDescripti
 def sensor_values(
     description: MindDescription, draw: random.Random, ticks: int
 ) -> Iterator[dict[str, float]]:
-    """Yield a value for each sensor, tick by tick: slow changes, jumps, and the very bounds."""
-    values = {name: draw.random() for name in description.sensors}
+    """Yield a value for each sensor, tick by tick: slow changes, jumps, and the very bounds.
+
+    The order in which sensors are declared makes no difference to it.
+    """
+    values = {name: draw.random() for name in sorted(description.sensors)}
     for _ in range(ticks):
         for name in values:
             values[name] = draw.choice(
@@ -158,6 +183,11 @@ def sensor_values(
                 ]
             )
         yield dict(values)
+
+
+def bits(table: Mapping[Any, float]) -> list[tuple[str, str]]:
+    """Return a table of numbers such that equal means equal to the last bit."""
+    return sorted((str(name), float(value).hex()) for name, value in table.items())
 
 
 def other_genomes(
