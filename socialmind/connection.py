@@ -13,6 +13,7 @@ from socialmind.errors import ModelError
 from socialmind.language.program import Program
 
 if TYPE_CHECKING:
+    from socialmind.mind.arrays import Assembly
     from socialmind.model import Model
 
 
@@ -54,6 +55,8 @@ def _all_arrays(model: Model) -> dict[str, Any]:
         for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
             arrays[f"{name}_{part}"] = getattr(table, part)
         arrays[f"{name}_names"] = model.names[name]
+        if table.minds is not None:
+            arrays[f"{name}_hierarchy"] = table.minds.record.record
         if table.society is not None:
             for part, array in table.scratch(model.program).items():
                 arrays[f"{name}_{part}"] = array
@@ -64,14 +67,34 @@ def _all_arrays(model: Model) -> dict[str, Any]:
     return arrays
 
 
-def names_of_scheme(program: Program, population: str, scheme: CognitiveScheme | None) -> list[int]:
-    """Return where in a scheme the names stand that a population's rules write.
+def names_of_minds(
+    program: Program,
+    population: str,
+    scheme: CognitiveScheme | None,
+    assembly: Assembly | None = None,
+) -> list[int]:
+    """Return where in a scheme and a hierarchy the names stand that a population's rules write.
 
     Raises:
-        ModelError: a rule names what the scheme does not have, or a plan has no function.
+        ModelError: a rule names what the minds do not have, or a plan has no function.
     """
-    if scheme is None:
-        return []
+    tables: dict[str, dict[Any, int]] = {}
+    owners: dict[str, str] = {}
+    if scheme is not None:
+        _check_plans(program, population, scheme)
+        tables |= _parts_of_scheme(scheme)
+        owners |= dict.fromkeys(tables, f"the scheme {scheme.name!r}")
+    if assembly is not None:
+        from socialmind.mind.drive import tables_of
+
+        parts = tables_of(assembly)
+        tables |= parts
+        owners |= dict.fromkeys(parts, f"the mind {assembly.description.name!r}")
+    return program.placed(population, tables, owners)
+
+
+def _parts_of_scheme(scheme: CognitiveScheme) -> dict[str, dict[Any, int]]:
+    """Return the places of a scheme's parts by part and name."""
     tables: dict[str, dict[Any, int]] = {
         "plan": {name: place for place, name in enumerate(scheme.plans)},
         "cogniton": {one.name: place for place, one in enumerate(scheme.cognitons)},
@@ -84,6 +107,11 @@ def names_of_scheme(program: Program, population: str, scheme: CognitiveScheme |
             tables["role"][group.name, role.name] = len(tables["role"])
         for culturon in culturons_of(group):
             tables["culturon"][group.name, culturon.name] = len(tables["culturon"])
+    return tables
+
+
+def _check_plans(program: Program, population: str, scheme: CognitiveScheme) -> None:
+    """Refuse a plan of a scheme that has no function."""
     if population in program.plans:
         for plan in scheme.plans:
             if plan not in program.plans[population]:
@@ -92,8 +120,6 @@ def names_of_scheme(program: Program, population: str, scheme: CognitiveScheme |
                     "a function for each plan",
                     f"the population {population!r} has {', '.join(program.plans[population])}",
                 )
-    owners = dict.fromkeys(tables, f"the scheme {scheme.name!r}")
-    return program.placed(population, tables, owners)
 
 
 def plan_functions(program: Program, population: str, scheme: CognitiveScheme) -> Any:

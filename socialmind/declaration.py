@@ -24,6 +24,8 @@ OWN_NAMES = frozenset(
         "contexts",
         "engine",
         "grid",
+        "hierarchy",
+        "assemblies",
         "names",
         "program",
         "scheme",

@@ -55,6 +55,9 @@ class Engine:
                 if type(scheme.decision_maker) not in BUILT_IN
             }
             self._module = compiled_module(module_text(model.program, frozenset(own)), own)
+            for table in model.tables.values():
+                if table.minds is not None:
+                    table.minds.compile()
         return self._module
 
     @property
@@ -144,4 +147,5 @@ class Engine:
     def _bytes(self) -> int:
         grid, tables = self.model.grid, self.model.tables
         arrays = [table.rows.nbytes + 64 * len(table.rows) for table in tables.values()]
+        arrays += [table.minds.bytes for table in tables.values() if table.minds is not None]
         return sum(arrays) + (0 if grid is None else grid.rows.nbytes)

@@ -15,6 +15,7 @@ import re
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
@@ -23,7 +24,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.society import Society
-from socialmind.connection import names_of_scheme
+from socialmind.connection import names_of_minds
 from socialmind.declaration import declaration_of
 from socialmind.engine import Engine
 from socialmind.errors import IdleWarning, SocialmindError
@@ -75,6 +76,8 @@ class Model:
         compiled: run the rules compiled, or interpreted with the same results.
         scheme: a scheme to use instead of the model's own: a file, or a `CognitiveScheme`; with
             several populations that have minds, a mapping from their names.
+        hierarchy: a hierarchy of skills to use instead of the model's own: a mind's folder or YAML
+            file, or a `MindDescription`; with several populations that have one, a mapping.
         parameters: values of parameters that differ from the defaults.
 
     Raises:
@@ -130,6 +133,15 @@ class Model:
         return cls._programs[compiled]
 
     @classmethod
+    def _assemblies(cls, given: Any) -> dict[str, Any]:
+        """Return the hierarchies of the populations that have some, laid out."""
+        if given is None and all(one.hierarchy is None for one in cls.populations.values()):
+            return {}
+        from socialmind.mind.inhabitants import assemblies_of
+
+        return assemblies_of(cls.populations, cls.folder(), given, cls.name)
+
+    @classmethod
     def folder(cls) -> Path:
         """Return the folder in which the model's class stands."""
         return Path(inspect.getfile(cls)).parent
@@ -139,6 +151,7 @@ class Model:
         seed: int = 0,
         compiled: bool = True,
         scheme: str | Path | CognitiveScheme | Mapping[str, Any] | None = None,
+        hierarchy: Any = None,
         **parameters: Any,
     ) -> None:
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**64:
@@ -146,8 +159,10 @@ class Model:
         self.seed = seed
         self.compiled = compiled
         self._scheme = scheme
+        self._hierarchy = hierarchy
         self.watch: tuple[str, int] | None = None
         self.watched: Receipt | None = None
+        self.assemblies = self._assemblies(hierarchy)
         self.program = self.typed(compiled)
         self.contexts = np.zeros(1, model_dtype(self.shape))
         self.context: Any = self.contexts[0]
@@ -165,7 +180,12 @@ class Model:
             if name.startswith("_") and name not in _KEPT and not name.startswith("_has_")
         ]
         self.names = {
-            name: np.array(names_of_scheme(self.program, name, self.schemes.get(name)), np.int64)
+            name: np.array(
+                names_of_minds(
+                    self.program, name, self.schemes.get(name), self.assemblies.get(name)
+                ),
+                np.int64,
+            )
             for name in self.populations
         }
         self.engine = Engine(self, compiled)
@@ -224,8 +244,27 @@ class Model:
                 same = [n for n in self.schemes if self.schemes[n] == scheme and n in tables]
                 society = tables[same[0]].society if same else Society(scheme, self.seed, place)
             shape = self.shape.populations[name]
-            tables[name] = Table(self, shape, self._size(population.size, 0), society)
+            minds = None
+            if name in self.assemblies:
+                minds = partial(self._minds, name, place)
+            tables[name] = Table(self, shape, self._size(population.size, 0), society, minds)
         return tables
+
+    def _minds(self, name: str, place: int, capacity: int) -> Any:
+        """Return the hierarchies of a population for so many agents."""
+        from socialmind.mind.population_minds import PopulationMinds
+
+        population = self.populations[name]
+        return PopulationMinds(
+            self.assemblies[name],
+            capacity,
+            self.seed,
+            place,
+            population.own_genomes,
+            population.instances,
+            population.drive,
+            lambda: self.tick,
+        )
 
     # Running ----------------------------------------------------------------------------------
 
@@ -324,7 +363,9 @@ class Model:
 
     def fresh(self: Loaded) -> Loaded:
         """Return the same society before its first tick."""
-        return type(self)(self.seed, self.compiled, self._scheme, **self.parameter_values())
+        return type(self)(
+            self.seed, self.compiled, self._scheme, self._hierarchy, **self.parameter_values()
+        )
 
     def explain(self, agent: int, tick: int) -> Receipt:
         """Explain the decision that was in force at a tick: the agent's last one up to it.
@@ -375,6 +416,9 @@ class Model:
             if table.society is not None:
                 for part, array in table.society.state().items():
                     state[f"{name}.minds.{part}"] = array
+            if table.minds is not None:
+                for part, array in table.minds.snapshot().items():
+                    state[f"{name}.hierarchy.{part}"] = array
         return state
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
@@ -387,10 +431,11 @@ class Model:
             self.grid.restore({"rows": state["world.rows"]})
         for name, table in self.tables.items():
             own = _part(state, name)
-            minds = _part(own, "minds")
-            table.restore({key: own[key] for key in own if not key.startswith("minds.")})
+            table.restore({key: array for key, array in own.items() if "." not in key})
             if table.society is not None:
-                table.society.restore(minds)
+                table.society.restore(_part(own, "minds"))
+            if table.minds is not None:
+                table.minds.restore(_part(own, "hierarchy"))
 
     def mesa(self) -> Any:
         """Return a real `mesa.Model` over this society; see docs/mesa.md."""

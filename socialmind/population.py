@@ -40,6 +40,8 @@ from socialmind.rows import row_class
 if TYPE_CHECKING:
     from coglogo_py import CognitiveScheme, Mind, Society
     from socialmind.language.program import Program
+    from socialmind.mind.description import MindDescription
+    from socialmind.mind.population_minds import PopulationMinds
     from socialmind.model import Model
 
 
@@ -66,6 +68,8 @@ TAKEN_NAMES = frozenset(
         "run_plan",
         "die",
         "hatch",
+        "hierarchy",
+        "minds",
         "acting",
         "alive",
         "columns",
@@ -94,6 +98,13 @@ class Population:
         mind: the scheme of their minds: a file beside the model, or a `CognitiveScheme`.
         plans: the function of each plan, by the plan's name in the scheme.
         decision_makers: decision makers of the modeller's own that the scheme's file may name.
+        hierarchy: the hierarchy of skills of its agents (MIND): a folder or YAML file beside the
+            model, or a `MindDescription`. An agent may have both kinds of mind.
+        master: the name of the hierarchy's master skill; may be left out where no other skill
+            influences exactly one.
+        drive: the hierarchy's drive module, a plain function `drive(mind)`.
+        own_genomes: whether each agent has its own weights.
+        instances: how many instances there are of the groups that share variables.
     """
 
     def __init__(
@@ -103,12 +114,22 @@ class Population:
         mind: str | Path | CognitiveScheme | None = None,
         plans: Mapping[str, Callable[..., Any]] | None = None,
         decision_makers: tuple[Any, ...] = (),
+        hierarchy: str | Path | MindDescription | None = None,
+        master: str | None = None,
+        drive: Callable[..., None] | None = None,
+        own_genomes: bool = False,
+        instances: int = 0,
     ) -> None:
         self.agent = agent
         self.size = size
         self.mind = mind
         self.plans = dict(plans or {})
         self.decision_makers = decision_makers
+        self.hierarchy = hierarchy
+        self.master = master
+        self.drive = drive
+        self.own_genomes = own_genomes
+        self.instances = instances
         self.name = ""
 
     def __set_name__(self, owner: type, name: str) -> None:
@@ -149,7 +170,9 @@ class Population:
     def shape(self) -> PopulationShape:
         """What rules may know of the population."""
         fields = class_fields(self.agent)
-        return PopulationShape(self.name, fields, self.mind is not None, self.plans)
+        return PopulationShape(
+            self.name, fields, self.mind is not None, self.plans, self.hierarchy is not None
+        )
 
 
 class Table:
@@ -167,14 +190,21 @@ class Table:
         shape: the population's shape.
         size: how many agents there are at the start.
         society: the minds, or None.
+        minds: makes the hierarchies for so many agents, or None.
     """
 
     def __init__(
-        self, model: Model, shape: PopulationShape, size: int, society: Society | None
+        self,
+        model: Model,
+        shape: PopulationShape,
+        size: int,
+        society: Society | None,
+        minds: Callable[[int], PopulationMinds] | None = None,
     ) -> None:
         self.model = model
         self.shape = shape
         self.society = society
+        self.minds = None if minds is None else minds(max(size, 1))
         self.dtype = row_dtype(dict(shape.fields), shape)
         self.default = np.zeros(1, self.dtype)
         for field in shape.fields.values():
@@ -291,6 +321,8 @@ class Table:
         agent = self._named(slot)
         if self.society is not None:
             self.columns["_mind"][slot] = self.society.new_mind().slot
+        if self.minds is not None:
+            self.minds.begin(slot)
         return agent
 
     def hatch(self, parent: Any, keep_groups: bool = False) -> Any:
@@ -302,6 +334,8 @@ class Table:
         agent = self._named(slot)
         if self.society is not None:
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
+        if self.minds is not None:
+            self.minds.copy(parent._slot, slot)
         return agent
 
     def die(self, agent: Any) -> None:
@@ -356,6 +390,8 @@ class Table:
         self._see_columns()
         if self.society is not None:
             self.society.reserve(added)
+        if self.minds is not None:
+            self.minds.grow(capacity)
 
     # State ------------------------------------------------------------------------------------
 

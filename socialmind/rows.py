@@ -124,6 +124,11 @@ def _run_plan(row: Row, model: Any, rng: Any) -> None:
         model.run_plan(row._table.shape.name, plan, row, rng)
 
 
+def _hierarchy(row: Row) -> Any:
+    """The agent's hierarchy of skills."""
+    return row._table.minds.of(row._slot)
+
+
 def row_class(shape: PopulationShape) -> type[Row]:
     """Return the class of a population's rows, with its fields as properties."""
     members: dict[str, Any] = {"__slots__": ()}
@@ -133,6 +138,8 @@ def row_class(shape: PopulationShape) -> type[Row]:
         members["mind"] = property(_mind)
         members["plan"] = property(_plan, _set_plan)
         members["run_plan"] = _run_plan
+    if shape.hierarchy:
+        members["hierarchy"] = property(_hierarchy)
     return type(shape.name, (Row,), members)
 
 

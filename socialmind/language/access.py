@@ -91,6 +91,7 @@ def _create_NAME(_model):
     rows[slot] = carray(_as_pointer(_model._NAME_default), (1,), NAME_ROW)[0]
     agent = _named_NAME(_model, slot)
     NEW_MIND
+    NEW_HIERARCHY
     return agent
 
 
@@ -103,6 +104,7 @@ def _hatch_NAME(_model, parent, keep_groups):
     rows[slot] = parent
     agent = _named_NAME(_model, slot)
     HATCHED_MIND
+    HATCHED_HIERARCHY
     return agent
 
 
@@ -173,6 +175,8 @@ def population_text(population: PopulationShape, own_maker: bool) -> str:
         "NEW_MIND": "pass",
         "HATCHED_MIND": "pass",
         "DEAD_MIND": "pass",
+        "NEW_HIERARCHY": "pass",
+        "HATCHED_HIERARCHY": "pass",
         "DTYPE": dtype_text(row_dtype(dict(population.fields), population)),
     }
     if population.minded:
@@ -199,6 +203,11 @@ def population_text(population: PopulationShape, own_maker: bool) -> str:
         parts.append((_DECIDE_BY_OWN_MAKER if own_maker else _DECIDE).replace("NAME", name))
         parts.append(_MINDS.replace("NAME", name))
         parts += [_command_text(name, command) for command in MIND if command != "choose_next_plan"]
+    if population.hierarchy:
+        fills |= {
+            "NEW_HIERARCHY": f"_begin_hierarchy_{name}(_model, slot)",
+            "HATCHED_HIERARCHY": f"_copy_hierarchy_{name}(_model, parent._slot, slot)",
+        }
     text = _POPULATION
     for mark, fill in fills.items():
         text = text.replace(mark, fill)

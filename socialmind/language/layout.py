@@ -95,6 +95,8 @@ def model_dtype(shape: ModelShape) -> np.dtype[Any]:
     for population in shape.populations.values():
         name = population.name
         columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]
+        if population.hierarchy:
+            columns.append((f"_{name}_hierarchy", "i8"))
         for array, (_, dimensions) in population_arrays(population).items():
             columns.append((f"_{name}_{array}", "i8"))
             columns += [(f"_{name}_{array}_{axis}", "i8") for axis in range(dimensions)]

@@ -30,6 +30,11 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
     for population in shape.populations.values():
         parts.append(population_text(population, population.name in own_makers))
+    minded = [name for name, one in shape.populations.items() if one.hierarchy]
+    if minded:
+        from socialmind.mind.kernel import text as minds
+
+        parts += [minds.HEAD, *(minds.population_text(name) for name in minded)]
     for function in program.functions.values():
         parts.append(f"@_inner\n{lowered(function)}")
     for name, plans in program.plans.items():

@@ -28,6 +28,23 @@ def as_pointer(typing_context: Any, address: Any) -> Any:
 
 
 @intrinsic
+def call_at(typing_context: Any, function: Any, one: Any, two: Any, three: Any) -> Any:
+    """Call the compiled function at an address with three whole numbers; it returns one.
+
+    What is called so is compiled for itself, not again in every module that calls it.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        whole = ir.IntType(64)
+        kind = ir.FunctionType(whole, [whole, whole, whole])
+        pointer = builder.inttoptr(arguments[0], kind.as_pointer())
+        return builder.call(pointer, arguments[1:])
+
+    whole_number = types.int64
+    return whole_number(whole_number, whole_number, whole_number, whole_number), generate
+
+
+@intrinsic
 def fetch_ahead(typing_context: Any, array: Any, row: Any) -> Any:
     """Ask the processor to fetch a row of an array that will be needed soon.
 

@@ -2,7 +2,14 @@
 
 from socialmind.mind.description import MindDescription
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
+from socialmind.mind.functions.convolution import Convolution, Kernel
+from socialmind.mind.functions.elman import Elman
+from socialmind.mind.functions.graph_neuron import GraphNeuron
+from socialmind.mind.functions.influence_network import InfluenceNetwork
+from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.programmed import Programmed
+from socialmind.mind.functions.recurrent import Recurrent
 from socialmind.mind.hierarchy import Hierarchy, load_mind
 from socialmind.mind.minds import Minds
 from socialmind.mind.modules import Actuator, Input, Output, Sensor, Skill, Variable
@@ -11,13 +18,21 @@ from socialmind.mind.regulation import Counter, Regulated, Regulation, Simple, W
 __all__ = [
     "Actuator",
     "CognitonScheme",
+    "Convolution",
     "Counter",
+    "Elman",
+    "GraphNeuron",
     "Hierarchy",
+    "InfluenceNetwork",
     "Input",
+    "Kernel",
     "MindDescription",
     "Minds",
+    "NeatGraph",
     "Output",
+    "Perceptron",
     "Programmed",
+    "Recurrent",
     "Regulated",
     "Regulation",
     "Sensor",

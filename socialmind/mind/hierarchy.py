@@ -76,6 +76,7 @@ class Hierarchy:
             [one.function for one, _, _ in self.assembly.programs],
             [one.function for one in self.assembly.regulations],
             drive,
+            lambda: self.tick,
         )
         self._required = self.assembly.required
         self.reset()
@@ -110,11 +111,7 @@ class Hierarchy:
             values[places[name]] = value
         self._check_genomes()
         try:
-            if self._steps.is_plain:
-                self._steps.module.evaluate(self._steps.address)
-            else:
-                self._steps.evaluate(0)
-                self._state.now[0] += 1
+            self._steps.evaluate(0)
         except ValueError as error:
             raise ModelError(f"the mind {self.description.name!r}: {error}") from error
         self.tick += 1

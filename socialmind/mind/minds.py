@@ -9,16 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.language.compiled import compiled_module
 from socialmind.language.nodes import nearest
-from socialmind.language.program import Program
 from socialmind.mind.arrays import Assembly, assemble, master_of
+from socialmind.mind.code import MindCode
 from socialmind.mind.description import MindDescription
-from socialmind.mind.drive import names_of, typed_drive
 from socialmind.mind.kernel.layout import LIVES
-from socialmind.mind.kernel.text import module_text, typed_programs
+from socialmind.mind.kernel.text import RESTARTED
 from socialmind.mind.state import Record, copied, new_state, restored, societies_of
-from socialmind.mind.steps import outside_models
+from socialmind.mind.steps import failure_of
 
 LANES = 256
 """How many agents are evaluated in lockstep: the more, the longer the vectors; all nodes of a
@@ -79,11 +77,9 @@ class Minds:
         self.seed = seed
         self.drive = drive
         self.unset = _unset(self.assembly)
-        self.program = Program(outside_models(), compiled=True)
-        symbol = None if drive is None else typed_drive(self.program, drive)
-        self._programs = typed_programs(self.program, self.assembly, symbol)
-        self._record = Record(self.assembly, names_of(self.program, self.assembly))
-        self._module: Any = None
+        self._evaluate: Any = None
+        self._code = MindCode(self.assembly, drive)
+        self._record = Record(self.assembly, self._code.names)
         self.state_arrays = new_state(self.assembly, agents, self.lanes, own_genomes, instances)
         self.societies = societies_of(self.assembly, seed, agents)
         self._record.connect(agents, self.state_arrays, self.societies)
@@ -122,15 +118,15 @@ class Minds:
         """
         if self.unset:
             raise _no_genome(self.description, next(iter(self.unset)))
-        if self._module is None:
-            self._module = compiled_module(module_text(self.program, self._programs), {})
-        try:
-            self._module.evaluate(self._record.address)
-        except ValueError as error:
-            raise self._explained(error) from error
+        blocks = len(self.state_arrays.fresh)
+        if self._evaluate is None:
+            self._evaluate = self._code.module.evaluate.ctypes
+        if self._evaluate(self._record.address, 0, blocks) != 0:
+            raise self._failure()
+        self.state_arrays.now[0] += 1
 
-    def _explained(self, error: ValueError) -> ModelError:
-        """Return the error that names the agent and the sensor, where one is at fault."""
+    def _failure(self) -> ModelError:
+        """Return the error that names what failed in an evaluation, and the agent."""
         for name in self.description.sensors:
             values = self.sensor(name)
             bad = np.flatnonzero(~((values >= 0) & (values <= 1)))
@@ -139,7 +135,12 @@ class Minds:
                     f"{values[bad[0]]} for the sensor {name!r} of agent {bad[0]}",
                     "a number, 0 … 1",
                 )
-        return ModelError(f"the mind {self.description.name!r}: {error}")
+        number = self._record.failed_skill
+        if number < 0:
+            return ModelError(f"the drive or a regulation of {self.description.name!r} failed")
+        skill = self.description.skills[self.assembly.skills[number]]
+        agent = self._record.failed_agent
+        return failure_of(skill, agent, self.state_arrays.nodes[0, :, agent % self.lanes])
 
     # Modules ----------------------------------------------------------------------------------
 
@@ -294,9 +295,11 @@ class Minds:
             self.societies = societies_of(self.assembly, self.seed, self.agents)
             self._record.connect(self.agents, self.state_arrays, self.societies)
             return
-        if self._module is None:
-            self._module = compiled_module(module_text(self.program, self._programs), {})
-        self._module.restart(self._record.address, np.asarray(agents, np.int64))
+        renew = self._code.module.renew.ctypes
+        for agent in agents:
+            if not 0 <= agent < self.agents:
+                raise ModelError(f"the agent {agent}", f"0 … {self.agents - 1}")
+            renew(self._record.address, agent, RESTARTED)
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return copies of all arrays that change, by name; `restore` takes them back."""

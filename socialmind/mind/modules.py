@@ -336,7 +336,7 @@ class Skill:
 
     def changed(self, **fields: Any) -> Skill:
         """Return the skill with other fields; a genome that no longer fits must be given anew."""
-        own = {
+        own: dict[str, Any] = {
             "name": self.name, "inputs": self.inputs, "outputs": self.outputs,
             "function": self.function, "genome": self.genome, "file": self.file,
             "line": self.line,

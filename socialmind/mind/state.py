@@ -67,6 +67,7 @@ def new_state(
         genome=np.zeros(
             (blocks if own_genomes else 1, assembly.genome_begin[-1], lanes if own_genomes else 1)
         ),
+        first_genome=np.zeros((1, assembly.genome_begin[-1], 1)),
         nodes=np.zeros((1, assembly.nodes, lanes)),
         group=np.full((blocks, shared, lanes), -1, np.int64),
         participation=np.ones((blocks, shared, lanes)),
@@ -75,12 +76,21 @@ def new_state(
     )
 
 
-def societies_of(assembly: Assembly, seed: int, agents: int) -> tuple[Society, ...]:
-    """Return the minds of a hierarchy's cogniton schemes; agent i is the mind in slot i."""
+def societies_of(
+    assembly: Assembly, seed: int, agents: int, stream: int = 0
+) -> tuple[Society, ...]:
+    """Return the minds of a hierarchy's cogniton schemes; agent i is the mind in slot i.
+
+    Args:
+        assembly: the hierarchy.
+        seed: the key of their draws.
+        agents: how many.
+        stream: the first scheme's stream of draws; further ones take the next.
+    """
     societies = []
     for number, name in enumerate(assembly.schemes):
         function: Any = assembly.description.skills[name].function
-        society = Society(function.scheme, seed, number)
+        society = Society(function.scheme, seed, stream + number)
         society.new_minds(agents)
         societies.append(society)
     return tuple(societies)
@@ -104,6 +114,21 @@ class Record:
         self.scheme_lists = [_scheme_lists(assembly, name) for name in assembly.schemes]
 
     @property
+    def failed_skill(self) -> int:
+        """The number of the skill whose program failed, -1 for none."""
+        return int(self.record["failed_skill"][0])
+
+    @property
+    def failed_agent(self) -> int:
+        """The agent whose program failed."""
+        return int(self.record["failed_agent"][0])
+
+    def call(self, evaluate: int, renew: int) -> None:
+        """Write where the compiled evaluation and the compiled births are."""
+        self.record["evaluate"] = evaluate
+        self.record["renew"] = renew
+
+    @property
     def address(self) -> int:
         """Where the record itself is."""
         return _address(self.record)
@@ -122,6 +147,7 @@ class Record:
             for name, array in self.scheme_lists[number].items():
                 arrays[f"{number}_{name}"] = array
         self.record["agents"] = agents
+        self.record["failed_skill"] = -1
         for name, array in arrays.items():
             self.record[name] = _address(array)
             for axis, length in enumerate(array.shape):
@@ -152,7 +178,8 @@ def _address(array: NDArray[Any]) -> int:
 
 def copied(state: State) -> dict[str, NDArray[Any]]:
     """Return copies of the arrays of a state by name."""
-    return {name: array.copy() for name, array in zip(State._fields, state, strict=True)}
+    arrays = zip(State._fields, state, strict=True)
+    return {name: array.copy() for name, array in arrays if name != "nodes"}
 
 
 def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
@@ -163,6 +190,9 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
     """
     found = {}
     for name, (kind, _) in array_types(State).items():
+        if name == "nodes":
+            found[name] = state.nodes  # room for arithmetic, not state
+            continue
         array = np.ascontiguousarray(arrays[name], dtype=kind)
         own = getattr(state, name)
         if array.shape[1:] != own.shape[1:]:

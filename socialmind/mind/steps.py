@@ -15,30 +15,21 @@ from coglogo_py import Society
 from socialmind.errors import ModelError
 from socialmind.language.compiled import compiled_module
 from socialmind.language.nodes import nearest
-from socialmind.language.program import Program
-from socialmind.language.shape import ModelShape, PopulationShape
 from socialmind.mind.arrays import Assembly
 from socialmind.mind.drive import AgentHierarchy, tables_of
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.kernel.layout import State
-from socialmind.mind.kernel.text import MIND_NAME, MindProgram, module_text
+from socialmind.mind.kernel.text import steps_text
 from socialmind.mind.modules import Skill
 from socialmind.mind.regulation import Regulated
 from socialmind.mind.state import Record
 
 
-def outside_models() -> ModelShape:
-    """Return the shape of what is no model: minds alone."""
-    minds = PopulationShape(MIND_NAME, {}, hierarchy=True)
-    return ModelShape("the mind", {}, {}, {MIND_NAME: minds}, None, (), ())
-
-
 @cache
-def plain_module() -> Any:
-    """Return the compiled steps, which are the same for all minds."""
-    program = Program(outside_models(), compiled=True)
-    return compiled_module(module_text(program, MindProgram((), (), None, 0)), {})
+def compiled_steps() -> Any:
+    """Return the compiled steps of an evaluation, which are the same for all minds."""
+    return compiled_module(steps_text(), {})
 
 
 class Steps:
@@ -50,6 +41,7 @@ class Steps:
         programs: the function of each program, as the assembly numbers them.
         regulations: the function of each of the modeller's regulations.
         drive: the drive, or None.
+        tick: gives the tick, by which shared variables know a new one.
     """
 
     def __init__(
@@ -59,11 +51,13 @@ class Steps:
         programs: Sequence[Callable[..., Any]],
         regulations: Sequence[Callable[..., Any]],
         drive: Callable[..., None] | None,
+        tick: Callable[[], int],
     ) -> None:
         self.assembly = assembly
         self.address = record.address
         self.drive = drive
-        self.module = plain_module()
+        self.tick = tick
+        self.module = compiled_steps()
         self.state: State
         self.societies: tuple[Society, ...] = ()
         self._places = tables_of(assembly)
@@ -80,9 +74,6 @@ class Steps:
             for number, skill in self._skills
             if isinstance(skill.function, Programmed)
         }
-        self.is_plain = drive is None and not (
-            self._regulated or self._functions or assembly.schemes
-        )
 
     def connect(self, state: State, societies: tuple[Society, ...]) -> None:
         """Take the arrays of the agents."""
@@ -108,6 +99,7 @@ class Steps:
             ValueError: a sensor is outside [0, 1], or a program gave no number.
         """
         module, address = self.module, self.address
+        self.state.now[0] = self.tick()
         module.begin(address, agent)
         for place, variable, function in self._regulated:
             self._regulate(agent, place, variable, function)
@@ -115,7 +107,8 @@ class Steps:
         if self.drive is not None:
             self.drive(AgentHierarchy(self, agent, driven=True))
         for number, skill in self._skills:
-            module.receive(address, agent, number)
+            if not module.receive(address, agent, number):
+                continue
             if number in self._functions:
                 self._run(skill, self._functions[number])
             elif isinstance(skill.function, CognitonScheme):
@@ -125,14 +118,11 @@ class Steps:
 
     def restart(self, agent: int) -> None:
         """Put an agent back to before its first evaluation."""
-        import numpy as np
-
-        self.module.restart(self.address, np.array([agent]))
+        self.module.restart(self.address, agent)
         for society in self.societies:
             mind = society.mind_in(agent)
             mind.leave_all_groups()
             society.minds.values[agent] = society.arrays.start
-            society.minds.draws[agent] = 0
 
     def _run(self, skill: Skill, function: Callable[..., Any]) -> None:
         nodes = self.state.nodes[0, :, 0]
@@ -195,3 +185,24 @@ def _held(value: Any, function: str, owner: Any) -> float:
             file=owner.file, line=owner.line,
         )  # fmt: skip
     return min(max(number, 0.0), 1.0)
+
+
+def failure_of(skill: Skill, agent: int, nodes: Any) -> ModelError:
+    """Return the error of a programmed function that failed in compiled code.
+
+    Args:
+        skill: the skill.
+        agent: the number of the agent.
+        nodes: the agent's nodes, which begin with the function's inputs.
+    """
+    program: Any = skill.function
+    inputs = nodes[: len(skill.inputs)].tolist()
+    try:
+        found = program.function(inputs) if program.takes_array else program.function(*inputs)
+        what = f"gave {found!r}"
+    except Exception as error:  # whatever the author's function raises
+        what = f"failed with {type(error).__name__}: {error}"
+    return skill.refused(
+        f"of agent {agent}, whose function {program.name}() {what} for the inputs {inputs}",
+        "numbers, 0 … 1",
+    )

@@ -1,4 +1,4 @@
-"""Variants of a mind (thesis, 6.2, 6.3): a skill replaced, a master encapsulated, a subskill grafted.
+"""Variants of a mind: a skill replaced, a master encapsulated, a subskill grafted (6.2, 6.3).
 
 They return descriptions; what they are made from stays as it is.
 """

@@ -79,13 +79,13 @@ class CognitonScheme(InternalFunction):
                     "an output called as each plan",
                     nearest(plan, sorted(outputs)),
                 )
-        for one in skill.outputs:
-            if one.name not in plans:
+        for output in skill.outputs:
+            if output.name not in plans:
                 raise skill.refused(
-                    f"with the output {one}, which is no plan of {self.scheme.name!r}",
+                    f"with the output {output}, which is no plan of {self.scheme.name!r}",
                     "outputs called as the scheme's plans",
-                    nearest(one.name, self.scheme.plans),
-                    one.line,
+                    nearest(output.name, self.scheme.plans),
+                    output.line,
                 )
         if type(self.scheme.decision_maker) not in BUILT_IN:
             raise ModelError(

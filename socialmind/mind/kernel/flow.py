@@ -134,3 +134,49 @@ def start_lane(structure: Any, state: Any, block: int, lane: int) -> None:
     for place in range(state.remembered.shape[1]):
         state.remembered[block, place, lane] = 0.0
     state.fresh[block, lane] = 1
+
+
+@register_jitable
+def born_lane(structure: Any, state: Any, agent: int) -> None:
+    """Begin a new agent's life, in blocks of one lane; what it had of an earlier one is gone."""
+    start_lane(structure, state, agent, 0)
+    for number in range(state.group.shape[1]):
+        state.group[agent, number, 0] = -1
+        state.participation[agent, number, 0] = 1.0
+    if state.genome.shape[0] > 1:
+        for weight in range(state.genome.shape[1]):
+            state.genome[agent, weight, 0] = state.first_genome[0, weight, 0]
+
+
+@register_jitable
+def copy_lane(state: Any, parent: int, child: int) -> None:
+    """Make an agent its parent's copy, in blocks of one lane; it is in no group."""
+    _copy_rows(state.sensors, parent, child)
+    _copy_rows(state.signals, parent, child)
+    _copy_rows(state.past, parent, child)
+    _copy_rows(state.values, parent, child)
+    _copy_rows(state.before, parent, child)
+    _copy_rows(state.command, parent, child)
+    _copy_rows(state.memory, parent, child)
+    _copy_rows(state.totals, parent, child)
+    _copy_rows(state.output, parent, child)
+    _copy_rows(state.sent, parent, child)
+    _copy_rows(state.drive_influence, parent, child)
+    _copy_rows(state.drive_command, parent, child)
+    _copy_rows(state.drive_weight, parent, child)
+    _copy_rows(state.actuators, parent, child)
+    _copy_rows(state.remembered, parent, child)
+    state.fresh[child, 0] = state.fresh[parent, 0]
+    state.clock[child] = state.clock[parent]
+    for number in range(state.group.shape[1]):
+        state.group[child, number, 0] = -1
+        state.participation[child, number, 0] = 1.0
+    if state.genome.shape[0] > 1:
+        for weight in range(state.genome.shape[1]):
+            state.genome[child, weight, 0] = state.genome[parent, weight, 0]
+
+
+@register_jitable
+def _copy_rows(array: Any, parent: int, child: int) -> None:
+    for row in range(array.shape[1]):
+        array[child, row, 0] = array[parent, row, 0]

@@ -104,6 +104,7 @@ class State(NamedTuple):
     fresh: Ints2  # (blocks, lanes) 1 before the first evaluation
     clock: Ints1  # (blocks,) evaluations of the block
     genome: Floats3  # (1 or blocks, weights, 1 or lanes)
+    first_genome: Floats3  # (1, weights, 1) what those born with own genomes begin with
     nodes: Floats3  # (1, nodes, lanes) room for one skill's network
     group: Ints3  # (blocks, shared variables, lanes) instance that an agent is in, -1 for none
     participation: Floats3  # (blocks, shared variables, lanes)

@@ -6,20 +6,18 @@ many cogniton schemes it has. Skills, links, networks and genomes are data.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from socialmind.errors import ModelError
 from socialmind.language.layout import ENGINE_ARRAYS, dtype_text
+from socialmind.language.loop import HEAD as RULES_HEAD
+from socialmind.language.loop import runtime_names
+from socialmind.language.lowering import lowered
 from socialmind.language.program import Program
-from socialmind.language.types import BOOL, FLOAT, INT, AnyType, ArrayType, TupleType
-from socialmind.mind.arrays import Assembly
-from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.kernel.layout import State, Structure, array_types
-from socialmind.mind.regulation import Regulated
+from socialmind.mind.programs import MindProgram
 
 SCHEME_LISTS = {
     "cogniton": ("int64", 1),
@@ -28,6 +26,14 @@ SCHEME_LISTS = {
     "plans": ("int64", 1),
 }
 """Arrays beside a scheme's own: the cogniton of each input, the output of each plan, room."""
+
+
+RECORD = ("agents", "evaluate", "renew", "failed_skill", "failed_agent", "names", "names_0")
+"""What the record of a mind holds beside the arrays: how many agents, the addresses of the compiled
+evaluation and of births, which program of which agent runs, and the names that a drive writes."""
+
+RESTARTED, NEW_BORN = -2, -1
+"""Instead of a parent, in `renew`: an agent begins anew, or a new one begins."""
 
 
 def mind_arrays(schemes: int) -> dict[str, tuple[str, int]]:
@@ -44,84 +50,19 @@ def mind_arrays(schemes: int) -> dict[str, tuple[str, int]]:
 
 def mind_dtype(schemes: int) -> np.dtype[Any]:
     """Return the record that says where the arrays of a hierarchy are, and how large."""
-    columns: list[Any] = [("agents", "i8"), ("names", "i8"), ("names_0", "i8")]
+    columns: list[Any] = [(name, "i8") for name in RECORD]
     for name, (_, dimensions) in mind_arrays(schemes).items():
         columns.append((name, "i8"))
         columns += [(f"{name}_{axis}", "i8") for axis in range(dimensions)]
     return np.dtype(columns, align=True)
 
 
-@dataclass(frozen=True)
-class MindProgram:
-    """The typed programs of a hierarchy.
-
-    Attributes:
-        programs: symbol, inputs, outputs and whether it takes an array, for each function.
-        regulations: symbol, what it takes and whether it returns a memory, for each.
-        drive: the drive's symbol, or None.
-        schemes: how many cogniton schemes there are.
-    """
-
-    programs: tuple[tuple[str, int, int, bool], ...]
-    regulations: tuple[tuple[str, tuple[str, ...], bool], ...]
-    drive: str | None
-    schemes: int
-
-
-def typed_programs(program: Program, assembly: Assembly, drive: str | None = None) -> MindProgram:
-    """Type a hierarchy's functions and regulations as parts of a program.
-
-    Raises:
-        ModelError: one is outside the language of rules, or returns what it should not.
-    """
-    return MindProgram(
-        tuple(_typed_function(program, *one) for one in assembly.programs),
-        tuple(_typed_regulation(program, one) for one in assembly.regulations),
-        drive,
-        len(assembly.schemes),
-    )
-
-
-def _typed_function(
-    program: Program, one: Programmed, inputs: int, outputs: int
-) -> tuple[str, int, int, bool]:
-    source = program.source(one.function)
-    kinds: tuple[AnyType, ...] = (FLOAT,) * inputs
-    if one.takes_array:
-        kinds = (ArrayType(FLOAT, inputs),)
-    symbol, result = program.specialised(source, kinds, None, source.tree)
-    items = result.items if isinstance(result, TupleType) else (result,)
-    if len(items) != outputs or any(item not in (FLOAT, INT, BOOL) for item in items):
-        raise ModelError(
-            f"the function {source.name!r}, which returns {result}",
-            f"{outputs} numbers, one for each output of its skill" if outputs > 1 else "a number",
-            None,
-            source.file,
-            source.line,
-        )
-    return symbol, inputs, outputs, one.takes_array
-
-
-def _typed_regulation(program: Program, one: Regulated) -> tuple[str, tuple[str, ...], bool]:
-    source = program.source(one.function)
-    kinds = tuple(BOOL if name == "commanded" else FLOAT for name in one.takes)
-    symbol, result = program.specialised(source, kinds, None, source.tree)
-    items = result.items if isinstance(result, TupleType) else (result,)
-    if not 1 <= len(items) <= 2 or any(item not in (FLOAT, INT, BOOL) for item in items):
-        raise ModelError(
-            f"the regulation {source.name!r}, which returns {result}",
-            "the variable's value, or the value and the memory",
-            None,
-            source.file,
-            source.line,
-        )
-    return symbol, one.takes, len(items) == 2
-
-
 HEAD = '''import math as _math
 from socialmind.mind.kernel import flow as _flow
 from socialmind.mind.kernel import reach as _reach
 from socialmind.mind.kernel import variables as _variables
+from numba import cfunc
+from socialmind.language.memory import call_at as _call
 from socialmind.mind.kernel.layout import NETWORK as _NETWORK
 from socialmind.mind.kernel.layout import PROGRAM as _PROGRAM
 from socialmind.mind.kernel.layout import SENSORS as _SENSORS
@@ -132,6 +73,8 @@ from socialmind.mind.kernel.layout import Structure as _Structure
 from socialmind.mind.kernel.networks import run_network as _run_network
 from socialmind.mind.regulation import REGULATED as _REGULATED
 
+RESTARTED, NEW_BORN = -2, -1
+
 
 @_inner
 def _held(value):
@@ -141,7 +84,7 @@ def _held(value):
     return min(max(float(value), 0.0), 1.0)'''
 
 _EVALUATE = """@_inner
-def _evaluate_NAME(_model, mind, block, lanes):
+def _evaluate_NAME(mind, block, lanes):
     structure = _structure_NAME(mind)
     state = _state_NAME(mind)
     _flow._sense(structure, state, block, lanes)
@@ -155,29 +98,51 @@ def _evaluate_NAME(_model, mind, block, lanes):
             if kind == _NETWORK:
                 _run_network(structure, state, block, lanes, skill)
             elif kind == _PROGRAM:
-                _program_NAME(_model, structure, state, lanes, skill)
+                _program_NAME(mind, structure, state, block, lanes, skill)
             else:
                 _scheme_NAME(mind, structure, state, block, lanes, skill)
             _flow.transmit(structure, state, block, lanes, skill)
-    _flow.act(structure, state, block, lanes)
+    _flow.act(structure, state, block, lanes)"""
+
+_RENEW = """@_inner
+def _renew_NAME(mind, agent, parent):
+    structure = _structure_NAME(mind)
+    state = _state_NAME(mind)
+    if parent == RESTARTED:
+        lanes = state.fresh.shape[1]
+        _flow.start_lane(structure, state, agent // lanes, agent % lanes)
+    elif parent == NEW_BORN:
+        _flow.born_lane(structure, state, agent)
+    else:
+        _flow.copy_lane(state, parent, agent)
+    SCHEMES"""
+
+_METHODS = """@_inner
+def _record_NAME(_model):
+    return carray(_as_pointer(_model._NAME_hierarchy), (1,), MIND_NAME)[0]
 
 
 @_inner
-def _restart_NAME(mind, agent):
-    structure = _structure_NAME(mind)
-    state = _state_NAME(mind)
-    lanes = state.sensors.shape[2]
-    _flow.start_lane(structure, state, agent // lanes, agent % lanes)
-    SCHEMES_RESTART"""
-
-_METHODS = """@_inner
 def _hierarchy_evaluate_NAME(_model, agent):
-    _evaluate_NAME(_model, _record_NAME(_model), agent, 1)
+    mind = _record_NAME(_model)
+    _state_NAME(mind).now[0] = _model._tick
+    if _call(mind.evaluate, _model._NAME_hierarchy, agent, agent + 1) != 0:
+        raise ValueError("a hierarchy could not be evaluated")
 
 
 @_inner
 def _hierarchy_restart_NAME(_model, agent):
-    _restart_NAME(_record_NAME(_model), agent)"""
+    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, agent, RESTARTED)
+
+
+@_inner
+def _begin_hierarchy_NAME(_model, agent):
+    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, agent, NEW_BORN)
+
+
+@_inner
+def _copy_hierarchy_NAME(_model, parent, child):
+    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, child, parent)"""
 
 _METHOD = """@_inner
 def _hierarchy_METHOD_NAME(_model, agentARGUMENTS):
@@ -239,7 +204,7 @@ def methods_text(name: str, evaluating: bool) -> str:
 
 _REGULATE_LOOP = """for variable in range(structure.sizes[_VARIABLES]):
         if structure.regulation[variable] == _REGULATED:
-            _regulate_NAME(_model, structure, state, block, lanes, variable)"""
+            _regulate_NAME(mind, structure, state, block, lanes, variable)"""
 
 _REGULATION = """@_inner
 def _regulate_NAME(_model, structure, state, block, lanes, variable):
@@ -282,28 +247,37 @@ _ONE_SCHEME = """        if number == NUMBER:
                 nodes[first + plan_output[plan], lane] = 1.0
 """
 
-_SCHEME_RESTART = """minds_NUMBER = _minds_NAME_NUMBER(mind)
+# The next decisions draw new numbers: an agent put back does not live through its luck again.
+_SCHEME_RENEW = """minds_NUMBER = _minds_NAME_NUMBER(mind)
     _kernel.leave_all_groups(minds_NUMBER, agent)
-    minds_NUMBER.draws[agent] = 0
     for i in range(minds_NUMBER.values.shape[1]):
-        minds_NUMBER.values[agent, i] = _scheme_NAME_NUMBER(mind).start[i]"""
+        if parent >= 0:
+            minds_NUMBER.values[agent, i] = minds_NUMBER.values[parent, i]
+        else:
+            minds_NUMBER.values[agent, i] = _scheme_NAME_NUMBER(mind).start[i]"""
 
 
-def hierarchy_text(name: str, programs: MindProgram) -> str:
+def arrays_text(name: str, schemes: int) -> str:
+    """Return the record of a mind, and the functions that reach its arrays, for a module."""
+    views: dict[str, list[str]] = {"structure": [], "state": []}
+    for array, (kind, dimensions) in mind_arrays(0).items():
+        views[array.split("_", 1)[0]].append(_view(array, kind, dimensions))
+    parts = [f"MIND_{name} = {dtype_text(mind_dtype(schemes))}"]
+    for prefix in ("structure", "state"):
+        made = "".join(f"        {view},\n" for view in views[prefix])
+        cls = "_Structure" if prefix == "structure" else "_State"
+        parts.append(f"@_inner\ndef _{prefix}_{name}(mind):\n    return {cls}(\n{made}    )")
+    return "\n\n\n".join(parts)
+
+
+def evaluation_text(name: str, programs: MindProgram) -> str:
     """Return the functions that evaluate a hierarchy, for a compiled module.
 
     Args:
         name: the population's name, which ends the functions' names.
         programs: the typed programs; their functions stand in the module already.
     """
-    views: dict[str, list[str]] = {"structure": [], "state": []}
-    for array, (kind, dimensions) in mind_arrays(0).items():
-        views[array.split("_", 1)[0]].append(_view(array, kind, dimensions))
-    parts = [f"MIND_{name} = {dtype_text(mind_dtype(programs.schemes))}"]
-    for prefix in ("structure", "state"):
-        made = "".join(f"        {view},\n" for view in views[prefix])
-        cls = "_Structure" if prefix == "structure" else "_State"
-        parts.append(f"@_inner\ndef _{prefix}_{name}(mind):\n    return {cls}(\n{made}    )")
+    parts = []
     for number in range(programs.schemes):
         parts += _scheme_views(name, number)
     parts.append(_programs_text(name, programs))
@@ -313,11 +287,11 @@ def hierarchy_text(name: str, programs: MindProgram) -> str:
     if programs.regulations:
         text = "".join(_regulation_branch(*one) for one in enumerate(programs.regulations))
         parts.append(_REGULATION.replace("BRANCHES", text).replace("NAME", name))
-    restart = "\n    ".join(_SCHEME_RESTART.replace("NUMBER", str(number)) for number in schemes)
+    renewed = "\n    ".join(_SCHEME_RENEW.replace("NUMBER", str(number)) for number in schemes)
+    parts.append(_RENEW.replace("SCHEMES", renewed or "return").replace("NAME", name))
     fills = {
         "REGULATE": _REGULATE_LOOP if programs.regulations else "pass",
         "DRIVE": _drive_text(programs.drive),
-        "SCHEMES_RESTART": restart or "return",
     }
     text = _EVALUATE
     for mark, fill in fills.items():
@@ -346,9 +320,8 @@ def _scheme_views(name: str, number: int) -> list[str]:
             f"        {_view(f'{number}_{prefix}_{array}', *ENGINE_ARRAYS[array])},\n"
             for array in cls._fields
         )
-        parts.append(
-            f"@_inner\ndef _{prefix}_{name}_{number}(mind):\n    return _{cls.__name__}(\n{views}    )"
-        )
+        head = f"@_inner\ndef _{prefix}_{name}_{number}(mind):\n"
+        parts.append(f"{head}    return _{cls.__name__}(\n{views}    )")
     for array, (kind, dimensions) in SCHEME_LISTS.items():
         view = _view(f"{number}_{array}", kind, dimensions)
         parts.append(f"@_inner\ndef _{array}_{name}_{number}(mind):\n    return {view}")
@@ -357,9 +330,10 @@ def _scheme_views(name: str, number: int) -> list[str]:
 
 def _programs_text(name: str, programs: MindProgram) -> str:
     lines = [
-        f"@_inner\ndef _program_{name}(_model, structure, state, lanes, skill):",
+        f"@_inner\ndef _program_{name}(_model, structure, state, block, lanes, skill):",
         "    nodes = state.nodes[0]",
         "    number = structure.skill_number[skill]",
+        "    _model.failed_skill = skill",
     ]
     for number, (symbol, inputs, outputs, takes_array) in enumerate(programs.programs):
         read = ", ".join(f"nodes[{i}, lane]" for i in range(inputs))
@@ -368,11 +342,12 @@ def _programs_text(name: str, programs: MindProgram) -> str:
         lines += [
             f"    if number == {number}:",
             "        for lane in range(lanes):",
+            "            _model.failed_agent = block * state.fresh.shape[1] + lane",
             f"            {results} = {symbol}(_model{', ' if read else ''}{read})",
         ]
         for i in range(outputs):
             lines.append(f"            nodes[{inputs + i}, lane] = _held(out_{i})")
-    return "\n".join([*lines, "    return"])
+    return "\n".join([*lines, "    _model.failed_skill = -1"])
 
 
 def _regulation_branch(number: int, one: tuple[str, tuple[str, ...], bool]) -> str:
@@ -382,17 +357,19 @@ def _regulation_branch(number: int, one: tuple[str, tuple[str, ...], bool]) -> s
     return f"        if number == {number}:\n            {results} = {symbol}({arguments})\n"
 
 
+def population_text(name: str) -> str:
+    """Return how a model's compiled rules reach the hierarchies of a population."""
+    return "\n\n\n".join([arrays_text(name, 0), methods_text(name, evaluating=True)])
+
+
 def module_text(program: Program, programs: MindProgram) -> str:
-    """Return the compiled module of minds that stand outside any model.
+    """Return the compiled module that evaluates a mind.
 
-    The doors of Python take the address of the record of arrays (`mind_dtype`), which numba passes
-    on without looking at it.
+    Args:
+        program: the typed functions.
+        programs: which of them are what.
     """
-    from socialmind.language.loop import HEAD as RULES
-    from socialmind.language.loop import runtime_names
-    from socialmind.language.lowering import lowered
-
-    parts = [RULES, runtime_names(), HEAD]
+    parts = [RULES_HEAD, runtime_names(), HEAD, arrays_text(MIND_NAME, programs.schemes)]
     if program.names[MIND_NAME]:
         parts.append(
             f"@_inner\ndef _names_{MIND_NAME}(_model):\n"
@@ -401,38 +378,50 @@ def module_text(program: Program, programs: MindProgram) -> str:
     record = f"@_inner\ndef _record_{MIND_NAME}(_model):\n    return _model"
     parts += [record, methods_text(MIND_NAME, evaluating=False)]
     parts += [f"@_inner\n{lowered(function)}" for function in program.functions.values()]
-    parts += [hierarchy_text(MIND_NAME, programs), _DOORS.replace("NAME", MIND_NAME)]
+    entries = [one.replace("NAME", MIND_NAME) for one in (_AT, _ENTRIES)]
+    return "\n\n\n".join([*parts, evaluation_text(MIND_NAME, programs), *entries]) + "\n"
+
+
+def steps_text() -> str:
+    """Return the compiled module of the steps of an evaluation, which Python calls one by one."""
+    parts = [RULES_HEAD, runtime_names(), HEAD, arrays_text(MIND_NAME, 0)]
+    parts += [one.replace("NAME", MIND_NAME) for one in (_AT, _STEPS)]
     return "\n\n\n".join(parts) + "\n"
 
 
 MIND_NAME = "mind"
 """What the compiled module calls the minds that stand outside any model."""
 
-_DOORS = """@_inner
+_AT = """@_inner
 def _at(address):
-    return carray(_as_pointer(address), (1,), MIND_NAME)[0]
+    return carray(_as_pointer(address), (1,), MIND_NAME)[0]"""
 
-
-@njit(cache=True)
-def evaluate(address):
-    \"\"\"Evaluate all agents once.\"\"\"
+# They are called through their addresses, by Python and by compiled models alike, so that the
+# evaluation is compiled once. No error can pass such a call: 1 says that there was one.
+_ENTRIES = """@cfunc("int64(int64, int64, int64)", cache=True)
+def evaluate(address, first, end):
+    \"\"\"Evaluate blocks of agents; return 0, or 1 when it failed.\"\"\"
     mind = _at(address)
-    state = _state_NAME(mind)
-    lanes = state.sensors.shape[2]
-    for block in range(state.sensors.shape[0]):
-        _evaluate_NAME(mind, mind, block, min(lanes, mind.agents - block * lanes))
-    state.now[0] += 1
+    lanes = _state_NAME(mind).fresh.shape[1]
+    try:
+        for block in range(first, end):
+            _evaluate_NAME(mind, block, min(lanes, mind.agents - block * lanes))
+    except Exception:
+        return 1
+    return 0
 
 
-@njit(cache=True)
-def restart(address, agents):
-    \"\"\"Put agents back to before their first evaluation.\"\"\"
+@cfunc("int64(int64, int64, int64)", cache=True)
+def renew(address, agent, parent):
+    \"\"\"Put an agent back, or let a new one begin.\"\"\"
+    _renew_NAME(_at(address), agent, parent)
+    return 0"""
+
+_STEPS = """@njit(cache=True)
+def restart(address, block):
+    \"\"\"Put an agent back to before its first evaluation.\"\"\"
     mind = _at(address)
-    for agent in agents:
-        _restart_NAME(mind, agent)
-
-
-# The steps of one evaluation of one agent, for functions that Python runs in between.
+    _flow.start_lane(_structure_NAME(mind), _state_NAME(mind), block, 0)
 
 
 @njit(cache=True)
@@ -501,12 +490,13 @@ def set_variable(address, block, variable, value):
 
 @njit(cache=True)
 def receive(address, block, skill):
-    \"\"\"Add up a skill's influence and take its inputs; evaluate it if it is a network.\"\"\"
+    \"\"\"Add up a skill's influence, take its inputs and evaluate a network; False: skip it.\"\"\"
     mind = _at(address)
     structure, state = _structure_NAME(mind), _state_NAME(mind)
-    _flow.receive(structure, state, block, 1, skill)
-    if structure.skill_kind[skill] == _NETWORK:
+    needed = _flow.receive(structure, state, block, 1, skill)
+    if needed and structure.skill_kind[skill] == _NETWORK:
         _run_network(structure, state, block, 1, skill)
+    return needed
 
 
 @njit(cache=True)

@@ -1,0 +1,61 @@
+"""The programs of a hierarchy as code: typed, compiled into a module of their own, or interpreted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
+
+from socialmind.language.compiled import compiled_module
+from socialmind.language.program import Program
+from socialmind.language.shape import ModelShape, PopulationShape
+from socialmind.mind.arrays import Assembly
+from socialmind.mind.drive import names_of, typed_drive
+from socialmind.mind.kernel.text import MIND_NAME, module_text
+from socialmind.mind.programs import typed_programs
+
+
+class MindCode:
+    """The programmed functions, regulations and drive of a hierarchy.
+
+    Args:
+        assembly: the hierarchy.
+        drive: the drive module, or None.
+
+    Raises:
+        ModelError: one of them is outside the language of rules, or names what is not there.
+    """
+
+    def __init__(self, assembly: Assembly, drive: Callable[..., None] | None) -> None:
+        shape = PopulationShape(MIND_NAME, {}, hierarchy=True)
+        self._program = Program(
+            ModelShape("the mind", {}, {}, {MIND_NAME: shape}, None, (), ()), compiled=True
+        )
+        symbol = None if drive is None else typed_drive(self._program, drive)
+        self._programs = typed_programs(self._program, assembly, symbol)
+        self.names = names_of(self._program, assembly)
+
+    @cached_property
+    def module(self) -> Any:
+        """The compiled functions `evaluate` and `renew`; compiled, or loaded, when first asked for."""
+        return compiled_module(module_text(self._program, self._programs), {})
+
+    @cached_property
+    def _interpreted(self) -> dict[str, Callable[..., Any]]:
+        return self._program.interpreted({})
+
+    @property
+    def functions(self) -> list[Callable[..., Any]]:
+        """The programmed functions as interpreted Python, as the assembly numbers them."""
+        return [self._interpreted[symbol] for symbol, *_ in self._programs.programs]
+
+    @property
+    def regulations(self) -> list[Callable[..., Any]]:
+        """The modeller's regulations as interpreted Python."""
+        return [self._interpreted[symbol] for symbol, *_ in self._programs.regulations]
+
+    @property
+    def drive(self) -> Callable[..., None] | None:
+        """The drive as interpreted Python."""
+        symbol = self._programs.drive
+        return None if symbol is None else self._interpreted[symbol]

@@ -1,0 +1,192 @@
+"""The hierarchies of a population of a model, whose agents act one after another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.errors import ModelError
+from socialmind.mind.arrays import Assembly
+from socialmind.mind.code import MindCode
+from socialmind.mind.drive import AgentHierarchy
+from socialmind.mind.kernel.layout import LIVES
+from socialmind.mind.state import Record, copied, new_state, restored, societies_of
+from socialmind.mind.steps import Steps
+
+FIRST_STREAM = 256
+"""The streams of draws from here on are for schemes inside hierarchies; `STREAMS` a population."""
+STREAMS = 64
+
+
+class PopulationMinds:
+    """The hierarchies of a population; the agent in slot i is block i, of one lane.
+
+    Args:
+        assembly: the hierarchy.
+        capacity: how many slots there are.
+        seed: the key of the draws of cogniton schemes.
+        place: the population's place among the model's.
+        own_genomes: whether each agent has its own weights.
+        instances: how many instances of groups there are.
+        drive: the drive module, or None.
+        tick: gives the model's tick.
+
+    Raises:
+        ModelError: a network's genome is not set.
+    """
+
+    def __init__(
+        self,
+        assembly: Assembly,
+        capacity: int,
+        seed: int,
+        place: int,
+        own_genomes: bool,
+        instances: int,
+        drive: Callable[..., None] | None,
+        tick: Callable[[], int],
+    ) -> None:
+        self.assembly = assembly
+        self.own_genomes = own_genomes
+        self.seed = seed
+        self.stream = FIRST_STREAM + STREAMS * place
+        self.instances = instances
+        self.code = MindCode(assembly, drive)
+        self.record = Record(assembly, self.code.names)
+        self.state = new_state(assembly, capacity, 1, own_genomes, instances)
+        self.societies = societies_of(assembly, seed, capacity, self.stream)
+        self.steps: Steps | None = None
+        self.tick = tick
+        for name in assembly.skills:
+            skill = assembly.description.skills[name]
+            if skill.genome is not None:
+                place_of = assembly.genome_of(name)
+                self.state.genome[:, place_of] = skill.genome[:, None]
+                self.state.first_genome[0, place_of, 0] = skill.genome
+            elif skill.genome_size:
+                raise skill.refused("without a genome", f"{skill.genome_size} weights")
+        self._connect()
+
+    def _connect(self) -> None:
+        self.record.connect(len(self.state.fresh), self.state, self.societies)
+        if self.steps is not None:
+            self.steps.connect(self.state, self.societies)
+
+    def compile(self) -> None:
+        """Make ready for compiled runs."""
+        module = self.code.module
+        self.record.call(module.evaluate.address, module.renew.address)
+
+    @property
+    def bytes(self) -> int:
+        """How much memory the state of all agents takes."""
+        return sum(array.nbytes for array in self.state)
+
+    def of(self, slot: int) -> AgentHierarchy:
+        """Return the hierarchy of the agent in a slot."""
+        return AgentHierarchy(self.stepping, slot)
+
+    @property
+    def stepping(self) -> Steps:
+        """The evaluation of one agent after another."""
+        if self.steps is None:
+            code = self.code
+            self.steps = Steps(
+                self.assembly, self.record, code.functions, code.regulations, code.drive, self.tick
+            )
+            self._connect()
+        return self.steps
+
+    # Births -----------------------------------------------------------------------------------
+
+    def begin(self, slot: int) -> None:
+        """Begin the life of the agent in a slot."""
+        state = self.state
+        state.group[slot] = -1
+        state.participation[slot] = 1.0
+        if self.own_genomes:
+            state.genome[slot] = state.first_genome[0]
+        self.stepping.restart(slot)
+
+    def copy(self, parent: int, child: int) -> None:
+        """Make the agent in a slot its parent's copy; it is in no group."""
+        for name in LIVES:
+            array = getattr(self.state, name)
+            array[child] = array[parent]
+        self.state.group[child] = -1
+        self.state.participation[child] = 1.0
+        if self.own_genomes:
+            self.state.genome[child] = self.state.genome[parent]
+        for society in self.societies:
+            society.mind_in(child).leave_all_groups()
+            society.minds.values[child] = society.minds.values[parent]
+
+    def grow(self, capacity: int) -> None:
+        """Make room for more agents."""
+        old, fresh = self.state, self._fresh(capacity)
+        for name in (*LIVES, *(("genome",) if self.own_genomes else ())):
+            getattr(fresh, name)[: len(old.fresh)] = getattr(old, name)
+        self.state = fresh._replace(
+            genome=fresh.genome if self.own_genomes else old.genome,
+            first_genome=old.first_genome,
+            instances=old.instances,
+            now=old.now,
+        )
+        added = capacity - len(old.fresh)
+        for society in self.societies:
+            society.new_minds(added)
+        self._connect()
+
+    def _fresh(self, capacity: int) -> Any:
+        return new_state(self.assembly, capacity, 1, self.own_genomes, self.instances)
+
+    # Genomes ----------------------------------------------------------------------------------
+
+    def set_genome(self, skill: str, genome: Any, slots: NDArray[np.int64] | None = None) -> None:
+        """Set a skill's weights, for all or, with own genomes, for some slots.
+
+        Args:
+            skill: its name.
+            genome: (genome size,), or (slots, genome size).
+            slots: which; all unless given.
+
+        Raises:
+            ModelError: a wrong size, or a weight that is not a finite number.
+        """
+        place = self.assembly.genome_of(skill)
+        one = self.assembly.description.skills[skill]
+        found = np.asarray(genome, float)
+        if slots is not None and not self.own_genomes:
+            raise ModelError(
+                f"own weights of {skill!r} for some agents", "one genome for all",
+                "declare the population with own_genomes=True",
+            )  # fmt: skip
+        if found.ndim == 2 and slots is not None:
+            rows = [one.fitting(row) for row in found]
+            self.state.genome[slots, place, 0] = rows
+            return
+        self.state.genome[slice(None) if slots is None else slots, place, 0] = one.fitting(found)
+        if slots is None:
+            self.state.first_genome[0, place, 0] = found
+
+    # State ------------------------------------------------------------------------------------
+
+    def snapshot(self) -> dict[str, NDArray[Any]]:
+        """Return copies of the arrays that a checkpoint keeps."""
+        arrays = copied(self.state)
+        for number, society in enumerate(self.societies):
+            arrays |= {f"scheme_{number}.{k}": v for k, v in society.state().items()}
+        return arrays
+
+    def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
+        """Take the arrays of a checkpoint."""
+        self.state = restored(self.state, arrays)
+        for number, society in enumerate(self.societies):
+            begin = f"scheme_{number}."
+            society.restore(
+                {k.removeprefix(begin): v for k, v in arrays.items() if k.startswith(begin)}
+            )
+        self._connect()
