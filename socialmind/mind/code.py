@@ -1,4 +1,4 @@
-"""The programs of a hierarchy as code: typed, compiled into a module of their own, or interpreted."""
+"""The programs of a hierarchy as code: typed, and compiled or interpreted."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class MindCode:
 
     @cached_property
     def module(self) -> Any:
-        """The compiled functions `evaluate` and `renew`; compiled, or loaded, when first asked for."""
+        """The module of the compiled functions `evaluate` and `renew`."""
         return compiled_module(module_text(self._program, self._programs), {})
 
     @cached_property

@@ -1,0 +1,1 @@
+"""Internal functions of skills; `contract` says what they have in common."""

@@ -10,19 +10,12 @@ from numba.extending import register_jitable
 from socialmind.mind.kernel.layout import (
     ACTUATORS,
     MASTER,
-    NETWORK,
     OBSERVED,
     SENSORS,
     SKILLS,
     VARIABLES,
 )
-from socialmind.mind.kernel.networks import run_network
-from socialmind.mind.kernel.signals import present_variables, sense
-from socialmind.mind.kernel.variables import commanded, forget_drive, share, vary
-
-_sense = sense
-_vary = vary
-_present_variables = present_variables
+from socialmind.mind.kernel.variables import commanded, forget_drive, share
 
 
 @register_jitable
@@ -99,13 +92,6 @@ def act(structure: Any, state: Any, block: int, lanes: int) -> None:
     for lane in range(lanes):
         fresh[lane] = 0
     state.clock[block] += 1
-
-
-@register_jitable
-def evaluate_networks(structure: Any, state: Any, block: int, lanes: int, skill: int) -> None:
-    """Evaluate a skill whose function is a network."""
-    if structure.skill_kind[skill] == NETWORK:
-        run_network(structure, state, block, lanes, skill)
 
 
 @register_jitable

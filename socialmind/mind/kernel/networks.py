@@ -23,8 +23,10 @@ def run_network(structure: Any, state: Any, block: int, lanes: int, skill: int) 
     """Fill the nodes of a skill's network from its inputs.
 
     Args:
-        structure, state: the arrays.
-        block, lanes: the block of agents, and how many of its lanes live.
+        structure: the hierarchy's arrays.
+        state: the agents' arrays.
+        block: the block of agents.
+        lanes: how many of its lanes live.
         skill: the skill's number.
     """
     nodes = state.nodes[0]

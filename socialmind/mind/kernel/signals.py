@@ -48,8 +48,13 @@ def present(
     """Write the values of modules into the signals, and what is derived from them.
 
     Args:
+        structure: the hierarchy's arrays.
+        state: the agents' arrays.
+        block: the block of agents.
+        lanes: how many of its lanes live.
         values: the values, a row for each module.
-        first, count: the modules' first signal, and how many there are.
+        first: the modules' first signal.
+        count: how many modules there are.
     """
     signals, past, fresh = state.signals[block], state.past[block], state.fresh[block]
     clock = state.clock[block]

@@ -60,6 +60,7 @@ def mind_dtype(schemes: int) -> np.dtype[Any]:
 HEAD = '''import math as _math
 from socialmind.mind.kernel import flow as _flow
 from socialmind.mind.kernel import reach as _reach
+from socialmind.mind.kernel import signals as _signals
 from socialmind.mind.kernel import variables as _variables
 from numba import cfunc
 from socialmind.language.memory import call_at as _call
@@ -83,29 +84,41 @@ def _held(value):
         raise ValueError("a function of the mind gave a value that is not a number")
     return min(max(float(value), 0.0), 1.0)'''
 
-_EVALUATE = """@_inner
-def _evaluate_NAME(mind, block, lanes):
+# Entries are called through their addresses, by Python and by compiled models alike, so that the
+# evaluation is compiled once. No error can pass such a call: 1 says that there was one.
+_EVALUATE = """@cfunc("int64(int64, int64, int64)", cache=True)
+def evaluate(address, first, end):
+    \"\"\"Evaluate blocks of agents; return 0, or 1 when it failed.\"\"\"
+    mind = _at(address)
     structure = _structure_NAME(mind)
     state = _state_NAME(mind)
-    _flow._sense(structure, state, block, lanes)
-    _flow._vary(structure, state, block, lanes)
-    REGULATE
-    _flow._present_variables(structure, state, block, lanes)
-    DRIVE
-    for skill in range(structure.sizes[_SKILLS]):
-        if _flow.receive(structure, state, block, lanes, skill):
-            kind = structure.skill_kind[skill]
-            if kind == _NETWORK:
-                _run_network(structure, state, block, lanes, skill)
-            elif kind == _PROGRAM:
-                _program_NAME(mind, structure, state, block, lanes, skill)
-            else:
-                _scheme_NAME(mind, structure, state, block, lanes, skill)
-            _flow.transmit(structure, state, block, lanes, skill)
-    _flow.act(structure, state, block, lanes)"""
+    try:
+        for block in range(first, end):
+            lanes = min(state.fresh.shape[1], mind.agents - block * state.fresh.shape[1])
+            _signals.sense(structure, state, block, lanes)
+            _variables.vary(structure, state, block, lanes)
+            REGULATE
+            _signals.present_variables(structure, state, block, lanes)
+            DRIVE
+            for skill in range(structure.sizes[_SKILLS]):
+                if _flow.receive(structure, state, block, lanes, skill):
+                    kind = structure.skill_kind[skill]
+                    if kind == _NETWORK:
+                        _run_network(structure, state, block, lanes, skill)
+                    elif kind == _PROGRAM:
+                        _program_NAME(mind, structure, state, block, lanes, skill)
+                    else:
+                        _scheme_NAME(mind, structure, state, block, lanes, skill)
+                    _flow.transmit(structure, state, block, lanes, skill)
+            _flow.act(structure, state, block, lanes)
+    except Exception:
+        return 1
+    return 0"""
 
-_RENEW = """@_inner
-def _renew_NAME(mind, agent, parent):
+_RENEW = """@cfunc("int64(int64, int64, int64)", cache=True)
+def renew(address, agent, parent):
+    \"\"\"Put an agent back, or let a new one begin.\"\"\"
+    mind = _at(address)
     structure = _structure_NAME(mind)
     state = _state_NAME(mind)
     if parent == RESTARTED:
@@ -115,7 +128,8 @@ def _renew_NAME(mind, agent, parent):
         _flow.born_lane(structure, state, agent)
     else:
         _flow.copy_lane(state, parent, agent)
-    SCHEMES"""
+    SCHEMES
+    return 0"""
 
 _METHODS = """@_inner
 def _record_NAME(_model):
@@ -203,8 +217,8 @@ def methods_text(name: str, evaluating: bool) -> str:
 
 
 _REGULATE_LOOP = """for variable in range(structure.sizes[_VARIABLES]):
-        if structure.regulation[variable] == _REGULATED:
-            _regulate_NAME(mind, structure, state, block, lanes, variable)"""
+                if structure.regulation[variable] == _REGULATED:
+                    _regulate_NAME(mind, structure, state, block, lanes, variable)"""
 
 _REGULATION = """@_inner
 def _regulate_NAME(_model, structure, state, block, lanes, variable):
@@ -288,7 +302,7 @@ def evaluation_text(name: str, programs: MindProgram) -> str:
         text = "".join(_regulation_branch(*one) for one in enumerate(programs.regulations))
         parts.append(_REGULATION.replace("BRANCHES", text).replace("NAME", name))
     renewed = "\n    ".join(_SCHEME_RENEW.replace("NUMBER", str(number)) for number in schemes)
-    parts.append(_RENEW.replace("SCHEMES", renewed or "return").replace("NAME", name))
+    parts.append(_RENEW.replace("SCHEMES", renewed or "pass").replace("NAME", name))
     fills = {
         "REGULATE": _REGULATE_LOOP if programs.regulations else "pass",
         "DRIVE": _drive_text(programs.drive),
@@ -378,8 +392,8 @@ def module_text(program: Program, programs: MindProgram) -> str:
     record = f"@_inner\ndef _record_{MIND_NAME}(_model):\n    return _model"
     parts += [record, methods_text(MIND_NAME, evaluating=False)]
     parts += [f"@_inner\n{lowered(function)}" for function in program.functions.values()]
-    entries = [one.replace("NAME", MIND_NAME) for one in (_AT, _ENTRIES)]
-    return "\n\n\n".join([*parts, evaluation_text(MIND_NAME, programs), *entries]) + "\n"
+    parts += [_AT.replace("NAME", MIND_NAME), evaluation_text(MIND_NAME, programs)]
+    return "\n\n\n".join(parts) + "\n"
 
 
 def steps_text() -> str:
@@ -396,27 +410,6 @@ _AT = """@_inner
 def _at(address):
     return carray(_as_pointer(address), (1,), MIND_NAME)[0]"""
 
-# They are called through their addresses, by Python and by compiled models alike, so that the
-# evaluation is compiled once. No error can pass such a call: 1 says that there was one.
-_ENTRIES = """@cfunc("int64(int64, int64, int64)", cache=True)
-def evaluate(address, first, end):
-    \"\"\"Evaluate blocks of agents; return 0, or 1 when it failed.\"\"\"
-    mind = _at(address)
-    lanes = _state_NAME(mind).fresh.shape[1]
-    try:
-        for block in range(first, end):
-            _evaluate_NAME(mind, block, min(lanes, mind.agents - block * lanes))
-    except Exception:
-        return 1
-    return 0
-
-
-@cfunc("int64(int64, int64, int64)", cache=True)
-def renew(address, agent, parent):
-    \"\"\"Put an agent back, or let a new one begin.\"\"\"
-    _renew_NAME(_at(address), agent, parent)
-    return 0"""
-
 _STEPS = """@njit(cache=True)
 def restart(address, block):
     \"\"\"Put an agent back to before its first evaluation.\"\"\"
@@ -428,8 +421,8 @@ def restart(address, block):
 def begin(address, block):
     \"\"\"Steps 1 and 2 but for the modeller's regulations.\"\"\"
     mind = _at(address)
-    _flow._sense(_structure_NAME(mind), _state_NAME(mind), block, 1)
-    _flow._vary(_structure_NAME(mind), _state_NAME(mind), block, 1)
+    _signals.sense(_structure_NAME(mind), _state_NAME(mind), block, 1)
+    _variables.vary(_structure_NAME(mind), _state_NAME(mind), block, 1)
 
 
 @njit(cache=True)
@@ -443,7 +436,7 @@ def command_of(address, block, variable):
 def show_variables(address, block):
     \"\"\"End step 2.\"\"\"
     mind = _at(address)
-    _flow._present_variables(_structure_NAME(mind), _state_NAME(mind), block, 1)
+    _signals.present_variables(_structure_NAME(mind), _state_NAME(mind), block, 1)
 
 
 @njit(cache=True)

@@ -35,7 +35,8 @@ def regulate(
         parameters: the regulation's numbers.
         command: the command of the last cycle, or NaN when no skill gave one.
         kept: the last command before, NaN when there was none.
-        value, memory: those of the tick before.
+        value: the value in the tick before.
+        memory: what it remembered then.
     """
     commanded = not math.isnan(command)
     if code == SIMPLE:
@@ -66,8 +67,13 @@ def commanded(
     """Add up what commands a variable or an actuator: Σ Com and Σ Σ influence of equation 4.3.
 
     Args:
+        structure: the hierarchy's arrays.
+        state: the agents' arrays.
+        block: the block of agents.
+        lanes: how many of its lanes live.
         module: the variable's number; for an actuator, that and the number of variables.
-        com, weight: rows to fill.
+        com: the row to fill with Σ Com.
+        weight: the row to fill with Σ Σ influence.
     """
     totals, sent = state.totals[block], state.sent[block]
     drive_command, drive_weight = state.drive_command[block], state.drive_weight[block]
