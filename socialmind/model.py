@@ -41,6 +41,8 @@ from socialmind.worlds.grid import Grid, Torus
 
 if TYPE_CHECKING:
     from coglogo_py.receipt import Receipt
+    from socialmind.mind.arrays import Assembly
+    from socialmind.mind.population_minds import PopulationMinds
 
 _KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick")
 """Columns of the record with a leading underscore that are state, not addresses and sizes."""
@@ -133,8 +135,12 @@ class Model:
         return cls._programs[compiled]
 
     @classmethod
-    def _assemblies(cls, given: Any) -> dict[str, Any]:
-        """Return the hierarchies of the populations that have some, laid out."""
+    def hierarchies(cls, given: Any = None) -> dict[str, Assembly]:
+        """Return the hierarchies of skills of the populations that have some, laid out in arrays.
+
+        Args:
+            given: what `hierarchy` of the model is.
+        """
         if given is None and all(one.hierarchy is None for one in cls.populations.values()):
             return {}
         from socialmind.mind.inhabitants import assemblies_of
@@ -162,7 +168,7 @@ class Model:
         self._hierarchy = hierarchy
         self.watch: tuple[str, int] | None = None
         self.watched: Receipt | None = None
-        self.assemblies = self._assemblies(hierarchy)
+        self.assemblies = self.hierarchies(hierarchy)
         self.program = self.typed(compiled)
         self.contexts = np.zeros(1, model_dtype(self.shape))
         self.context: Any = self.contexts[0]
@@ -250,7 +256,7 @@ class Model:
             tables[name] = Table(self, shape, self._size(population.size, 0), society, minds)
         return tables
 
-    def _minds(self, name: str, place: int, capacity: int) -> Any:
+    def _minds(self, name: str, place: int, capacity: int) -> PopulationMinds:
         """Return the hierarchies of a population for so many agents."""
         from socialmind.mind.population_minds import PopulationMinds
 

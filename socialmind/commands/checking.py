@@ -66,6 +66,18 @@ def findings_of_model(model_class: type[Model]) -> list[str]:
             scheme = CognitiveScheme.load(path, population.decision_makers)
         found: list[Finding] = scheme.check(plans=population.plans)
         findings += [f"{place}: {one}" for one in found]
+    return findings + _findings_of_hierarchies(model_class)
+
+
+def _findings_of_hierarchies(model_class: type[Model]) -> list[str]:
+    """Lint the hierarchies of skills of a model's populations."""
+    findings = []
+    for name, assembly in model_class.hierarchies().items():
+        source = model_class.populations[name].hierarchy
+        place = name
+        if isinstance(source, str | Path):
+            place = str(model_class.folder() / source)
+        findings += [f"{place}: {one}" for one in assembly.description.lint(assembly.master)]
     return findings
 
 

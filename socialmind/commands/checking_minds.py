@@ -9,6 +9,7 @@ import typer
 import yaml
 
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.mind.code import check_program
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.folder_reader import (
     ADES,
@@ -66,7 +67,7 @@ def print_mind(path: Path) -> bool:
     description = MindDescription.load(path)
     tasks = load_tasks(path) if path.is_dir() else {}
     odd, masters = _of_tasks(tasks, description)
-    odd += findings(description, masters or None)
+    odd += findings(description, masters or None, check_program)
     for finding in odd:
         typer.echo(f"{path}: {finding}")
     if not odd:

@@ -29,6 +29,7 @@ def start(
     seed: int,
     settings: Sequence[str],
     scheme: Path | None,
+    mind: Path | None,
     every: int | None,
     agents_every: int | None,
     out: Path | None,
@@ -41,9 +42,11 @@ def start(
     parameters = read_settings(model_class, settings)
     if scheme is not None and not scheme.is_file():
         raise SocialmindError(f"{scheme}: no such file")
+    if mind is not None and not mind.exists():
+        raise SocialmindError(f"{mind}: no such folder or file")
     with progress_bar(quiet) as on_progress:
         folder = execution.run(
-            model_class, ticks, seed, parameters, scheme, every, agents_every, out, compiled,
+            model_class, ticks, seed, parameters, scheme, mind, every, agents_every, out, compiled,
             on_progress,
         )  # fmt: skip
     _conclude(folder, quiet)

@@ -39,6 +39,8 @@ class Manifest:
         compiled: whether compiled or interpreted; the result is the same.
         schemes: for each population with minds, its cognitive scheme's ``name``, ``file`` (the
             copy in the run's folder) and ``sha256`` of that copy.
+        minds: for each population with hierarchies of skills, the mind's ``name``, ``folder`` (the
+            copy in the run's folder) and ``sha256`` of that copy's files.
         ticks: length asked for.
         every: ticks between two rows of the series.
         agents_every: ticks between two recordings of the agents.
@@ -64,6 +66,7 @@ class Manifest:
     status: str = RUNNING
     ticks_done: int = 0
     error: str | None = None
+    minds: dict[str, dict[str, str]] = field(default_factory=dict)
     tables: dict[str, dict[str, Any]] = field(default_factory=dict)
     idle: dict[str, int | None] = field(default_factory=dict)
     timings: dict[str, Any] = field(default_factory=dict)
@@ -161,6 +164,7 @@ class Capsule:
         unfinished.mkdir()
         try:
             for name, content in files.items():
+                (unfinished / name).parent.mkdir(parents=True, exist_ok=True)
                 (unfinished / name).write_bytes(content)
             manifest.save(unfinished / MANIFEST)
             if target.is_dir() and target == Path.cwd():
@@ -193,6 +197,11 @@ class Capsule:
     def schemes(self) -> dict[str, Path]:
         """The run's own copies of its scheme files, by population."""
         return {name: self.folder / one["file"] for name, one in self.manifest.schemes.items()}
+
+    @property
+    def minds(self) -> dict[str, Path]:
+        """The run's own copies of its minds' folders, by population."""
+        return {name: self.folder / one["folder"] for name, one in self.manifest.minds.items()}
 
     def table(self, name: str) -> Path:
         """The merged file of a table."""

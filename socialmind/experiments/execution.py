@@ -22,11 +22,11 @@ from socialmind.experiments import capsule as capsules
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
 from socialmind.experiments.signals import deferred_signals
-from socialmind.experiments.sources import model_of, model_source, scheme_copies
+from socialmind.experiments.sources import mind_copies, model_of, model_source, scheme_copies
 from socialmind.experiments.tables import AGENTS, SERIES, TABLES, GrowingTable, merge
 
 if TYPE_CHECKING:
-    from socialmind.experiments.sources import SchemeArgument
+    from socialmind.experiments.sources import HierarchyArgument, SchemeArgument
     from socialmind.model import Model
 
 Progress = Callable[[int, int], None]
@@ -64,6 +64,7 @@ def run(
     seed: int = 0,
     parameters: Mapping[str, Any] | None = None,
     scheme: SchemeArgument = None,
+    hierarchy: HierarchyArgument = None,
     every: int | None = None,
     agents_every: int | None = None,
     out: str | Path | None = None,
@@ -80,6 +81,8 @@ def run(
         parameters: values by name; the model's defaults for the rest.
         scheme: a cognitive scheme or its file in place of the model's own; for a model with
             several populations that have minds, a mapping from their names.
+        hierarchy: a mind's folder or YAML file, or a `MindDescription`, in place of the model's
+            own hierarchy of skills; for a model with several, a mapping from their populations.
         every: ticks between two rows of the series, at least 1; by default such that about 500
             are recorded. The last tick is always recorded.
         agents_every: ticks between two recordings of the agents; by default ten times `every`.
@@ -107,14 +110,18 @@ def run(
     if target is not None:
         capsules.refuse_unless_free(target.expanduser())
 
-    model = model_class(seed=seed, compiled=compiled, scheme=scheme, **(parameters or {}))
+    model = model_class(
+        seed=seed, compiled=compiled, scheme=scheme, hierarchy=hierarchy, **(parameters or {})
+    )
     schemes, scheme_files = scheme_copies(model, scheme)
+    minds, mind_files = mind_copies(model)
     manifest = Manifest(
         model=model_source(model_class),
         parameters=dict(model.parameter_values()),
         seed=seed,
         compiled=compiled,
         schemes=schemes,
+        minds=minds,
         ticks=length,
         every=step,
         agents_every=agents_step,
@@ -122,7 +129,7 @@ def run(
         versions=capsules.versions(),
         platforms=[capsules.fingerprint()],
     )
-    capsule = Capsule.create(target, manifest, scheme_files)
+    capsule = Capsule.create(target, manifest, {**scheme_files, **mind_files})
     with capsule.locked():
         _Execution(capsule, model, None, started).go(length, on_progress, checkpoint_every)
     return capsule.folder

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from coglogo_py import CognitiveScheme
+    from socialmind.mind.description import MindDescription
 
 
 class Run:
@@ -96,6 +97,13 @@ class Run:
     def scheme(self) -> CognitiveScheme | None:
         """The scheme of the first population with minds; None where nobody has one."""
         return next(iter(self.schemes.values()), None)
+
+    @cached_property
+    def minds(self) -> dict[str, MindDescription]:
+        """The hierarchies of skills that the run used, by the population that has them."""
+        from socialmind.mind.description import MindDescription
+
+        return {name: MindDescription.load(path) for name, path in self._capsule.minds.items()}
 
     def _table(self, name: str) -> pd.DataFrame:
         if self.manifest.status == FINISHED:

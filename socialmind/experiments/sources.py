@@ -1,4 +1,4 @@
-"""What a run was made from: the files of its model, and its copy of the cognitive scheme."""
+"""What a run was made from: the files of its model, and its copies of schemes and minds."""
 
 from __future__ import annotations
 
@@ -16,9 +16,11 @@ from socialmind.errors import SocialmindError
 if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme
     from socialmind.experiments.capsule import Capsule
+    from socialmind.mind.description import MindDescription
     from socialmind.model import Model
 
     SchemeArgument = str | Path | CognitiveScheme | Mapping[str, Any] | None
+    HierarchyArgument = str | Path | MindDescription | Mapping[str, Any] | None
 
 
 def model_source(model_class: type[Model]) -> dict[str, str | None]:
@@ -76,6 +78,11 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
             return f"{path}: the run's copy of its scheme is missing"
         if _sha256(path.read_bytes()) != capsule.manifest.schemes[population]["sha256"]:
             return f"{path}: the run's copy of its scheme was changed"
+    for population, path in capsule.minds.items():
+        if not path.is_dir():
+            return f"{path}: the run's copy of its mind is missing"
+        if _hash_of(_files_in(path)) != capsule.manifest.minds[population]["sha256"]:
+            return f"{path}: the run's copy of its mind was changed"
     return None
 
 
@@ -107,6 +114,7 @@ def model_of(
         seed=manifest.seed,
         compiled=manifest.compiled if compiled is None else compiled,
         scheme=capsule.schemes or None,
+        hierarchy=capsule.minds or None,
         **manifest.parameters,
     )
 
@@ -142,6 +150,44 @@ def scheme_copies(
         records[population] = {"name": scheme.name, "file": file, "sha256": _sha256(content)}
         files[file] = content
     return records, files
+
+
+def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, bytes]]:
+    """The hierarchies of skills of a model as its run keeps them: each a mind's folder.
+
+    Args:
+        model: the run's model.
+
+    Returns:
+        For each population with hierarchies, the manifest's record of its mind; and the content
+        of each file.
+    """
+    records: dict[str, dict[str, str]] = {}
+    files: dict[str, bytes] = {}
+    for population, assembly in model.assemblies.items():
+        with tempfile.TemporaryDirectory() as place:
+            assembly.description.save(Path(place) / "mind")
+            found = _files_in(Path(place) / "mind")
+        folder = f"minds/{population}"
+        name, sha256 = assembly.description.name, _hash_of(found)
+        records[population] = {"name": name, "folder": folder, "sha256": sha256}
+        files |= {f"{folder}/{path}": content for path, content in found.items()}
+    return records, files
+
+
+def _files_in(folder: Path) -> dict[str, bytes]:
+    """The files of a folder but what Python leaves there, by their paths in it."""
+    paths = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in paths
+        if "__pycache__" not in path.parts
+    }
+
+
+def _hash_of(files: Mapping[str, bytes]) -> str:
+    whole = "".join(f"{name} {_sha256(content)}\n" for name, content in sorted(files.items()))
+    return _sha256(whole.encode())
 
 
 def _as_yaml(scheme: CognitiveScheme) -> bytes:

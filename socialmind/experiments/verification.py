@@ -105,6 +105,7 @@ def replay(
             seed=manifest.seed,
             parameters=manifest.parameters,
             scheme=stored.schemes or None,
+            hierarchy=stored.minds or None,
             every=manifest.every,
             agents_every=manifest.agents_every,
             out=Path(place) / "run",

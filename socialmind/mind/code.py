@@ -11,8 +11,27 @@ from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape, PopulationShape
 from socialmind.mind.arrays import Assembly
 from socialmind.mind.drive import names_of, typed_drive
+from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.kernel.text import MIND_NAME, module_text
-from socialmind.mind.programs import typed_programs
+from socialmind.mind.modules import Skill
+from socialmind.mind.programs import typed_function, typed_programs
+
+
+def _outside_models() -> ModelShape:
+    """Return the shape of what is no model: a mind alone."""
+    shape = PopulationShape(MIND_NAME, {}, hierarchy=True)
+    return ModelShape("the mind", {}, {}, {MIND_NAME: shape}, None, (), ())
+
+
+def check_program(skill: Skill) -> None:
+    """Refuse a skill whose programmed function cannot be compiled.
+
+    Raises:
+        ModelError: the function is outside the language of rules, with file and line.
+    """
+    if isinstance(skill.function, Programmed):
+        one = (skill.function, len(skill.inputs), len(skill.outputs))
+        typed_function(Program(_outside_models(), compiled=True), *one)
 
 
 class MindCode:
@@ -27,10 +46,7 @@ class MindCode:
     """
 
     def __init__(self, assembly: Assembly, drive: Callable[..., None] | None) -> None:
-        shape = PopulationShape(MIND_NAME, {}, hierarchy=True)
-        self._program = Program(
-            ModelShape("the mind", {}, {}, {MIND_NAME: shape}, None, (), ()), compiled=True
-        )
+        self._program = Program(_outside_models(), compiled=True)
         symbol = None if drive is None else typed_drive(self._program, drive)
         self._programs = typed_programs(self._program, assembly, symbol)
         self.names = names_of(self._program, assembly)

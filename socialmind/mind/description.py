@@ -81,9 +81,10 @@ class MindDescription:
 
     def lint(self, master: str | None = None) -> list[Finding]:
         """Return what is odd about the mind; nothing that keeps it from running."""
+        from socialmind.mind.code import check_program
         from socialmind.mind.lint import findings
 
-        return findings(self, master)
+        return findings(self, master, check_program)
 
     def _parents(self) -> dict[str, tuple[str, ...]]:
         parents: dict[str, list[str]] = {name: [] for name in self.skills}

@@ -36,16 +36,24 @@ def typed_programs(program: Program, assembly: Assembly, drive: str | None = Non
         ModelError: one is outside the language of rules, or returns what it should not.
     """
     return MindProgram(
-        tuple(_typed_function(program, *one) for one in assembly.programs),
+        tuple(typed_function(program, *one) for one in assembly.programs),
         tuple(_typed_regulation(program, one) for one in assembly.regulations),
         drive,
         len(assembly.schemes),
     )
 
 
-def _typed_function(
+def typed_function(
     program: Program, one: Programmed, inputs: int, outputs: int
 ) -> tuple[str, int, int, bool]:
+    """Type a programmed function for so many inputs and outputs.
+
+    Returns:
+        Its symbol, inputs, outputs, and whether it takes its inputs as one array.
+
+    Raises:
+        ModelError: it is outside the language of rules, or returns other than its outputs.
+    """
     source = program.source(one.function)
     kinds: tuple[AnyType, ...] = (FLOAT,) * inputs
     if one.takes_array:
