@@ -73,7 +73,9 @@ class Twin(torch.nn.Module):
 
     def _fitting(self, genome: Values) -> Tensor:
         """Return a genome as a tensor of its own, or refuse it."""
-        weights = torch.as_tensor(genome, dtype=torch.float64).detach().clone().reshape(-1)
+        if not isinstance(genome, Tensor):
+            genome = torch.tensor(np.array(genome, dtype=np.float64))
+        weights = genome.detach().clone().to(torch.float64).reshape(-1)
         if len(weights) != self.network.genome_size:
             raise ModelError(
                 f"a genome of {len(weights)} weights for {self.function}",

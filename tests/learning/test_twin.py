@@ -150,7 +150,10 @@ def test_drawn_weights_keep_to_the_size_of_their_layer():
     ):
         assert 0.9 * limit < np.abs(weights).max() <= limit
     assert last.reshape(2, 31)[:, -1].tolist() == [0.5, 0.5]
-    assert 0.0 < np.abs(first[:, -1]).max() <= 1 / np.sqrt(2)
+    # Each first neuron's kink passes through the unit square: it is silent on one side only.
+    corners = np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
+    there = first[:, :-1] @ corners.T + first[:, -1:]
+    assert ((there.min(1) < 0) & (there.max(1) > 0)).all()
 
 
 def test_drawn_weights_are_the_seed_s():
