@@ -27,3 +27,13 @@ def defined():
     """What a function computes by its definition."""
     pytest.importorskip("neat")  # its formulas are the definition of a graph's
     return loaded("definitions").defined
+
+
+@pytest.fixture(scope="session")
+def light():
+    """The light seeker's world and vehicles."""
+    path = Path(__file__).parent / "light_seeker.py"
+    spec = importlib.util.spec_from_file_location("light_seeker", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
