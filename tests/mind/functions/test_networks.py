@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from socialmind.errors import ModelError
-from socialmind.mind import Skill
+from socialmind.mind import Hierarchy, MindDescription, Skill
 from socialmind.mind.functions.network import Dense, Neurons
 from socialmind.mind.functions.networks import NETWORKS
 
@@ -35,6 +35,19 @@ def test_it_computes_its_definition(case, drawn, defined, stepped):
         genome, sequence = drawn(function, inputs, outputs, seed)
         expected = defined(function, genome, sequence, outputs)
         assert np.allclose(stepped(network, genome, sequence), expected, rtol=0, atol=1e-12)
+
+
+def test_a_mind_evaluates_it_by_its_definition(case, drawn, defined):
+    function, inputs, outputs = case
+    genome, sequence = drawn(function, inputs, outputs, seed=21)
+    steer = skill(function, inputs, outputs, genome)
+    sensors = [f"S{place}" for place in range(inputs)]
+    motors = [f"M{place}" for place in range(outputs)]
+    mind = Hierarchy(MindDescription("agent", sensors, motors, skills=[steer]))
+    expected = defined(function, genome, sequence, outputs)
+    for read, wanted in zip(sequence, expected, strict=True):
+        commands = mind.evaluate(dict(zip(sensors, read, strict=True)))
+        assert np.allclose([commands[name] for name in motors], wanted, rtol=0, atol=1e-12)
 
 
 def test_its_outputs_are_shares_even_for_wild_weights(case, drawn, stepped):
