@@ -15,28 +15,23 @@ The results go to benchmarks/farmer_artisan.json and, as a table, to benchmarks/
 """
 
 import argparse
-import json
 import os
-import platform
 import shutil
-import statistics
 import subprocess
 import sys
 import tempfile
 import time
 from concurrent.futures import ProcessPoolExecutor
-from importlib.metadata import version
 from multiprocessing import get_context
 from pathlib import Path
 
 import mesa_farmer_artisan
+from harness import HERE, describe_machine, spread, write
 from mesa_farmer_artisan import Society
 
 from socialmind.catalogue import load_model
 
-HERE = Path(__file__).parent
 MESA_PROGRAM = Path(mesa_farmer_artisan.__file__)
-BEGIN, END = "<!-- farmer_artisan: begin -->", "<!-- farmer_artisan: end -->"
 AGENTS = 25
 
 
@@ -196,13 +191,7 @@ def measure(arguments: argparse.Namespace) -> dict[str, object]:
                 200,
             ).result()
     return {
-        "machine": {
-            "processor": _processor(),
-            "cores": os.cpu_count(),
-            "system": f"{platform.system()} {platform.machine()}",
-            "python": platform.python_version(),
-            **{name: version(name) for name in ("numba", "numpy", "mesa")},
-        },
+        "machine": describe_machine("numba", "numpy", "mesa"),
         "ticks": ticks,
         "mesa_ticks": mesa_ticks,
         "rounds": arguments.rounds,
@@ -216,23 +205,9 @@ def measure(arguments: argparse.Namespace) -> dict[str, object]:
     }
 
 
-def _processor() -> str:
-    """The processor's name, as well as the system tells it."""
-    cpuinfo = Path("/proc/cpuinfo")
-    if cpuinfo.exists():
-        for line in cpuinfo.read_text().splitlines():
-            if line.startswith("model name"):
-                return line.partition(":")[2].strip()
-    return platform.processor() or platform.machine()
-
-
 def table(results: dict) -> str:
     """The results as a table in Markdown."""
     ticks, rounds = results["ticks"], results["rounds"]
-
-    def spread(values: list[float], form: str, unit: str = "") -> str:
-        middle, low, high = statistics.median(values), min(values), max(values)
-        return f"{middle:{form}}{unit} | {low:{form}} – {high:{form}}"
 
     def ratio(ours: str, theirs: str) -> list[float]:
         return [their / our for our, their in zip(results[ours], results[theirs], strict=True)]
@@ -300,18 +275,6 @@ def table(results: dict) -> str:
     return "\n".join(lines)
 
 
-def write(results: dict, folder: Path) -> None:
-    """Write the JSON file, and the table into its place in the README."""
-    (folder / "farmer_artisan.json").write_text(json.dumps(results, indent=1) + "\n")
-    readme = folder / "README.md"
-    text = readme.read_text(encoding="utf-8") if readme.exists() else f"{BEGIN}\n{END}\n"
-    if BEGIN not in text or END not in text:
-        raise SystemExit(f"{readme}: found no lines {BEGIN} and {END} to write between")
-    head, _, rest = text.partition(BEGIN)
-    tail = rest.partition(END)[2]
-    readme.write_text(f"{head}{BEGIN}\n\n{table(results)}\n\n{END}{tail}", encoding="utf-8")
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--ticks", type=int, default=500_000, help="length of a run")
@@ -321,9 +284,8 @@ def main() -> None:
     parser.add_argument("--crowd", type=int, default=100_000, help="agents in the crowd; 0: none")
     parser.add_argument("--out", type=Path, default=HERE, help="folder of README and JSON file")
     arguments = parser.parse_args()
-    arguments.out.mkdir(parents=True, exist_ok=True)
     results = measure(arguments)
-    write(results, arguments.out)
+    write(results, table, "farmer_artisan", arguments.out)
     print(table(results))
 
 
