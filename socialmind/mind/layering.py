@@ -132,18 +132,14 @@ def _first_order(
         for upper, lower in pairwise(chain):
             below.setdefault(upper, []).append(lower)
     order: list[dict[Key, None]] = [{} for _ in range(max(layer.values()) + 1)]
-    waiting: list[Key] = [*reversed(boxes)]
+    waiting: list[Key] = [name for name in reversed(list(boxes)) if layer[name] == 0]
     while waiting:
         key = waiting.pop()
         level = order[layer[key] if isinstance(key, str) else key[2]]
-        if key not in level and (not isinstance(key, str) or layer[key] == 0 or _led(key, chains)):
+        if key not in level:
             level[key] = None
             waiting += reversed(below.get(key, []))
     return [list(level) for level in order]
-
-
-def _led(name: str, chains: Mapping[Link, list[Key]]) -> bool:
-    return any(target == name for _, target in chains)
 
 
 def _ordered(order: list[list[Key]], chains: Mapping[Link, list[Key]]) -> list[list[Key]]:
@@ -164,7 +160,7 @@ def _ordered(order: list[list[Key]], chains: Mapping[Link, list[Key]]) -> list[l
                 else at * len(fixed) / len(order[number])
                 for at, key in enumerate(order[number])
             }
-            order[number].sort(key=lambda key, centre=centre: centre[key])  # type: ignore[misc]
+            order[number].sort(key=centre.__getitem__)
         count = _crossings(order, below)
         if count < fewest:
             best, fewest = order, count
@@ -245,7 +241,9 @@ def _apart(keys: list[Key], rows: int, boxes: Mapping[str, Box]) -> list[float]:
         if rows == 1 or not (isinstance(left, str) and isinstance(right, str)):
             steps.append(sum(widths) / 2 + SPACE)
         else:
-            steps.append(max(max(widths) / 2 + 1.5 * SPACE, sum(widths) / 2 / (rows - 0.5)))
+            # Links leave and arrive within three tenths of the width beside a node's centre.
+            beside = max(widths) / 2 + 0.3 * min(widths) + SPACE / 2
+            steps.append(max(beside, sum(widths) / 2 / (rows - 0.5)))
     return steps
 
 
