@@ -141,11 +141,11 @@ class Record:
                 arrays[f"{prefix}_{name}"] = array
         for number, society in enumerate(societies):
             for name, array in zip(SchemeArrays._fields, society.arrays, strict=True):
-                arrays[f"{number}_scheme_{name}"] = array
+                arrays[f"nested_{number}_scheme_{name}"] = array
             for name, array in zip(MindArrays._fields, society.minds, strict=True):
-                arrays[f"{number}_minds_{name}"] = array
+                arrays[f"nested_{number}_minds_{name}"] = array
             for name, array in self.scheme_lists[number].items():
-                arrays[f"{number}_{name}"] = array
+                arrays[f"nested_{number}_{name}"] = array
         self.record["agents"] = agents
         self.record["failed_skill"] = -1
         for name, array in arrays.items():

@@ -44,7 +44,7 @@ def mind_arrays(schemes: int) -> dict[str, tuple[str, int]]:
         of_scheme = {f"scheme_{name}": ENGINE_ARRAYS[name] for name in SchemeArrays._fields}
         of_minds = {f"minds_{name}": ENGINE_ARRAYS[name] for name in MindArrays._fields}
         for name, kind in {**of_scheme, **of_minds, **SCHEME_LISTS}.items():
-            arrays[f"{number}_{name}"] = kind
+            arrays[f"nested_{number}_{name}"] = kind
     return arrays
 
 
@@ -317,9 +317,8 @@ def evaluation_text(name: str, programs: MindProgram) -> str:
 def _drive_text(drive: str | None) -> str:
     if drive is None:
         return "pass"
-    return (
-        f"for lane in range(lanes):\n        {drive}(_model, block * state.sensors.shape[2] + lane)"
-    )
+    lane = "block * state.fresh.shape[1] + lane"
+    return f"for lane in range(lanes):\n                {drive}(mind, {lane})"
 
 
 def _view(array: str, kind: str, dimensions: int) -> str:
@@ -331,13 +330,13 @@ def _scheme_views(name: str, number: int) -> list[str]:
     parts = []
     for prefix, cls in (("scheme", SchemeArrays), ("minds", MindArrays)):
         views = "".join(
-            f"        {_view(f'{number}_{prefix}_{array}', *ENGINE_ARRAYS[array])},\n"
+            f"        {_view(f'nested_{number}_{prefix}_{array}', *ENGINE_ARRAYS[array])},\n"
             for array in cls._fields
         )
         head = f"@_inner\ndef _{prefix}_{name}_{number}(mind):\n"
         parts.append(f"{head}    return _{cls.__name__}(\n{views}    )")
     for array, (kind, dimensions) in SCHEME_LISTS.items():
-        view = _view(f"{number}_{array}", kind, dimensions)
+        view = _view(f"nested_{number}_{array}", kind, dimensions)
         parts.append(f"@_inner\ndef _{array}_{name}_{number}(mind):\n    return {view}")
     return parts
 
