@@ -69,22 +69,13 @@ class Wave(Regulation):
     """The wave generator: 0.5 + sin(φ) / 2, φ growing with every tick (thesis, figure 4.8).
 
     A command c lets φ grow by 0.001 + 2.999 c a tick; while it was never commanded, φ grows by 1,
-    so that its value at the n-th tick is that of sin(n).
+    so that its value at the n-th tick is that of sin(n). φ begins at 0; a default is what the
+    variable shows before its first evaluation.
     """
 
     code: ClassVar[int] = WAVE
     keyword: ClassVar[str] = "TickWaveSinVariableModule"
     start: ClassVar[float] = 0.5
-
-    def check_default(self, variable: Variable) -> None:
-        """Refuse any default: a wave starts at φ = 0."""
-        raise ModelError(
-            f"a default of {variable.default} for the wave generator {variable.name!r}",
-            "none: a wave begins at 0.5",
-            "leave the default out",
-            variable.file,
-            variable.line,
-        )
 
 
 @dataclass(frozen=True)

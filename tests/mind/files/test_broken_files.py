@@ -32,8 +32,6 @@ BROKEN = [
     ("an unknown type", VAR, "VariableModule:0.5", "VarModule:0.5", 2, ["'VarModule'", "mean"]),
     ("a default that is none", VAR, "Module:0.5\nN", "Module:half\nN", 2, ["'half'", "'MOOD'"]),
     ("a default beyond 1", VAR, "Module:0.5\nN", "Module:5\nN", 2, ["5.0", "0 … 1"]),
-    ("a wave with a default", VAR, "SIN:TickWaveSinVariableModule",
-     "SIN:TickWaveSinVariableModule:0.1", 1, ["wave generator 'SIN'", "leave the default out"]),
     ("too many fields", VAR, "VariableModule:0.5\nN", "VariableModule:0.5:1\nN", 2, ["2 fields"]),
     ("a maximum of 0", VAR, "::5:", "::0:", 3, ["up to 0", "1 or more"]),
     ("a maximum of 2.5", VAR, "::5:", "::2.5:", 3, ["'2.5'", "whole number"]),
