@@ -143,30 +143,52 @@ def _node(ax: Axes, name: str, box: Box, lines: Sequence[str], size: float) -> N
 def _write_influences(
     ax: Axes, plan: Plan, transmitted: Mapping[tuple[str, str], float], size: float
 ) -> None:
-    """Write on links of influence what they transmit, where there is room."""
+    """Write on links of influence what they transmit, where there is room; not the zeros.
+
+    A place that covers no other link comes first.
+    """
     taken = [(box.x, box.y, box.width / 2, box.height / 2) for box in plan.boxes.values()]
-    for link, curve in plan.routes.items():
-        if not link[1].startswith("SK:"):
-            continue
+    places = {
+        link: list(_between_layers(curve))
+        for link, curve in plan.routes.items()
+        if link[1].startswith("SK:")
+    }
+    for link, own in places.items():
         text = f"{transmitted[link]:.2f}"
+        if text == "0.00":
+            continue
         half = 0.8 * text_width(text) / 2 + 0.1, 0.45
-        for x, y in _between_layers(curve):
+        free = [
+            (x, y)
+            for x, y in own
             if not any(
                 abs(x - other_x) < half[0] + width and abs(y - other_y) < half[1] + height
                 for other_x, other_y, width, height in taken
-            ):
-                taken.append((x, y, *half))
-                ax.text(
-                    x, y, text, size=0.8 * size, color=INK, ha="center", va="center", zorder=4,
-                    bbox={"boxstyle": "square,pad=0.08", "facecolor": "white", "edgecolor": "none"},
-                )  # fmt: skip
-                break
+            )
+        ]
+        covered = {
+            (x, y): sum(
+                any(
+                    abs(x - at) < half[0] + 0.2 and abs(y - height) < half[1] for at, height in some
+                )
+                for other, some in places.items()
+                if other != link
+            )
+            for x, y in free
+        }
+        if free:
+            x, y = min(free, key=covered.__getitem__)
+            taken.append((x, y, *half))
+            ax.text(
+                x, y, text, size=0.8 * size, color=INK, ha="center", va="center", zorder=4,
+                bbox={"boxstyle": "square,pad=0.08", "facecolor": "white", "edgecolor": "none"},
+            )  # fmt: skip
 
 
 def _between_layers(curve: Curve) -> Iterator[Point]:
     """Yield points of a link between layers, from the middles outwards."""
     pieces = [curve[begin : begin + 4] for begin in range(3, len(curve) - 1, 6)]
-    for along in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8):
+    for along in (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.1, 0.9):
         t, s = along, 1.0 - along
         shares = s**3, 3 * s * s * t, 3 * s * t * t, t**3
         for piece in pieces:
@@ -181,7 +203,7 @@ def _draw_key(ax: Axes, plan: Plan, size: float) -> None:
     steps, length = 40, 6.0
     for number in range(steps):
         begin = MARGIN + 0.9 + length * number / steps
-        path = Path([(begin, y), (begin + length / steps + 0.02, y)])
+        path = Path([(begin, y), (begin + length / steps + 0.08, y)])
         _line(ax, path, INFLUENCE(number / (steps - 1)), 0.5 * size, 3.0)
     ax.text(MARGIN + 7.2, y, "1", size=0.85 * size, color=INK, va="center")
     ax.text(

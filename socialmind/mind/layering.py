@@ -91,7 +91,7 @@ def layered(
     x = _abscissae(order, rows, boxes, chains)
     left = min(x[key] - _width(key, boxes) / 2 for keys in order for key in keys)
     span = max(x[key] + _width(key, boxes) / 2 for keys in order for key in keys) - left
-    gap = min(8.0, 4.0 + 0.05 * span)  # long slanting links need height
+    below = _neighbours(chains)[1]
     placed, bands, top = {}, [], 0.0
     for keys, count in zip(order, rows, strict=True):
         names = [key for key in keys if isinstance(key, str)]
@@ -100,7 +100,9 @@ def layered(
             y = top + (place % count + 0.5) * pitch - SPACE / 2
             placed[name] = Box(boxes[name].width, boxes[name].height, x[name] - left, y)
         bands.append((top, top + count * pitch - SPACE))
-        top = bands[-1][1] + gap
+        # Long slanting links need height, and so do many.
+        crowd = sum(len(below.get(key, [])) for key in keys)
+        top = bands[-1][1] + min(9.0, 4.0 + 0.05 * span + 0.12 * max(0, crowd - 6))
     ports = _ports(chains, x, boxes)
     routes = {
         link: _route(chain, [x[key] - left for key in chain[1:-1]], ports, placed, bands, layer)
