@@ -1,4 +1,4 @@
-"""The command line: `socialmind list, run, plot, replay, check, explain, new`.
+"""The command line: `socialmind list, run, plot, replay, check, explain, reproduce, new`.
 
 This file says what the commands take; `socialmind.commands` does the work and is imported by the
 command that needs it, so that a run starts fast. What the user can put right goes to stderr in
@@ -191,6 +191,31 @@ def explain(
     from socialmind.commands.checking import print_decision
 
     print_decision(folder, agent, tick)
+
+
+@command
+def reproduce(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[NAME]...", help="Figures, tables, or a whole topic."),
+    ] = None,
+    out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for what is made.")] = Path(
+        "figures"
+    ),
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Make a smaller version of what takes long.")
+    ] = False,
+    list_names: Annotated[
+        bool, typer.Option("--list", help="List what can be made, and make nothing.")
+    ] = False,
+) -> None:
+    """Make figures and tables of the thesis again: PDF, PNG and the numbers as CSV."""
+    from socialmind.commands import reproducing
+
+    if list_names:
+        reproducing.print_studies()
+    else:
+        reproducing.make(names or [], out, quick)
 
 
 @command

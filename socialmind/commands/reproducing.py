@@ -1,0 +1,42 @@
+"""`socialmind reproduce`: the figures and tables of the thesis, made again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+
+from socialmind.commands.listing import aligned
+from socialmind.errors import SocialmindError
+from socialmind.studies import reproduce, studies_in, topics
+
+
+def print_studies() -> None:
+    """Print the studies of each topic, with what they show.
+
+    Raises:
+        SocialmindError: there are none, or one cannot be loaded.
+    """
+    for position, (topic, folder) in enumerate(topics().items()):
+        if position:
+            typer.echo()
+        rows = [(study.name, study.about) for study in studies_in(folder)]
+        typer.echo("\n".join([topic, *aligned(rows)]))
+
+
+def make(names: Sequence[str], out: Path, quick: bool) -> None:
+    """Make studies and print the files that were written.
+
+    Args:
+        names: of studies or topics.
+        out: the folder for what is made.
+        quick: whether smaller versions will do.
+
+    Raises:
+        SocialmindError: no names, an unknown one, or a study that fails.
+    """
+    if not names:
+        raise SocialmindError("which study? `socialmind reproduce --list` shows them")
+    for path in reproduce(names, out, quick):
+        typer.echo(path)

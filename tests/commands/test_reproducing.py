@@ -1,0 +1,158 @@
+"""`socialmind reproduce`: figures made again by name, in their formats, as often as wanted."""
+
+import pytest
+
+import socialmind.studies as finding
+from socialmind.errors import ModelError, SocialmindError
+
+STUDY = """
+from socialmind.studies import Study
+
+def table(out):
+    out.mkdir(exist_ok=True)
+    (out / "{name}.csv").write_text("a long one")
+    return [out / "{name}.csv"]
+
+def quick_table(out):
+    out.mkdir(exist_ok=True)
+    (out / "{name}.csv").write_text("a quick one")
+    return [out / "{name}.csv"]
+
+def broken(out):
+    return [] + missing
+
+studies = (
+    Study("{name}", "numbers that take long", table, quick_table),
+    Study("broken-{name}", "what cannot be made", broken),
+)
+"""
+
+
+@pytest.fixture
+def installed(tmp_path, monkeypatch):
+    """A package that stands in the folder `place`, without studies yet."""
+    package = tmp_path / "place" / "socialmind"
+    package.mkdir(parents=True)
+    monkeypatch.setattr(finding, "__file__", str(package / "studies.py"))
+    return package
+
+
+def topic(home, name, text):
+    (home / name).mkdir(parents=True)
+    (home / name / "studies.py").write_text(text)
+
+
+# The figures of the thesis ---------------------------------------------------------------------
+
+
+def test_one_command_makes_the_figures_of_variables(socialmind, tmp_path):
+    names = ["figure-4.6", "figure-4.7", "figure-4.8"]
+    result = socialmind("reproduce", *names)
+    assert result.exit_code == 0, result.output
+    expected = [f"figures/{name}.{suffix}" for name in names for suffix in ("pdf", "png", "csv")]
+    assert result.stdout.split() == expected
+    for name in names:
+        assert (tmp_path / f"figures/{name}.pdf").read_bytes().startswith(b"%PDF")
+        assert (tmp_path / f"figures/{name}.png").read_bytes().startswith(b"\x89PNG")
+        assert "value" in (tmp_path / f"figures/{name}.csv").read_text().splitlines()[0]
+
+
+def test_a_figure_made_again_is_the_same_file(socialmind, tmp_path):
+    for out in ("once", "again"):
+        assert socialmind("reproduce", "figure-6.6", "--out", out).exit_code == 0
+    for suffix in ("pdf", "png", "csv"):
+        once, again = ((tmp_path / out / f"figure-6.6.{suffix}") for out in ("once", "again"))
+        assert once.read_bytes() == again.read_bytes()
+
+
+def test_the_list_says_what_can_be_made_and_makes_nothing(socialmind, tmp_path):
+    result = socialmind("reproduce", "--list")
+    assert result.exit_code == 0
+    for name in ("figure-4.6", "figure-4.7", "figure-4.8", "figure-6.6"):
+        assert any(line.split()[0] == name for line in result.stdout.splitlines() if line)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_unknown_names_are_met_before_anything_is_made(refused, tmp_path):
+    line = refused("reproduce", "figure-4.7", "figure-4.66")
+    assert line == "socialmind: no study called figure-4.66; did you mean figure-4.6 or figure-6.6?"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_name_is_needed(refused):
+    line = refused("reproduce")
+    assert line == "socialmind: which study? `socialmind reproduce --list` shows them"
+
+
+# Finding studies -------------------------------------------------------------------------------
+
+
+def test_a_topic_stands_for_its_studies(socialmind, installed, tmp_path):
+    text = (
+        STUDY.format(name="table-1")
+        .replace('Study("broken', 'Study("other')
+        .replace("broken),", "table),")
+    )
+    topic(installed.parent / "analysis", "tables_of_one", text)
+    result = socialmind("reproduce", "tables-of-one", "table-1")
+    assert result.stdout.split() == ["figures/table-1.csv"] * 2  # of two studies, each once
+    assert (tmp_path / "figures/table-1.csv").read_text() == "a long one"
+
+
+def test_quick_makes_the_smaller_version_where_there_is_one(socialmind, installed, tmp_path):
+    topic(installed.parent / "analysis", "tables", STUDY.format(name="table-1"))
+    assert socialmind("reproduce", "table-1", "--quick", "--out", "q").exit_code == 0
+    assert (tmp_path / "q/table-1.csv").read_text() == "a quick one"
+
+
+def test_studies_in_the_package_come_before_those_beside_it(socialmind, installed):
+    topic(installed / "_analysis", "inside", STUDY.format(name="table-1"))
+    topic(installed.parent / "analysis", "beside", STUDY.format(name="table-2"))
+    result = socialmind("reproduce", "--list")
+    assert "table-1" in result.stdout
+    assert "table-2" not in result.stdout
+
+
+def test_folders_without_studies_are_no_topics(installed):
+    (installed.parent / "analysis" / "notes").mkdir(parents=True)
+    assert finding.topics() == {}
+    with pytest.raises(SocialmindError, match="no study called x; there are none"):
+        finding.find("x")
+
+
+def test_without_studies_the_error_says_where_they_should_be(refused, installed):
+    for words in (["--list"], ["figure-4.6"]):
+        line = refused("reproduce", *words)
+        assert line.startswith("socialmind: the studies are not installed: there is neither")
+        assert str(installed / "_analysis") in line
+        assert str(installed.parent / "analysis") in line
+        assert "from a checkout" in line
+
+
+def test_a_study_that_stops_is_one_line_with_its_place(refused, installed):
+    topic(installed.parent / "analysis", "tables", STUDY.format(name="table-1"))
+    line = refused("reproduce", "broken-table-1")
+    assert "tables/studies.py:15: broken-table-1 stopped with NameError" in line
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "found no `studies`; expected the studies of the topic"),
+        ("studies = ['figure-1']", "found list as `studies`"),
+        ("studies = (", "not valid Python"),
+    ],
+)
+def test_a_wrong_file_of_studies_is_named(installed, text, message):
+    topic(installed.parent / "analysis", "odd", text)
+    with pytest.raises(ModelError, match=r"odd/studies\.py") as caught:
+        finding.catalogue_of_studies()
+    assert message in str(caught.value)
+
+
+def test_a_name_belongs_to_one_study(installed):
+    for name in ("first", "second"):
+        topic(installed.parent / "analysis", name, STUDY.format(name="table-1"))
+    with pytest.raises(ModelError, match="a second study called 'table-1'") as caught:
+        finding.catalogue_of_studies()
+    assert str(installed.parent / "analysis" / "first") in str(caught.value)
