@@ -42,6 +42,7 @@ _FILES = (
     "socialmind/mind/kernel/flow.py",
     "socialmind/mind/kernel/layout.py",
     "socialmind/mind/kernel/networks.py",
+    "socialmind/mind/kernel/record.py",
     "socialmind/mind/kernel/reach.py",
     "socialmind/mind/kernel/signals.py",
     "socialmind/mind/kernel/variables.py",

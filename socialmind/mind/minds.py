@@ -14,7 +14,7 @@ from socialmind.mind.arrays import Assembly, assemble, master_of
 from socialmind.mind.code import MindCode
 from socialmind.mind.description import MindDescription
 from socialmind.mind.kernel.layout import LIVES
-from socialmind.mind.kernel.text import RESTARTED
+from socialmind.mind.kernel.record import RESTARTED
 from socialmind.mind.state import Record, copied, new_state, restored, societies_of
 from socialmind.mind.steps import failure_of
 

@@ -105,7 +105,7 @@ class Record:
     """
 
     def __init__(self, assembly: Assembly, names: NDArray[np.int64]) -> None:
-        from socialmind.mind.kernel.text import mind_dtype
+        from socialmind.mind.kernel.record import mind_dtype
 
         self.assembly = assembly
         self.names = names
@@ -146,6 +146,7 @@ class Record:
                 arrays[f"nested_{number}_minds_{name}"] = array
             for name, array in self.scheme_lists[number].items():
                 arrays[f"nested_{number}_{name}"] = array
+        self.record["itself"] = self.address
         self.record["agents"] = agents
         self.record["failed_skill"] = -1
         for name, array in arrays.items():

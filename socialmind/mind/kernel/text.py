@@ -6,56 +6,14 @@ many cogniton schemes it has. Skills, links, networks and genomes are data.
 
 from __future__ import annotations
 
-from typing import Any
-
-import numpy as np
-
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from socialmind.language.layout import ENGINE_ARRAYS, dtype_text
 from socialmind.language.loop import HEAD as RULES_HEAD
 from socialmind.language.loop import runtime_names
 from socialmind.language.lowering import lowered
 from socialmind.language.program import Program
-from socialmind.mind.kernel.layout import State, Structure, array_types
+from socialmind.mind.kernel.record import SCHEME_LISTS, mind_dtype
 from socialmind.mind.programs import MindProgram
-
-SCHEME_LISTS = {
-    "cogniton": ("int64", 1),
-    "plan_output": ("int64", 1),
-    "weights": ("float64", 1),
-    "plans": ("int64", 1),
-}
-"""Arrays beside a scheme's own: the cogniton of each input, the output of each plan, room."""
-
-
-RECORD = ("agents", "evaluate", "renew", "failed_skill", "failed_agent", "names", "names_0")
-"""What the record of a mind holds beside the arrays: how many agents, the addresses of the compiled
-evaluation and of births, which program of which agent runs, and the names that a drive writes."""
-
-RESTARTED, NEW_BORN = -2, -1
-"""Instead of a parent, in `renew`: an agent begins anew, or a new one begins."""
-
-
-def mind_arrays(schemes: int) -> dict[str, tuple[str, int]]:
-    """Return the names, types and dimensions of all arrays of a hierarchy with so many schemes."""
-    arrays = {f"structure_{name}": kind for name, kind in array_types(Structure).items()}
-    arrays |= {f"state_{name}": kind for name, kind in array_types(State).items()}
-    for number in range(schemes):
-        of_scheme = {f"scheme_{name}": ENGINE_ARRAYS[name] for name in SchemeArrays._fields}
-        of_minds = {f"minds_{name}": ENGINE_ARRAYS[name] for name in MindArrays._fields}
-        for name, kind in {**of_scheme, **of_minds, **SCHEME_LISTS}.items():
-            arrays[f"nested_{number}_{name}"] = kind
-    return arrays
-
-
-def mind_dtype(schemes: int) -> np.dtype[Any]:
-    """Return the record that says where the arrays of a hierarchy are, and how large."""
-    columns: list[Any] = [(name, "i8") for name in RECORD]
-    for name, (_, dimensions) in mind_arrays(schemes).items():
-        columns.append((name, "i8"))
-        columns += [(f"{name}_{axis}", "i8") for axis in range(dimensions)]
-    return np.dtype(columns, align=True)
-
 
 HEAD = '''import math as _math
 from socialmind.mind.kernel import flow as _flow
@@ -69,9 +27,9 @@ from socialmind.mind.kernel.layout import PROGRAM as _PROGRAM
 from socialmind.mind.kernel.layout import SENSORS as _SENSORS
 from socialmind.mind.kernel.layout import SKILLS as _SKILLS
 from socialmind.mind.kernel.layout import VARIABLES as _VARIABLES
-from socialmind.mind.kernel.layout import State as _State
-from socialmind.mind.kernel.layout import Structure as _Structure
 from socialmind.mind.kernel.networks import run_network as _run_network
+from socialmind.mind.kernel.record import state_at as _state_at
+from socialmind.mind.kernel.record import structure_at as _structure_at
 from socialmind.mind.regulation import REGULATED as _REGULATED
 
 RESTARTED, NEW_BORN = -2, -1
@@ -271,17 +229,19 @@ _SCHEME_RENEW = """minds_NUMBER = _minds_NAME_NUMBER(mind)
             minds_NUMBER.values[agent, i] = _scheme_NAME_NUMBER(mind).start[i]"""
 
 
-def arrays_text(name: str, schemes: int) -> str:
-    """Return the record of a mind, and the functions that reach its arrays, for a module."""
-    views: dict[str, list[str]] = {"structure": [], "state": []}
-    for array, (kind, dimensions) in mind_arrays(0).items():
-        views[array.split("_", 1)[0]].append(_view(array, kind, dimensions))
-    parts = [f"MIND_{name} = {dtype_text(mind_dtype(schemes))}"]
-    for prefix in ("structure", "state"):
-        made = "".join(f"        {view},\n" for view in views[prefix])
-        cls = "_Structure" if prefix == "structure" else "_State"
-        parts.append(f"@_inner\ndef _{prefix}_{name}(mind):\n    return {cls}(\n{made}    )")
-    return "\n\n\n".join(parts)
+def record_text(name: str, schemes: int) -> str:
+    """Return the record of a mind, and what reaches its arrays, for a module."""
+    return f"""MIND_{name} = {dtype_text(mind_dtype(schemes))}
+
+
+@_inner
+def _structure_{name}(mind):
+    return _structure_at(mind.itself)
+
+
+@_inner
+def _state_{name}(mind):
+    return _state_at(mind.itself)"""
 
 
 def evaluation_text(name: str, programs: MindProgram) -> str:
@@ -372,7 +332,7 @@ def _regulation_branch(number: int, one: tuple[str, tuple[str, ...], bool]) -> s
 
 def population_text(name: str) -> str:
     """Return how a model's compiled rules reach the hierarchies of a population."""
-    return "\n\n\n".join([arrays_text(name, 0), methods_text(name, evaluating=True)])
+    return "\n\n\n".join([record_text(name, 0), methods_text(name, evaluating=True)])
 
 
 def module_text(program: Program, programs: MindProgram) -> str:
@@ -382,7 +342,7 @@ def module_text(program: Program, programs: MindProgram) -> str:
         program: the typed functions.
         programs: which of them are what.
     """
-    parts = [RULES_HEAD, runtime_names(), HEAD, arrays_text(MIND_NAME, programs.schemes)]
+    parts = [RULES_HEAD, runtime_names(), HEAD, record_text(MIND_NAME, programs.schemes)]
     if program.names[MIND_NAME]:
         parts.append(
             f"@_inner\ndef _names_{MIND_NAME}(_model):\n"
@@ -397,7 +357,7 @@ def module_text(program: Program, programs: MindProgram) -> str:
 
 def steps_text() -> str:
     """Return the compiled module of the steps of an evaluation, which Python calls one by one."""
-    parts = [RULES_HEAD, runtime_names(), HEAD, arrays_text(MIND_NAME, 0)]
+    parts = [RULES_HEAD, runtime_names(), HEAD, record_text(MIND_NAME, 0)]
     parts += [one.replace("NAME", MIND_NAME) for one in (_AT, _STEPS)]
     return "\n\n\n".join(parts) + "\n"
 
