@@ -8,6 +8,7 @@ and `hierarchy.Hierarchy` runs it. Inputs and outputs are written as in the file
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
@@ -36,6 +37,14 @@ OUTPUT_CODES = {"MO": "actuator", "SK": "skill", "VA": "variable"}
 """What a skill's output goes to, by its code in a file (thesis, A.3.1)."""
 
 _NAME = re.compile(r"[^\s:#/\\]([^:#/\\\n\r]*[^\s:#/\\])?")
+_UNWRITABLE = ("Cc", "Cs", "Zl", "Zp")
+"""Unicode's control characters, halves of surrogate pairs, and separators of lines, which files
+cannot hold inside a name."""
+_BYTE_ORDER_MARK = "\ufeff"
+
+MOST_TICKS = 100_000
+"""The longest history that an input may ask for, in ticks: so many values are kept for each
+agent."""
 
 
 @dataclass(frozen=True)
@@ -143,6 +152,13 @@ class Input:
         history = self.reading == HISTORY
         if isinstance(self.ticks, bool) or not isinstance(self.ticks, int):
             raise ModelError(f"{self.ticks!r} ticks back", "a whole number", line=self.line)
+        if self.ticks > MOST_TICKS:
+            raise ModelError(
+                f"a history of more than {MOST_TICKS:,} ticks of {self.name!r}",
+                f"1 … {MOST_TICKS:,}",
+                "keep what is long past in a variable",
+                line=self.line,
+            )
         if history and self.ticks < 1:
             raise ModelError(
                 f"the history {self.code}:{self.name} without a number of ticks",
@@ -176,7 +192,9 @@ class Input:
                     "a whole number of ticks",
                     line=line,
                 )
-            ticks = int(parts[2])
+            # Python turns no more than some thousand digits into a number.
+            digits = parts[2].lstrip("0")
+            ticks = int(digits or 0) if len(digits) < 10 else MOST_TICKS + 1
         return cls(parts[0], parts[1], ticks, line)
 
     @property
@@ -366,8 +384,19 @@ def check_name(name: Any, what: str, file: str | None, line: int | None) -> None
     """Refuse a name that files cannot hold.
 
     Raises:
-        ModelError: it is empty, or has a colon, a hash, a slash or blanks around it.
+        ModelError: it is empty, has a colon, a hash, a slash or blanks around it, or a control
+            character.
     """
+    if isinstance(name, str):
+        for character in name:
+            if unicodedata.category(character) in _UNWRITABLE or character == _BYTE_ORDER_MARK:
+                raise ModelError(
+                    f"the character U+{ord(character):04X} in {name!r}, the name of {what}",
+                    "a name without control characters",
+                    None,
+                    file,
+                    line,
+                )
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise ModelError(
             f"{name!r} as the name of {what}",
