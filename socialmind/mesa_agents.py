@@ -129,6 +129,7 @@ def class_of_agents(population: Population) -> type[SocietyAgent]:
     members: dict[str, Any] = {"__doc__": population.agent.__doc__, "population": shape.name}
     taken = {*dir(SocietyAgent), "model", "unique_id", "id", "current_action"}
     names = [*shape.fields, *(("mind", "plan") if shape.minded else ())]
+    names += ["hierarchy"] if shape.hierarchy else []
     for name in names:
         if name in taken:
             raise ModelError(

@@ -1,4 +1,4 @@
-"""Observation of minds: their cognitons and the weights of their plans as columns of a table."""
+"""Observation of minds: cognitons and weights of plans, influence and variables, as columns."""
 
 from __future__ import annotations
 
@@ -44,6 +44,33 @@ def mind_columns(table: Table) -> dict[str, NDArray[Any]]:
     for place, plan in enumerate(scheme.plans):
         columns[f"weight_{plan}"] = weights[:, place]
     return columns
+
+
+def hierarchy_columns(table: Table) -> dict[str, NDArray[Any]]:
+    """Return the hierarchies of skills of a population's living as columns.
+
+    Args:
+        table: a population whose agents have hierarchies.
+
+    Returns:
+        For every skill `influence_<Skill>`, the influence that it received in the agent's last
+        evaluation, for every variable `variable_<Name>` its value and for every actuator
+        `command_<Name>` its command. Rows are in order of birth.
+    """
+    if table.minds is None:
+        return {}
+    assembly, state, slots = table.minds.assembly, table.minds.state, table.slots
+    description = assembly.description
+    parts = {
+        "influence": (assembly.skills, state.totals),
+        "variable": (description.variables, state.values),
+        "command": (description.actuators, state.actuators),
+    }
+    return {
+        f"{part}_{name}": array[slots, place, 0]
+        for part, (names, array) in parts.items()
+        for place, name in enumerate(names)
+    }
 
 
 def _add_culturons(
