@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -13,10 +13,10 @@ from socialmind.language.nodes import nearest
 from socialmind.mind.arrays import Assembly, assemble, master_of
 from socialmind.mind.code import MindCode
 from socialmind.mind.description import MindDescription
-from socialmind.mind.kernel.layout import LIVES
-from socialmind.mind.kernel.record import RESTARTED
+from socialmind.mind.failures import failure_of, failure_of_drive, failure_of_regulation
+from socialmind.mind.kernel.layout import LIVES, State
+from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.state import Record, copied, new_state, restored, societies_of
-from socialmind.mind.steps import failure_of
 
 LANES = 256
 """How many agents are evaluated in lockstep: the more, the longer the vectors; all nodes of a
@@ -66,13 +66,15 @@ class Minds:
         for what, number, least in (
             ("agents", agents, 1), ("instances", instances, 0), ("lanes", lanes, 1),
         ):  # fmt: skip
-            if isinstance(number, bool) or not isinstance(number, int) or number < least:
-                raise SocialmindError(f"{what}: found {number!r}; expected {least} or more")
+            if not _is_whole(number) or number < least:
+                raise SocialmindError(
+                    f"{what}: found {number!r}; expected a whole number, {least} or more"
+                )
         self.description = description
         self.master = master_of(description, master)
         self.assembly: Assembly = assemble(description, self.master, drive is not None)
-        self.agents = agents
-        self.lanes = min(lanes, agents)
+        self.agents = int(agents)
+        self.lanes = int(min(lanes, agents))
         self.own_genomes = own_genomes
         self.seed = seed
         self.drive = drive
@@ -135,11 +137,13 @@ class Minds:
                     f"{values[bad[0]]} for the sensor {name!r} of agent {bad[0]}",
                     "a number, 0 … 1",
                 )
-        number = self._record.failed_skill
+        number, agent = self._record.failed_skill, self._record.failed_agent
+        if number <= A_REGULATION:
+            variable = list(self.description.variables.values())[A_REGULATION - number]
+            return failure_of_regulation(variable, agent)
         if number < 0:
-            return ModelError(f"the drive or a regulation of {self.description.name!r} failed")
+            return failure_of_drive(self.drive, agent)
         skill = self.description.skills[self.assembly.skills[number]]
-        agent = self._record.failed_agent
         return failure_of(skill, agent, self.state_arrays.nodes[0, :, agent % self.lanes])
 
     # Modules ----------------------------------------------------------------------------------
@@ -171,7 +175,7 @@ class Minds:
             ModelError: a value outside [0, 1].
         """
         place = _place(self.description.variables, name, "variable")
-        found = np.asarray(values, float)
+        found = _numbers(values, f"the variable {name!r}")
         if not ((found >= 0) & (found <= 1)).all():
             raise ModelError(f"{values} for the variable {name!r}", "numbers, 0 … 1")
         self._write(self.state_arrays.values[:, place], found, f"the variable {name!r}")
@@ -185,13 +189,14 @@ class Minds:
         return lanes.reshape(-1)[: self.agents].copy()
 
     def _write(self, lanes: NDArray[Any], values: Any, what: str) -> None:
-        found = np.asarray(values, float)
+        found = _numbers(values, what)
         if found.ndim == 0:
             lanes[...] = found
             return
         if found.shape != (self.agents,):
             raise ModelError(
-                f"{len(found.reshape(-1))} values for {what}", f"{self.agents}, one for each agent"
+                f"values of the shape {found.shape} for {what}",
+                f"({self.agents},), one for each agent",
             )
         full, rest = divmod(self.agents, self.lanes)
         lanes[:full] = found[: full * self.lanes].reshape(full, self.lanes)
@@ -219,7 +224,7 @@ class Minds:
         """
         place = self._genome_of(skill)
         one = self.description.skills[skill]
-        found = np.asarray(genome, float)
+        found = _numbers(genome, f"the genome of the skill {skill!r}")
         if found.ndim == 2 and self.own_genomes:
             if found.shape != (self.agents, one.genome_size):
                 raise one.refused(
@@ -262,28 +267,32 @@ class Minds:
             hint = nearest(group, sorted(groups)) if groups else "no variable is shared"
             raise ModelError(f"the unknown group {group!r}", remedy=hint)
         count = len(self.state_arrays.instances)
-        if instance is not None and not 0 <= instance < count:
+        if instance is not None and not (_is_whole(instance) and 0 <= instance < count):
             raise ModelError(
-                f"the instance {instance} of the group {group!r}",
+                f"the instance {instance!r} of the group {group!r}",
                 f"0 … {count - 1}" if count else "Minds(…, instances=N)",
             )
-        if not participation >= 0:
+        part = _numbers(participation, "a participation")
+        if part.ndim or not 0 <= part < np.inf:
             raise ModelError(f"a participation of {participation}", "a number, 0 or more")
-        numbers = np.atleast_1d(np.asarray(agents, int))
+        numbers = self._numbers_of(agents)
         blocks, lanes = numbers // self.lanes, numbers % self.lanes
         for number, name in enumerate(self.assembly.shared):
             if variables[name].group == group:
                 joined = -1 if instance is None else instance
                 self.state_arrays.group[blocks, number, lanes] = joined
-                self.state_arrays.participation[blocks, number, lanes] = participation
+                self.state_arrays.participation[blocks, number, lanes] = part
 
     # State ------------------------------------------------------------------------------------
 
-    def reset(self, agents: Sequence[int] | None = None) -> None:
+    def reset(self, agents: Any = None) -> None:
         """Put agents back to before their first evaluation; genomes and groups stay.
 
         Args:
             agents: their numbers; None for all, and then the groups' shared variables too.
+
+        Raises:
+            ModelError: there is no such agent.
         """
         if agents is None:
             fresh = new_state(
@@ -296,9 +305,7 @@ class Minds:
             self._record.connect(self.agents, self.state_arrays, self.societies)
             return
         renew = self._code.module.renew.ctypes
-        for agent in agents:
-            if not 0 <= agent < self.agents:
-                raise ModelError(f"the agent {agent}", f"0 … {self.agents - 1}")
+        for agent in self._numbers_of(agents).tolist():
             renew(self._record.address, agent, RESTARTED)
 
     def state(self) -> dict[str, NDArray[Any]]:
@@ -309,7 +316,20 @@ class Minds:
         return arrays
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take back what `state` returned."""
+        """Take back what `state` returned.
+
+        Raises:
+            ModelError: it is the state of other minds.
+        """
+        for name, own in zip(State._fields, self.state_arrays, strict=True):
+            found = own if name == "nodes" else state.get(name)
+            if found is None or found.shape != own.shape:
+                raise ModelError(
+                    f"a state without {name!r}" if found is None
+                    else f"a state with {name!r} of the shape {found.shape}",
+                    f"{own.shape}, that of {self!r}",
+                    "restore a state of as many agents and lanes with the same hierarchy",
+                )  # fmt: skip
         self.state_arrays = restored(self.state_arrays, state)
         for number, society in enumerate(self.societies):
             begin = f"scheme_{number}."
@@ -317,6 +337,18 @@ class Minds:
                 {k.removeprefix(begin): v for k, v in state.items() if k.startswith(begin)}
             )
         self._record.connect(self.agents, self.state_arrays, self.societies)
+
+    def _numbers_of(self, agents: Any) -> NDArray[np.int64]:
+        """Return the numbers of agents, one or several, as an array."""
+        found = np.atleast_1d(np.asarray(agents))
+        if found.size == 0:
+            return np.zeros(0, np.int64)
+        if found.ndim != 1 or found.dtype.kind not in "iu":
+            raise ModelError(f"{agents!r} as agents", "their numbers", "for a mask, flatnonzero")
+        bad = found[(found < 0) | (found >= self.agents)]
+        if len(bad):
+            raise ModelError(f"the agent {bad[0]}", f"0 … {self.agents - 1}")
+        return found.astype(np.int64)
 
     def __len__(self) -> int:
         return self.agents
@@ -329,6 +361,22 @@ def _unset(assembly: Assembly) -> set[str]:
     """Return the skills whose genomes must be set before anything can be evaluated."""
     skills = assembly.description.skills
     return {name for name in assembly.skills if skills[name].genome_size}
+
+
+def _is_whole(number: Any) -> bool:
+    return isinstance(number, int | np.integer) and not isinstance(number, bool)
+
+
+def _numbers(values: Any, what: str) -> NDArray[np.float64]:
+    """Return values as an array of numbers.
+
+    Raises:
+        ModelError: they are none.
+    """
+    try:
+        return np.asarray(values, float)
+    except (TypeError, ValueError):
+        raise ModelError(f"{values!r} for {what}", "numbers") from None
 
 
 def _no_genome(description: MindDescription, skill: str) -> ModelError:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import Society
 from coglogo_py.arrays import MindArrays, SchemeArrays
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.arrays import Assembly
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.kernel import layout
@@ -86,11 +87,17 @@ def societies_of(
         seed: the key of their draws.
         agents: how many.
         stream: the first scheme's stream of draws; further ones take the next.
+
+    Raises:
+        SocialmindError: the seed is none.
     """
+    whole = isinstance(seed, int | np.integer) and not isinstance(seed, bool)
+    if not whole or not 0 <= seed < 2**64:
+        raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 … 2**64 - 1")
     societies = []
     for number, name in enumerate(assembly.schemes):
         function: Any = assembly.description.skills[name].function
-        society = Society(function.scheme, seed, stream + number)
+        society = Society(function.scheme, int(seed), stream + number)
         society.new_minds(agents)
         societies.append(society)
     return tuple(societies)
@@ -187,7 +194,7 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
     """Return a state with the arrays of a copy.
 
     Raises:
-        ValueError: the arrays are not those of this hierarchy.
+        ModelError: the arrays are not those of this hierarchy.
     """
     found = {}
     for name, (kind, _) in array_types(State).items():
@@ -197,7 +204,11 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
         array = np.ascontiguousarray(arrays[name], dtype=kind)
         own = getattr(state, name)
         if array.shape[1:] != own.shape[1:]:
-            raise ValueError(f"{name} of shape {array.shape}; expected {own.shape}")
+            raise ModelError(
+                f"a state with {name!r} of the shape {array.shape}",
+                f"{own.shape}, as the minds have it",
+                "restore a state of the same hierarchy",
+            )
         found[name] = array.copy()
     return State(**found)
 

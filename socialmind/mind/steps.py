@@ -20,7 +20,7 @@ from socialmind.mind.drive import AgentHierarchy, tables_of
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.kernel.layout import State
-from socialmind.mind.kernel.text import steps_text
+from socialmind.mind.kernel.steps_text import steps_text
 from socialmind.mind.modules import Skill
 from socialmind.mind.regulation import Regulated
 from socialmind.mind.state import Record
@@ -185,24 +185,3 @@ def _held(value: Any, function: str, owner: Any) -> float:
             file=owner.file, line=owner.line,
         )  # fmt: skip
     return min(max(number, 0.0), 1.0)
-
-
-def failure_of(skill: Skill, agent: int, nodes: Any) -> ModelError:
-    """Return the error of a programmed function that failed in compiled code.
-
-    Args:
-        skill: the skill.
-        agent: the number of the agent.
-        nodes: the agent's nodes, which begin with the function's inputs.
-    """
-    program: Any = skill.function
-    inputs = nodes[: len(skill.inputs)].tolist()
-    try:
-        found = program.function(inputs) if program.takes_array else program.function(*inputs)
-        what = f"gave {found!r}"
-    except Exception as error:  # whatever the author's function raises
-        what = f"failed with {type(error).__name__}: {error}"
-    return skill.refused(
-        f"of agent {agent}, whose function {program.name}() {what} for the inputs {inputs}",
-        "numbers, 0 … 1",
-    )

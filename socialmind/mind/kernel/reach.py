@@ -73,12 +73,12 @@ def join(
     """Make an agent a member of a group's instance, or of none (-1), for its shared variables.
 
     Raises:
-        ValueError: there is no such instance, or the participation is below 0.
+        ValueError: there is no such instance, or the participation is below 0 or infinite.
     """
     if instance < -1 or instance >= state.instances.shape[0]:
         raise ValueError("no such instance of the group; see Population(..., instances=)")
-    if not part >= 0.0:
-        raise ValueError("a participation below 0")
+    if not (part >= 0.0 and part < math.inf):
+        raise ValueError("a participation below 0, or not finite")
     for number in range(len(structure.shared_group)):
         if structure.shared_group[number] == group:
             state.group[block, number, lane] = instance

@@ -49,6 +49,8 @@ compiled evaluation and births are, which program of which agent runs, and the d
 
 RESTARTED, NEW_BORN = -2, -1
 """Instead of a parent, in `renew`: an agent begins anew, or a new one begins."""
+NO_SKILL, A_REGULATION = -1, -2
+"""Instead of a skill, in `failed_skill`: none, or this less the variable whose regulation runs."""
 
 
 def mind_arrays(schemes: int) -> dict[str, tuple[str, int]]:

@@ -10,22 +10,27 @@ from socialmind.mind.kernel.layout import SENSORS, VARIABLES
 
 
 @register_jitable
-def sense(structure: Any, state: Any, block: int, lanes: int) -> None:
-    """Step 1: take the sensors' values, their derivatives and histories.
+def check_sensors(structure: Any, state: Any, block: int, lanes: int) -> None:
+    """Refuse sensors before anything changes, so that an evaluation that is refused did nothing.
 
     Raises:
         ValueError: a value that is not in [0, 1].
     """
     sensors = state.sensors[block]
-    count = structure.sizes[SENSORS]
     wrong = False
-    for sensor in range(count):
+    for sensor in range(structure.sizes[SENSORS]):
         row = sensors[sensor]
         for lane in range(lanes):
             wrong |= not (row[lane] >= 0.0 and row[lane] <= 1.0)
     if wrong:
         raise ValueError("a sensor's value outside [0, 1]")
-    present(structure, state, block, lanes, sensors, 0, count)
+
+
+@register_jitable
+def sense(structure: Any, state: Any, block: int, lanes: int) -> None:
+    """Step 1: take the sensors' values, their derivatives and histories."""
+    count = structure.sizes[SENSORS]
+    present(structure, state, block, lanes, state.sensors[block], 0, count)
 
 
 @register_jitable
