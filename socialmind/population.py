@@ -154,6 +154,7 @@ class Population:
                 None,
                 "name its scheme: mind='scheme.yaml'",
             )
+        self._check_hierarchy()
         for field in class_fields(self.agent).values():
             file, line = place_of_field(self.agent, field.name)
             found = f"a field called {field.name!r}"
@@ -162,6 +163,21 @@ class Population:
                 raise ModelError(found, expected, None, file, line)
             if field.name in Agent.__annotations__ and (field.storage, field.size) != ("f8", None):
                 raise ModelError(found, "a float, as in every agent", None, file, line)
+
+    def _check_hierarchy(self) -> None:
+        """Refuse what belongs to a hierarchy where there is none, and wrong instances."""
+        number = self.instances
+        if isinstance(number, bool) or not isinstance(number, int) or number < 0:
+            raise ModelError(f"instances={number!r} for {self.name!r}", "a whole number, 0 or more")
+        given = {"master": self.master, "drive": self.drive, "own_genomes": self.own_genomes,
+                 "instances": number}  # fmt: skip
+        for setting, value in given.items():
+            if value and self.hierarchy is None:
+                raise ModelError(
+                    f"{setting}= for {self.name!r}, which has no hierarchy",
+                    None,
+                    "give it one: hierarchy='mind'",
+                )
 
     def __get__(self, model: Any, owner: type) -> Any:
         return self if model is None else model.tables[self.name]

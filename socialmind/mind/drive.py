@@ -103,11 +103,13 @@ class AgentHierarchy:
 
     def set_sensor(self, name: str, value: float) -> None:
         """Set a sensor, 0 … 1."""
+        self._refuse_drive("set_sensor")
         place = self._place("sensor", name)
         self._steps.module.set_sensor(self._steps.address, self._agent, place, float(value))
 
     def evaluate(self) -> None:
         """Evaluate the hierarchy once (thesis, figure 5.4)."""
+        self._refuse_drive("evaluate")
         self._steps.evaluate(self._agent)
 
     def actuator(self, name: str) -> float:
@@ -151,6 +153,7 @@ class AgentHierarchy:
 
     def join_group(self, group: str, instance: int, participation: float = 1.0) -> None:
         """Join an instance of a group, whose shared variables this agent then sees and writes."""
+        self._refuse_drive("join_group")
         place = self._place("group of variables", group)
         self._steps.module.join(
             self._steps.address, self._agent, place, instance, float(participation)
@@ -162,7 +165,16 @@ class AgentHierarchy:
 
     def restart(self) -> None:
         """Put the hierarchy back to before its first evaluation."""
+        self._refuse_drive("restart")
         self._steps.restart(self._agent)
+
+    def _refuse_drive(self, method: str) -> None:
+        if self._driven:
+            raise ModelError(
+                f"{method}() in a drive, which runs in the middle of an evaluation",
+                "what a drive may do",
+                "see docs/minds.md",
+            )
 
     def _place(self, part: str, name: str) -> int:
         place: int = self._steps.place(part, name)

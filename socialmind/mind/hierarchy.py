@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.mind import variants
 from socialmind.mind.arrays import assemble, master_of
@@ -63,6 +63,8 @@ class Hierarchy:
         seed: int = 0,
         drive: Callable[..., None] | None = None,
     ) -> None:
+        if drive is not None and not callable(drive):
+            raise ModelError(f"{drive!r} as a drive", "a function of one parameter, the mind")
         self.description = description
         self.master = master_of(description, master)
         self.seed = seed
@@ -123,7 +125,7 @@ class Hierarchy:
             hint = nearest(name, known) if known else "the mind has no sensors"
             raise ModelError(f"the unknown sensor {name!r}", remedy=hint)
         try:
-            number = float(value)
+            number = np.nan if isinstance(value, str | bytes) else float(value)
         except (TypeError, ValueError):
             number = np.nan
         if not -ROUNDING <= number <= 1 + ROUNDING:
@@ -208,7 +210,7 @@ class Hierarchy:
         """
         try:
             AgentHierarchy(self._steps, 0).set_variable(name, value)
-        except ValueError:
+        except (TypeError, ValueError):
             raise ModelError(f"{value!r} for the variable {name!r}", "a number, 0 … 1") from None
 
     def skill(self, name: str) -> RunningSkill:
@@ -228,16 +230,20 @@ class Hierarchy:
     # Genomes ----------------------------------------------------------------------------------
 
     def genome(self, skill: str) -> NDArray[np.float64] | None:
-        """Return a skill's weights, read-only; None where they are not set or it has none."""
-        return self._genomes[skill]
+        """Return a skill's weights, read-only; None where they are not set or it has none.
+
+        Raises:
+            ModelError: there is no such skill below the master.
+        """
+        return self._genomes[self.skill(skill).name]
 
     def set_genome(self, skill: str, genome: Any) -> None:
         """Set a skill's weights.
 
         Raises:
-            ModelError: a wrong size, or a weight that is not a finite number.
+            ModelError: no such skill, a wrong size, or a weight that is not a finite number.
         """
-        weights = self.description.skills[skill].fitting(genome)
+        weights = self.description.skills[self.skill(skill).name].fitting(genome)
         self._genomes[skill] = weights
         self._state.genome[0, self.assembly.genome_of(skill), 0] = weights
         self._unset.discard(skill)
@@ -246,8 +252,13 @@ class Hierarchy:
         """Draw the weights of every network from [-1, 1].
 
         Args:
-            seed: the key of the draws; skill by skill, in the order of their names.
+            seed: the key of the draws, 0 or more; skill by skill, in the order of their names.
+
+        Raises:
+            SocialmindError: the seed is none.
         """
+        if isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0:
+            raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 or more")
         rng = np.random.default_rng(seed)
         for name in sorted(self.skills):
             size = self.description.skills[name].genome_size

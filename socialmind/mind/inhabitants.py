@@ -47,9 +47,14 @@ def assemblies_of(
     assemblies = {}
     for key, one in minded.items():
         source: Any = (given or {}).get(key, one.hierarchy)
+        if not isinstance(source, MindDescription | str | Path):
+            raise SocialmindError(
+                f"the hierarchy of {key!r} in {name}: found {source!r}; expected a mind's folder, "
+                "its YAML file, or a MindDescription"
+            )
         if not isinstance(source, MindDescription):
             own = given is None or key not in given
-            source = MindDescription.load(folder / source if own else Path(source))
+            source = MindDescription.load(folder / source if own else Path(source).expanduser())
         master = master_of(source, one.master)
         assemblies[key] = assemble(source, master, one.drive is not None)
     return assemblies

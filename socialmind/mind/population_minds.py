@@ -154,23 +154,27 @@ class PopulationMinds:
             slots: which; all unless given.
 
         Raises:
-            ModelError: a wrong size, or a weight that is not a finite number.
+            ModelError: no such skill, a wrong size, or a weight that is not a finite number.
         """
+        one = self.assembly.description.skill(skill)
+        if skill not in self.assembly.skills:
+            raise one.refused(f"which the master {self.assembly.master!r} does not reach")
         place = self.assembly.genome_of(skill)
-        one = self.assembly.description.skills[skill]
-        found = np.asarray(genome, float)
         if slots is not None and not self.own_genomes:
             raise ModelError(
                 f"own weights of {skill!r} for some agents", "one genome for all",
                 "declare the population with own_genomes=True",
             )  # fmt: skip
-        if found.ndim == 2 and slots is not None:
-            rows = [one.fitting(row) for row in found]
-            self.state.genome[slots, place, 0] = rows
-            return
-        self.state.genome[slice(None) if slots is None else slots, place, 0] = one.fitting(found)
         if slots is None:
-            self.state.first_genome[0, place, 0] = found
+            weights = one.fitting(genome)
+            self.state.genome[:, place, 0] = weights
+            self.state.first_genome[0, place, 0] = weights
+            return
+        several = np.ndim(genome) == 2
+        rows = np.array([one.fitting(row) for row in (genome if several else [genome])])
+        if several and len(rows) != len(slots):
+            raise one.refused(f"with {len(rows)} genomes for {len(slots)} slots", "one for each")
+        self.state.genome[slots, place, 0] = rows
 
     # State ------------------------------------------------------------------------------------
 

@@ -148,7 +148,10 @@ class Regulated(Regulation):
     keyword: ClassVar[str] = "RegulatedVariableModule"
 
     def __post_init__(self) -> None:
-        wrong = [name for name in self.takes if name not in TAKEN]
+        try:
+            wrong = [name for name in self.takes if name not in TAKEN]
+        except (TypeError, ValueError):
+            raise ModelError(f"{self.function!r} as a regulation", "a plain function") from None
         if wrong:
             code = getattr(self.function, "__code__", None)
             raise ModelError(

@@ -60,6 +60,8 @@ def encapsulated(
     Raises:
         ModelError: the new master does not influence the old one, or the modules do not fit.
     """
+    if not isinstance(new_master, Skill):
+        raise ModelError(f"{new_master!r} as a master", "a Skill")
     if master not in new_master.subskills:
         raise new_master.refused(
             f"as the master above {master!r}, which it does not influence",
@@ -108,6 +110,8 @@ def _parts(other: Skill | Hierarchy) -> tuple[str, list[Skill], dict[str, Any]]:
     """Return the name of a skill or of a hierarchy's master, its skills and its other modules."""
     if isinstance(other, Skill):
         return other.name, [other], {}
+    if not hasattr(other, "trained"):
+        raise ModelError(f"{other!r} as a skill", "a Skill or a Hierarchy")
     description = other.trained()
     skills = [description.skills[name] for name in description.below(other.master)]
     links: list[Any] = [link for one in skills for link in (*one.inputs, *one.outputs)]

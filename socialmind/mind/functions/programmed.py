@@ -39,8 +39,17 @@ class Programmed(InternalFunction):
     keyword: ClassVar[str] = "hardCoded"
 
     def __post_init__(self) -> None:
-        if not callable(self.function):
-            raise ModelError(f"{self.function!r} as a programmed function", "a plain function")
+        try:
+            kinds = [one.kind for one in inspect.signature(self.function).parameters.values()]
+        except (TypeError, ValueError):
+            raise ModelError(
+                f"{self.function!r} as a programmed function", "a plain function"
+            ) from None
+        if inspect.Parameter.KEYWORD_ONLY in kinds:
+            raise ModelError(
+                f"the function {self.name}(), whose inputs must be named",
+                "plain parameters, in the order of the skill's inputs",
+            )
 
     @property
     def takes_array(self) -> bool:
