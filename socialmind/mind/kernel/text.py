@@ -12,6 +12,7 @@ from socialmind.language.loop import HEAD as RULES_HEAD
 from socialmind.language.loop import runtime_names
 from socialmind.language.lowering import lowered
 from socialmind.language.program import Program
+from socialmind.mind.kernel.methods_text import methods_text
 from socialmind.mind.kernel.record import SCHEME_LISTS, mind_dtype
 from socialmind.mind.programs import MindProgram
 
@@ -33,6 +34,7 @@ from socialmind.mind.kernel.record import structure_at as _structure_at
 from socialmind.mind.regulation import REGULATED as _REGULATED
 
 RESTARTED, NEW_BORN = -2, -1
+NO_SKILL, A_REGULATION = -1, -2
 
 
 @_inner
@@ -50,7 +52,12 @@ def evaluate(address, first, end):
     mind = _at(address)
     structure = _structure_NAME(mind)
     state = _state_NAME(mind)
+    mind.failed_skill = NO_SKILL
+    mind.failed_agent = -1
     try:
+        for block in range(first, end):
+            lanes = min(state.fresh.shape[1], mind.agents - block * state.fresh.shape[1])
+            _signals.check_sensors(structure, state, block, lanes)
         for block in range(first, end):
             lanes = min(state.fresh.shape[1], mind.agents - block * state.fresh.shape[1])
             _signals.sense(structure, state, block, lanes)
@@ -89,91 +96,6 @@ def renew(address, agent, parent):
     SCHEMES
     return 0"""
 
-_METHODS = """@_inner
-def _record_NAME(_model):
-    return carray(_as_pointer(_model._NAME_hierarchy), (1,), MIND_NAME)[0]
-
-
-@_inner
-def _hierarchy_evaluate_NAME(_model, agent):
-    mind = _record_NAME(_model)
-    _state_NAME(mind).now[0] = _model._tick
-    if _call(mind.evaluate, _model._NAME_hierarchy, agent, agent + 1) != 0:
-        raise ValueError("a hierarchy could not be evaluated")
-
-
-@_inner
-def _hierarchy_restart_NAME(_model, agent):
-    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, agent, RESTARTED)
-
-
-@_inner
-def _begin_hierarchy_NAME(_model, agent):
-    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, agent, NEW_BORN)
-
-
-@_inner
-def _copy_hierarchy_NAME(_model, parent, child):
-    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, child, parent)"""
-
-_METHOD = """@_inner
-def _hierarchy_METHOD_NAME(_model, agentARGUMENTS):
-    mind = _record_NAME(_model)
-    structure = _structure_NAME(mind)
-    state = _state_NAME(mind)
-    lanes = state.fresh.shape[1]
-    block, lane = agent // lanes, agent % lanes
-    BODY"""
-
-METHODS: dict[str, tuple[str, str]] = {
-    "sensor": ("place", "return state.sensors[block, place, lane]"),
-    "set_sensor": ("place, value", "_reach.set_sensor(state, block, lane, place, value)"),
-    "actuator": ("place", "return state.actuators[block, place, lane]"),
-    "variable": ("place", "return state.values[block, place, lane]"),
-    "set_variable": (
-        "place, value",
-        "_reach.set_variable(structure, state, block, lane, place, value)",
-    ),
-    "override": (
-        "place, value",
-        "_reach.set_variable(structure, state, block, lane, place, value)\n"
-        "    _reach.override(structure, state, block, lane, place, value)",
-    ),
-    "influence": ("place", "return state.totals[block, place, lane]"),
-    "add_influence": ("place, value", "_reach.add_influence(state, block, lane, place, value)"),
-    "command": (
-        "place, value, weight",
-        "_reach.command(structure, state, block, lane, True, place, value, weight)",
-    ),
-    "command_variable": (
-        "place, value, weight",
-        "_reach.command(structure, state, block, lane, False, place, value, weight)",
-    ),
-    "join_group": (
-        "group, instance, part",
-        "_reach.join(structure, state, block, lane, group, instance, part)",
-    ),
-    "leave_group": ("group", "_reach.join(structure, state, block, lane, group, -1, 1.0)"),
-}
-"""What rules and drives do with a hierarchy, but to evaluate it: arguments, and the body."""
-
-
-def methods_text(name: str, evaluating: bool) -> str:
-    """Return the functions by which compiled rules reach the hierarchy of an agent.
-
-    Args:
-        name: the population's name.
-        evaluating: whether rules may evaluate it; a drive may not.
-    """
-    parts = [
-        _METHOD.replace("METHOD", method)
-        .replace("ARGUMENTS", f", {arguments}")
-        .replace("BODY", body)
-        for method, (arguments, body) in METHODS.items()
-    ]
-    return "\n\n\n".join([*parts, _METHODS] if evaluating else parts).replace("NAME", name)
-
-
 _REGULATE_LOOP = """for variable in range(structure.sizes[_VARIABLES]):
                 if structure.regulation[variable] == _REGULATED:
                     _regulate_NAME(mind, structure, state, block, lanes, variable)"""
@@ -182,7 +104,9 @@ _REGULATION = """@_inner
 def _regulate_NAME(_model, structure, state, block, lanes, variable):
     row = _variables.take_commands(structure, state, block, lanes, variable)
     number = structure.regulation_number[variable]
+    _model.failed_skill = A_REGULATION - variable
     for lane in range(lanes):
+        _model.failed_agent = block * state.fresh.shape[1] + lane
         commanded = not _math.isnan(row[lane])
         if commanded:
             state.command[block, variable, lane] = row[lane]
@@ -192,7 +116,8 @@ def _regulate_NAME(_model, structure, state, block, lanes, variable):
         value = state.values[block, variable, lane]
         memory = state.memory[block, variable, lane]
 BRANCHES        state.values[block, variable, lane] = _held(value)
-        state.memory[block, variable, lane] = memory"""
+        state.memory[block, variable, lane] = memory
+    _model.failed_skill = NO_SKILL"""
 
 _SCHEME = """@_inner
 def _scheme_NAME(mind, structure, state, block, lanes, skill):
@@ -278,7 +203,8 @@ def _drive_text(drive: str | None) -> str:
     if drive is None:
         return "pass"
     lane = "block * state.fresh.shape[1] + lane"
-    return f"for lane in range(lanes):\n                {drive}(mind, {lane})"
+    before = f"for lane in range(lanes):\n                mind.failed_agent = {lane}"
+    return f"{before}\n                {drive}(mind, {lane})"
 
 
 def _view(array: str, kind: str, dimensions: int) -> str:
@@ -320,7 +246,7 @@ def _programs_text(name: str, programs: MindProgram) -> str:
         ]
         for i in range(outputs):
             lines.append(f"            nodes[{inputs + i}, lane] = _held(out_{i})")
-    return "\n".join([*lines, "    _model.failed_skill = -1"])
+    return "\n".join([*lines, "    _model.failed_skill = NO_SKILL"])
 
 
 def _regulation_branch(number: int, one: tuple[str, tuple[str, ...], bool]) -> str:
@@ -351,115 +277,13 @@ def module_text(program: Program, programs: MindProgram) -> str:
     record = f"@_inner\ndef _record_{MIND_NAME}(_model):\n    return _model"
     parts += [record, methods_text(MIND_NAME, evaluating=False)]
     parts += [f"@_inner\n{lowered(function)}" for function in program.functions.values()]
-    parts += [_AT.replace("NAME", MIND_NAME), evaluation_text(MIND_NAME, programs)]
-    return "\n\n\n".join(parts) + "\n"
-
-
-def steps_text() -> str:
-    """Return the compiled module of the steps of an evaluation, which Python calls one by one."""
-    parts = [RULES_HEAD, runtime_names(), HEAD, record_text(MIND_NAME, 0)]
-    parts += [one.replace("NAME", MIND_NAME) for one in (_AT, _STEPS)]
+    parts += [AT.replace("NAME", MIND_NAME), evaluation_text(MIND_NAME, programs)]
     return "\n\n\n".join(parts) + "\n"
 
 
 MIND_NAME = "mind"
 """What the compiled module calls the minds that stand outside any model."""
 
-_AT = """@_inner
+AT = """@_inner
 def _at(address):
     return carray(_as_pointer(address), (1,), MIND_NAME)[0]"""
-
-_STEPS = """@njit(cache=True)
-def restart(address, block):
-    \"\"\"Put an agent back to before its first evaluation.\"\"\"
-    mind = _at(address)
-    _flow.start_lane(_structure_NAME(mind), _state_NAME(mind), block, 0)
-
-
-@njit(cache=True)
-def begin(address, block):
-    \"\"\"Steps 1 and 2 but for the modeller's regulations.\"\"\"
-    mind = _at(address)
-    _signals.sense(_structure_NAME(mind), _state_NAME(mind), block, 1)
-    _variables.vary(_structure_NAME(mind), _state_NAME(mind), block, 1)
-
-
-@njit(cache=True)
-def command_of(address, block, variable):
-    \"\"\"Take the command that a variable received in the last cycle, NaN for none.\"\"\"
-    mind = _at(address)
-    return _variables.take_commands(_structure_NAME(mind), _state_NAME(mind), block, 1, variable)[0]
-
-
-@njit(cache=True)
-def show_variables(address, block):
-    \"\"\"End step 2.\"\"\"
-    mind = _at(address)
-    _signals.present_variables(_structure_NAME(mind), _state_NAME(mind), block, 1)
-
-
-@njit(cache=True)
-def override(address, block, variable, value):
-    \"\"\"Give a variable a value at once.\"\"\"
-    mind = _at(address)
-    _reach.override(_structure_NAME(mind), _state_NAME(mind), block, 0, variable, value)
-
-
-@njit(cache=True)
-def set_sensor(address, block, sensor, value):
-    \"\"\"Set a sensor.\"\"\"
-    _reach.set_sensor(_state_NAME(_at(address)), block, 0, sensor, value)
-
-
-@njit(cache=True)
-def add_influence(address, block, skill, value):
-    \"\"\"Let the drive influence a skill.\"\"\"
-    _reach.add_influence(_state_NAME(_at(address)), block, 0, skill, value)
-
-
-@njit(cache=True)
-def command(address, block, actuator, place, value, weight):
-    \"\"\"Let the drive command an actuator or a variable.\"\"\"
-    mind = _at(address)
-    _reach.command(
-        _structure_NAME(mind), _state_NAME(mind), block, 0, actuator, place, value, weight
-    )
-
-
-@njit(cache=True)
-def join(address, block, group, instance, part):
-    \"\"\"Make an agent a member of a group's instance.\"\"\"
-    mind = _at(address)
-    _reach.join(_structure_NAME(mind), _state_NAME(mind), block, 0, group, instance, part)
-
-
-@njit(cache=True)
-def set_variable(address, block, variable, value):
-    \"\"\"Set a variable; skills see it in the next evaluation.\"\"\"
-    mind = _at(address)
-    _reach.set_variable(_structure_NAME(mind), _state_NAME(mind), block, 0, variable, value)
-
-
-@njit(cache=True)
-def receive(address, block, skill):
-    \"\"\"Add up a skill's influence, take its inputs and evaluate a network; False: skip it.\"\"\"
-    mind = _at(address)
-    structure, state = _structure_NAME(mind), _state_NAME(mind)
-    needed = _flow.receive(structure, state, block, 1, skill)
-    if needed and structure.skill_kind[skill] == _NETWORK:
-        _run_network(structure, state, block, 1, skill)
-    return needed
-
-
-@njit(cache=True)
-def transmit(address, block, skill):
-    \"\"\"Send a skill's outputs.\"\"\"
-    mind = _at(address)
-    _flow.transmit(_structure_NAME(mind), _state_NAME(mind), block, 1, skill)
-
-
-@njit(cache=True)
-def end(address, block):
-    \"\"\"Step 4.\"\"\"
-    mind = _at(address)
-    _flow.act(_structure_NAME(mind), _state_NAME(mind), block, 1)"""
