@@ -109,6 +109,9 @@ class Record:
     Args:
         assembly: the hierarchy.
         names: numbers of the modules that a drive or rules name, as they are looked up.
+
+    Attributes:
+        address: where the record itself is.
     """
 
     def __init__(self, assembly: Assembly, names: NDArray[np.int64]) -> None:
@@ -117,6 +120,7 @@ class Record:
         self.assembly = assembly
         self.names = names
         self.record = np.zeros(1, mind_dtype(len(assembly.schemes)))
+        self.address = _address(self.record)
         self.kept: list[NDArray[Any]] = []
         self.scheme_lists = [_scheme_lists(assembly, name) for name in assembly.schemes]
 
@@ -134,11 +138,6 @@ class Record:
         """Write where the compiled evaluation and the compiled births are."""
         self.record["evaluate"] = evaluate
         self.record["renew"] = renew
-
-    @property
-    def address(self) -> int:
-        """Where the record itself is."""
-        return _address(self.record)
 
     def connect(self, agents: int, state: State, societies: tuple[Society, ...]) -> None:
         """Write where the arrays are; they are kept alive until the next time."""
