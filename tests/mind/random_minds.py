@@ -2,7 +2,7 @@
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from hypothesis import strategies as st
@@ -34,6 +34,7 @@ WORDS = (
     "drop zone",
 )
 MASTER = "Master of it"
+T = TypeVar("T")
 
 
 def random_mind(
@@ -155,13 +156,17 @@ def _inputs(draw: random.Random, sensors: Sequence[str], variables: Sequence[str
 
 def shuffled(description: MindDescription, draw: random.Random) -> MindDescription:
     """Return the same mind, its modules declared in another order."""
-    kinds = (
-        description.sensors, description.actuators, description.variables, description.skills,
-    )  # fmt: skip
-    lists = [list(modules.values()) for modules in kinds]
-    for modules in lists:
-        draw.shuffle(modules)
-    return MindDescription(description.name, *lists)
+
+    def mixed(modules: Mapping[str, T]) -> list[T]:
+        return draw.sample(list(modules.values()), len(modules))
+
+    return MindDescription(
+        description.name,
+        mixed(description.sensors),
+        mixed(description.actuators),
+        mixed(description.variables),
+        mixed(description.skills),
+    )
 
 
 def sensor_values(

@@ -1,5 +1,6 @@
 """The drive module (thesis, 5.1.3 and A.5.4): between variables and skills, in both evaluators."""
 
+import math
 import random
 
 import numpy as np
@@ -8,6 +9,7 @@ from independent import Alone, Society
 from random_minds import bits, sensor_values
 from small_minds import constant, mind, wired
 
+from socialmind.errors import ModelError
 from socialmind.mind import Counter, Hierarchy, MindDescription, Minds, Skill, Variable, Wave
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.recurrent import Recurrent
@@ -131,3 +133,47 @@ def test_what_a_drive_sets_stays_until_a_skill_commands():
     assert step(1.0, 0.0) == (1.0, 1.0)  # the skills see it at once, and how it changed
     assert step(0.0, 1.0) == (1.0, 0.5)
     assert step(0.0, 0.0) == (0.25, 0.125)
+
+
+def discouraging(mind):
+    mind.add_influence("Outside", -0.5)
+
+
+def undefined(mind):
+    mind.add_influence("Outside", math.inf - math.inf)
+
+
+def overshooting(mind):
+    mind.set_variable("V", 2.0)
+
+
+def excessive(mind):
+    mind.command("M", 3.0, 1.0)
+
+
+def withdrawing(mind):
+    mind.command("M", 0.5, -2.0)
+
+
+def misspelt(mind):
+    mind.add_influence("Outsside", 1.0)
+
+
+@pytest.mark.parametrize(
+    ("drive", "word"),
+    [
+        (discouraging, "influence"),
+        (undefined, "influence"),
+        (overshooting, "variable"),
+        (excessive, "command"),
+        (withdrawing, "weight"),
+        (misspelt, "Outsside"),
+    ],
+)
+def test_what_a_drive_may_not_do(drive, word):
+    skills = [wired("Master", {"MO:M": "VA:V"}), constant("Outside", {"MO:M": 0.5})]
+    for made, named in ((Hierarchy, word), (Minds, drive.__name__)):
+        with pytest.raises(ModelError) as raised:
+            made(mind(skills, ["V"]), "Master", drive=drive).evaluate({})
+        assert "\n" not in str(raised.value)
+        assert named in str(raised.value) or word in str(raised.value)
