@@ -22,8 +22,11 @@ class Drifters:
     name = "drifters"
     ticks = 1000
     schemes: ClassVar[dict] = {}
+    assemblies: ClassVar[dict] = {}
 
-    def __init__(self, seed=0, compiled=True, scheme=None, n=5, pause=0.0, fail_at=-1):
+    def __init__(
+        self, seed=0, compiled=True, scheme=None, hierarchy=None, n=5, pause=0.0, fail_at=-1
+    ):
         self.seed = seed
         self._parameters = {"n": n, "pause": pause, "fail_at": fail_at}
         self.tick = 0
