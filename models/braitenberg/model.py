@@ -33,11 +33,6 @@ class Vehicle(Agent):
     light_y: float = 0.0
 
 
-def appear(light, model, rng):
-    """Put a light on a random place."""
-    scatter(light, model, rng)
-
-
 def arrive(vehicle, model, rng):
     """Put a vehicle on a random place, and choose its wiring."""
     scatter(vehicle, model, rng)
@@ -129,7 +124,7 @@ class Braitenberg(Model):
     vehicles = Population(Vehicle, "n_vehicles", hierarchy="mind")
     lights = Population(Light, "n_lights")
 
-    setup = (each(lights, appear), each(vehicles, arrive))
+    setup = (each(lights, scatter), each(vehicles, arrive))
     schedule = (each(vehicles, live),)
 
     def series(self):
