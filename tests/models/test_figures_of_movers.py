@@ -5,6 +5,7 @@ import warnings
 from types import SimpleNamespace
 
 import matplotlib as mpl
+import numpy as np
 import pandas as pd
 import pytest
 from matplotlib.text import Text
@@ -90,3 +91,12 @@ def test_boids_are_coloured_by_the_skill_that_leads():
     found = [mpl.colors.to_hex(colour) for colour in arrows.get_facecolor()]
     skills = module.SKILLS
     assert found == [skills["cohesion"], skills["alignment"], module.paper.GREY]
+
+
+@pytest.mark.parametrize(
+    ("recorded_ticks", "chosen"),
+    [(range(0, 501, 10), [0, 20, 60, 500]), ([7], [7] * 4), ([0, 300], [0, 0, 0, 300])],
+)
+def test_snapshots_are_taken_early_and_at_the_end(recorded_ticks, chosen):
+    module = load_figures(load_model("boids").folder())
+    assert module.chosen_ticks(np.array(recorded_ticks)) == chosen
