@@ -93,11 +93,14 @@ def run(
         typer.Option("--set", metavar="NAME=VALUE", help="Value of a parameter; may be repeated."),
     ] = None,
     scheme: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Cognitive scheme in place of the model's.")
+        list[str] | None,
+        typer.Option(metavar="[POPULATION=]FILE", help="Cognitive scheme in place of the model's."),
     ] = None,
     mind: Annotated[
-        Path | None,
-        typer.Option(metavar="DIR", help="Hierarchy of skills in place of the model's."),
+        list[str] | None,
+        typer.Option(
+            metavar="[POPULATION=]DIR", help="Hierarchy of skills in place of the model's."
+        ),
     ] = None,
     every: Annotated[
         int | None, typer.Option(help="Ticks between two rows of the series (500 rows).", min=1)
@@ -127,13 +130,13 @@ def run(
                 "which model? give a name (`socialmind list` shows them) or a folder"
             )
         folder = running.start(
-            model, ticks, seed or 0, settings or [], scheme, mind, every, agents_every, out,
-            compiled=not interpreted, quiet=quiet,
+            model, ticks, seed or 0, settings or [], scheme or [], mind or [],
+            every, agents_every, out, compiled=not interpreted, quiet=quiet,
         )  # fmt: skip
     else:
         fixed = {
-            "MODEL": model, "--seed": seed, "--set": settings or None, "--scheme": scheme,
-            "--mind": mind, "--every": every, "--agents-every": agents_every, "--out": out,
+            "MODEL": model, "--seed": seed, "--set": settings or None, "--scheme": scheme or None,
+            "--mind": mind or None, "--every": every, "--agents-every": agents_every, "--out": out,
         }  # fmt: skip
         given = [name for name, value in fixed.items() if value is not None]
         if given:

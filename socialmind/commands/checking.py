@@ -13,9 +13,12 @@ from socialmind.commands.checking_minds import is_mind, print_mind
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.sources import model_of
+from socialmind.mind.code import check_program
+from socialmind.mind.lint import findings
 
 if TYPE_CHECKING:
     from coglogo_py import Finding
+    from socialmind.mind.description import MindDescription
     from socialmind.model import Model
 
 SCHEME_SUFFIXES = (".cogscheme", ".yaml", ".yml")
@@ -39,20 +42,20 @@ def print_findings(file: str) -> bool:
     if path.suffix in SCHEME_SUFFIXES or (path.is_file() and path.suffix != ".py"):
         if not path.is_file():
             raise SocialmindError(f"{path}: no such file")
-        findings = [f"{path}: {found}" for found in CognitiveScheme.load(path).check()]
+        odd = [f"{path}: {found}" for found in CognitiveScheme.load(path).check()]
     else:
-        findings = findings_of_model(load_model(file))
-    for line in findings:
+        odd = findings_of_model(load_model(file))
+    for line in odd:
         typer.echo(line)
-    if not findings:
+    if not odd:
         typer.echo(f"{file}: nothing odd found")
-    return bool(findings)
+    return bool(odd)
 
 
 def findings_of_model(model_class: type[Model]) -> list[str]:
     """Type a model's rules and check its schemes against the plans it declares."""
     model_class.typed(compiled=True)
-    findings = []
+    odd = []
     for name, population in model_class.populations.items():
         if population.mind is None:
             continue
@@ -65,20 +68,27 @@ def findings_of_model(model_class: type[Model]) -> list[str]:
                 raise SocialmindError(f"{path}: no such file; {name} take their minds from it")
             scheme = CognitiveScheme.load(path, population.decision_makers)
         found: list[Finding] = scheme.check(plans=population.plans)
-        findings += [f"{place}: {one}" for one in found]
-    return findings + _findings_of_hierarchies(model_class)
+        odd += [f"{place}: {one}" for one in found]
+    return odd + _findings_of_hierarchies(model_class)
 
 
 def _findings_of_hierarchies(model_class: type[Model]) -> list[str]:
-    """Lint the hierarchies of skills of a model's populations."""
-    findings = []
+    """Lint the hierarchies of skills of a model's populations, each mind once."""
+    program = model_class.typed(compiled=True)
+    minds: dict[str, tuple[MindDescription, list[str], set[str]]] = {}
     for name, assembly in model_class.hierarchies().items():
         source = model_class.populations[name].hierarchy
-        place = name
-        if isinstance(source, str | Path):
-            place = str(model_class.folder() / source)
-        findings += [f"{place}: {one}" for one in assembly.description.lint(assembly.master)]
-    return findings
+        place = str(model_class.folder() / source) if isinstance(source, str | Path) else name
+        _, masters, named = minds.setdefault(place, (assembly.description, [], set()))
+        masters.append(assembly.master)
+        named |= {f"{one.part} {one.keys[0]!r}" for one in program.names[name]}
+    return [
+        f"{place}: {one}"
+        for place, (description, masters, named) in minds.items()
+        for one in findings(description, tuple(masters), check_program)
+        # What rules read and write themselves is neither unwritten nor unread.
+        if not (one.kind in ("never written", "never read") and one.where in named)
+    ]
 
 
 def print_decision(folder: Path, agent: int, tick: int) -> None:

@@ -28,8 +28,8 @@ def start(
     ticks: int | None,
     seed: int,
     settings: Sequence[str],
-    scheme: Path | None,
-    mind: Path | None,
+    schemes: Sequence[str],
+    minds: Sequence[str],
     every: int | None,
     agents_every: int | None,
     out: Path | None,
@@ -40,10 +40,7 @@ def start(
     _save_memory()
     model_class = load_model(model)
     parameters = read_settings(model_class, settings)
-    if scheme is not None and not scheme.is_file():
-        raise SocialmindError(f"{scheme}: no such file")
-    if mind is not None and not mind.exists():
-        raise SocialmindError(f"{mind}: no such folder or file")
+    scheme, mind = by_population(schemes, "--scheme"), by_population(minds, "--mind")
     with progress_bar(quiet) as on_progress:
         folder = execution.run(
             model_class, ticks, seed, parameters, scheme, mind, every, agents_every, out, compiled,
@@ -51,6 +48,33 @@ def start(
         )  # fmt: skip
     _conclude(folder, quiet)
     return folder
+
+
+def by_population(values: Sequence[str], option: str) -> Path | dict[str, Path] | None:
+    """Return the files that an option names: one for the model, or one for each population.
+
+    Args:
+        values: `FILE`, or `POPULATION=FILE` as often as there are populations.
+        option: the option, for errors.
+
+    Raises:
+        SocialmindError: there is no such file, or several without populations.
+    """
+    named: dict[str, Path] = {}
+    for value in values:
+        population, sign, file = value.partition("=")
+        alone = not sign or Path(value).exists()
+        path = Path(value if alone else file)
+        if not path.exists():
+            raise SocialmindError(f"{path}: no such file or folder")
+        if alone and len(values) == 1:
+            return path
+        if alone or population in named:
+            raise SocialmindError(
+                f"{option} {value}: one of several; write {option} POPULATION={path}, each once"
+            )
+        named[population] = path
+    return named or None
 
 
 def go_on(folder: Path, ticks: int | None, compiled: bool | None, quiet: bool) -> Path:

@@ -92,7 +92,11 @@ def compiled_module(text: str, own_makers: Mapping[str, Callable[..., Any]]) -> 
     module = importlib.util.module_from_spec(spec)
     # numba looks up the module of what it loads from its cache by name.
     sys.modules[name] = module
-    spec.loader.exec_module(module)
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        del sys.modules[name]  # or the next call would take it for whole
+        raise
     for population, choose in own_makers.items():
         setattr(module, f"_own_{population}", numba.njit(choose))
     return module

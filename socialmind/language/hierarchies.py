@@ -6,7 +6,7 @@ import ast
 from typing import TYPE_CHECKING
 
 from socialmind.language.nodes import Typed, constant, marked, nearest
-from socialmind.language.signatures import BETWEEN_EVALUATIONS, HIERARCHY
+from socialmind.language.signatures import BETWEEN_EVALUATIONS, HIERARCHY, LEFT_OUT
 from socialmind.language.types import HierarchyType, TextType, Type
 
 if TYPE_CHECKING:
@@ -26,16 +26,19 @@ def hierarchy_call(
             node, f"{name}() with {node.keywords[0].arg}=", f"write {name}() without the name"
         )
     wanted = HIERARCHY[name].arguments
-    if len(node.args) != len(wanted):
+    written = list(node.args)
+    if name in LEFT_OUT and len(written) == len(wanted) - 1:
+        written.append(constant(LEFT_OUT[name], node))
+    if len(written) != len(wanted):
         typer.refuse(
             node,
-            f"{len(node.args)} arguments for {called}.{name}()",
+            f"{len(written)} arguments for {called}.{name}()",
             "see docs/minds.md",
             f"{len(wanted)}",
         )
     arguments: list[ast.expr] = []
     places: list[int | None] = []
-    for argument, one in zip(node.args, wanted, strict=True):
+    for argument, one in zip(written, wanted, strict=True):
         if isinstance(one, Type):
             arguments.append(typer.fitted(argument, one, f"{called}.{name}()"))
             places.append(None)

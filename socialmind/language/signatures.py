@@ -78,6 +78,8 @@ HIERARCHY: dict[str, Signature] = {
     "restart": Signature((), NONE),
 }
 """What rules and drives may do with a hierarchy, as `AgentHierarchy` spells it."""
+LEFT_OUT = {"command": 1.0, "command_variable": 1.0, "join_group": 1.0}
+"""The last argument of these, a weight or a participation, when it is left out."""
 BETWEEN_EVALUATIONS = ("set_sensor", "evaluate", "join_group", "leave_group", "restart")
 """What a drive may not do, as it runs in the middle of an evaluation."""
 

@@ -16,6 +16,7 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.failures import failure_of, failure_of_drive, failure_of_regulation
 from socialmind.mind.kernel.layout import LIVES, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
+from socialmind.mind.regulation import Counter
 from socialmind.mind.state import Record, copied, new_state, restored, societies_of
 
 LANES = 256
@@ -179,6 +180,10 @@ class Minds:
         if not ((found >= 0) & (found <= 1)).all():
             raise ModelError(f"{values} for the variable {name!r}", "numbers, 0 … 1")
         self._write(self.state_arrays.values[:, place], found, f"the variable {name!r}")
+        regulation = self.description.variables[name].regulation
+        if isinstance(regulation, Counter):
+            counts = np.floor(found * regulation.maximum + 0.5)
+            self._write(self.state_arrays.memory[:, place], counts, f"the variable {name!r}")
 
     def influence(self, skill: str) -> NDArray[np.float64]:
         """Return the sum of the influence that a skill received, (agents,)."""
