@@ -33,13 +33,13 @@ def replaced(
     description.skill(name)
     head, skills, modules = _parts(other)
     joined = description.with_modules(**modules).with_modules(sensors, actuators, variables)
-    redirected = [
-        one.redirected(name, head) for one in joined.skills.values() if name in one.subskills
-    ]
     for one in skills:
         known = joined.skills.get(one.name)
         if known is not None and one.name != name and not _same(known, one):
             raise _taken(one)
+    redirected = [
+        one.redirected(name, head) for one in joined.skills.values() if name in one.subskills
+    ]
     added = {one.name: one for one in (*redirected, *skills)}
     without = () if head == name else (name,)
     result = joined.with_modules(skills=added.values(), without=without)
