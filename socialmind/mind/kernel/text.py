@@ -40,9 +40,10 @@ NO_SKILL, A_REGULATION = -1, -2
 @_inner
 def _held(value):
     """A value of the modeller's function, held to [0, 1]."""
-    if _math.isnan(value):
+    number = 1.0 * value  # also of what is true or false
+    if _math.isnan(number):
         raise ValueError("a function of the mind gave a value that is not a number")
-    return min(max(float(value), 0.0), 1.0)'''
+    return min(max(number, 0.0), 1.0)'''
 
 # Entries are called through their addresses, by Python and by compiled models alike, so that the
 # evaluation is compiled once. No error can pass such a call: 1 says that there was one.
@@ -251,9 +252,15 @@ def _programs_text(name: str, programs: MindProgram) -> str:
 
 def _regulation_branch(number: int, one: tuple[str, tuple[str, ...], bool]) -> str:
     symbol, takes, remembers = one
-    results = "value, memory" if remembers else "value"
+    results = [f"value_{number}", f"memory_{number}"][: 1 + remembers]
     arguments = ", ".join(["_model", *takes])
-    return f"        if number == {number}:\n            {results} = {symbol}({arguments})\n"
+    lines = [
+        f"        if number == {number}:",
+        f"            {', '.join(results)} = {symbol}({arguments})",
+        # A function may give whole numbers, or what is true or false.
+        *(f"            {result.split('_')[0]} = 1.0 * {result}" for result in results),
+    ]
+    return "\n".join([*lines, ""])
 
 
 def population_text(name: str) -> str:
