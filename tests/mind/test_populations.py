@@ -418,7 +418,7 @@ def test_a_copy_that_was_changed_is_refused(herd, whole, tmp_path, deed):
 
 def test_the_command_line_takes_and_refuses_minds(tmp_path, other_mind, herd_folder, whole):
     wanted = (
-        (("--mind", "nowhere"), "nowhere: no such folder or file"),
+        (("--mind", "nowhere"), "nowhere: no such"),
         (("--mind", str(other_mind)), "which has 2 populations with hierarchies"),
     )
     for words, message in wanted:
