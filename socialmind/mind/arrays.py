@@ -15,7 +15,6 @@ from socialmind.mind.functions.network import (
     Dense,
     Gather,
     Mix,
-    Network,
     Neurons,
     Recall,
     Remember,
@@ -374,6 +373,3 @@ def _floats(rows: list[Any], columns: int) -> Any:
 
 def _padded(numbers: tuple[float, ...]) -> list[float]:
     return [*numbers, *[0.0] * (PARAMETERS - len(numbers))]
-
-
-__all__ = ["Assembly", "Network", "assemble", "master_of"]

@@ -16,7 +16,7 @@ from socialmind.mind.arrays import assemble, master_of
 from socialmind.mind.description import MindDescription
 from socialmind.mind.drive import AgentHierarchy
 from socialmind.mind.kernel.reach import ROUNDING
-from socialmind.mind.modules import Actuator, Input, Sensor, Skill, Variable
+from socialmind.mind.modules import Input, Skill
 from socialmind.mind.state import Record, new_state, societies_of
 from socialmind.mind.steps import Steps
 
@@ -455,6 +455,3 @@ def load_mind(
         ModelError: a file is missing or wrong, with file and line.
     """
     return Hierarchy(MindDescription.load(path), master, seed, drive)
-
-
-__all__ = ["Actuator", "Hierarchy", "RunningSkill", "Sensor", "Variable", "load_mind"]

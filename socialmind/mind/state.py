@@ -14,7 +14,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.arrays import Assembly
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.kernel import layout
-from socialmind.mind.kernel.layout import SHARED_COLUMNS, State, Structure, array_types
+from socialmind.mind.kernel.layout import SHARED_COLUMNS, State, array_types
 
 
 def new_state(
@@ -210,6 +210,3 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
             )
         found[name] = array.copy()
     return State(**found)
-
-
-__all__ = ["Record", "Structure", "copied", "new_state", "restored", "societies_of"]
