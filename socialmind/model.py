@@ -252,11 +252,11 @@ class Model:
             shape = self.shape.populations[name]
             minds = None
             if name in self.assemblies:
-                minds = partial(self._minds, name, place)
+                minds = partial(self._minds, name)
             tables[name] = Table(self, shape, self._size(population.size, 0), society, minds)
         return tables
 
-    def _minds(self, name: str, place: int, capacity: int) -> PopulationMinds:
+    def _minds(self, name: str, capacity: int) -> PopulationMinds:
         """Return the hierarchies of a population for so many agents."""
         from socialmind.mind.population_minds import PopulationMinds
 
@@ -265,7 +265,7 @@ class Model:
             self.assemblies[name],
             capacity,
             self.seed,
-            place,
+            name,
             population.own_genomes,
             population.instances,
             population.drive,

@@ -16,10 +16,6 @@ from socialmind.mind.kernel.layout import LIVES
 from socialmind.mind.state import Record, copied, new_state, restored, societies_of
 from socialmind.mind.steps import Steps
 
-FIRST_STREAM = 256
-"""The streams of draws from here on are for schemes inside hierarchies; `STREAMS` a population."""
-STREAMS = 64
-
 
 class PopulationMinds:
     """The hierarchies of a population; the agent in slot i is block i, of one lane.
@@ -28,7 +24,7 @@ class PopulationMinds:
         assembly: the hierarchy.
         capacity: how many slots there are.
         seed: the key of the draws of cogniton schemes.
-        place: the population's place among the model's.
+        population: the population's name.
         own_genomes: whether each agent has its own weights.
         instances: how many instances of groups there are.
         drive: the drive module, or None.
@@ -43,7 +39,7 @@ class PopulationMinds:
         assembly: Assembly,
         capacity: int,
         seed: int,
-        place: int,
+        population: str,
         own_genomes: bool,
         instances: int,
         drive: Callable[..., None] | None,
@@ -52,12 +48,11 @@ class PopulationMinds:
         self.assembly = assembly
         self.own_genomes = own_genomes
         self.seed = seed
-        self.stream = FIRST_STREAM + STREAMS * place
         self.instances = instances
         self.code = MindCode(assembly, drive)
         self.record = Record(assembly, self.code.names)
         self.state = new_state(assembly, capacity, 1, own_genomes, instances)
-        self.societies = societies_of(assembly, seed, capacity, self.stream)
+        self.societies = societies_of(assembly, seed, capacity, population)
         self.steps: Steps | None = None
         self.tick = tick
         for name in assembly.skills:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
+from zlib import crc32
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,11 @@ from socialmind.mind.arrays import Assembly
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.kernel import layout
 from socialmind.mind.kernel.layout import SHARED_COLUMNS, State, array_types
+
+STREAMS = 2**16
+"""How many streams of draws a society may have."""
+OWN_STREAMS = 256
+"""The first ones are for the schemes of populations themselves."""
 
 
 def new_state(
@@ -78,15 +84,18 @@ def new_state(
 
 
 def societies_of(
-    assembly: Assembly, seed: int, agents: int, stream: int = 0
+    assembly: Assembly, seed: int, agents: int, population: str = ""
 ) -> tuple[Society, ...]:
     """Return the minds of a hierarchy's cogniton schemes; agent i is the mind in slot i.
+
+    A scheme draws from a stream of its skill's name, so that it decides alike in every variant of
+    the mind.
 
     Args:
         assembly: the hierarchy.
         seed: the key of their draws.
         agents: how many.
-        stream: the first scheme's stream of draws; further ones take the next.
+        population: the population's name, in a model.
 
     Raises:
         SocialmindError: the seed is none.
@@ -95,9 +104,14 @@ def societies_of(
     if not whole or not 0 <= seed < 2**64:
         raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 … 2**64 - 1")
     societies = []
-    for number, name in enumerate(assembly.schemes):
+    taken: list[int] = []
+    for name in assembly.schemes:
         function: Any = assembly.description.skills[name].function
-        society = Society(function.scheme, int(seed), stream + number)
+        stream = crc32(f"{population}/{name}".encode()) % (STREAMS - OWN_STREAMS) + OWN_STREAMS
+        while stream in taken:
+            stream = stream + 1 if stream + 1 < STREAMS else OWN_STREAMS
+        taken.append(stream)
+        society = Society(function.scheme, int(seed), stream)
         society.new_minds(agents)
         societies.append(society)
     return tuple(societies)

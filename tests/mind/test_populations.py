@@ -199,7 +199,7 @@ def test_weights_are_inherited_and_never_found_in_a_slot(made):
     table = table_of(society)
     founders = np.random.default_rng(4).uniform(-1, 1, (20, 87))
     table.minds.set_genome("Tune", founders, np.arange(20))
-    society.advance(25)
+    society.advance(20)
     assert (table.slots < society.walkers.id).any()  # slots are used again
     first = table.minds.state.first_genome[0].tobytes()
     strains = {first, *(row.tobytes() for row in founders)}
@@ -262,15 +262,15 @@ def test_what_rules_see_is_what_a_hierarchy_alone_gives(herd):
 @pytest.mark.parametrize("compiled", [True, False], ids=["compiled", "interpreted"])
 def test_a_program_that_fails_is_found_at_its_line(made, herd_folder, compiled):
     with pytest.raises(SocialmindError) as raised:
-        made(40, failing=20, births=0.0, deaths=0.0, compiled=compiled)
-    if "tick 20" not in str(raised.value):  # it followed, or stayed, in that tick
+        made(40, failing=14, births=0.0, deaths=0.0, compiled=compiled)
+    if "tick 14" not in str(raised.value):  # it followed, or stayed, in that tick
         pytest.fail(str(raised.value))
     message = str(raised.value)
     assert "\n" not in message
     text = (herd_folder / "model.py").read_text().splitlines()
     line = next(n for n, one in enumerate(text, 1) if "turn = 0.25 /" in one)
     assert message.startswith(f"{herd_folder / 'model.py'}:{line}: ZeroDivisionError")
-    assert message.endswith("in tick 20, agent 3 of 'walkers'")
+    assert message.endswith("in tick 14, agent 3 of 'walkers'")
 
 
 # Runs on disk -------------------------------------------------------------------------------------
