@@ -11,8 +11,9 @@ from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.functions.recurrent import Recurrent
 from socialmind.mind.hierarchy import Hierarchy, load_mind
+from socialmind.mind.links import Input, Output
 from socialmind.mind.minds import Minds
-from socialmind.mind.modules import Actuator, Input, Output, Sensor, Skill, Variable
+from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 from socialmind.mind.regulation import Counter, Regulated, Regulation, Simple, Wave
 
 __all__ = [

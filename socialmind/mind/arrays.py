@@ -22,7 +22,8 @@ from socialmind.mind.functions.network import (
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.kernel import layout
 from socialmind.mind.kernel.layout import Structure
-from socialmind.mind.modules import Input, Skill, Variable
+from socialmind.mind.links import Input
+from socialmind.mind.modules import Skill, Variable
 from socialmind.mind.regulation import PARAMETERS, Regulated
 
 

@@ -16,7 +16,8 @@ from socialmind.mind.arrays import assemble, master_of
 from socialmind.mind.description import MindDescription
 from socialmind.mind.drive import AgentHierarchy
 from socialmind.mind.kernel.reach import ROUNDING
-from socialmind.mind.modules import Input, Skill
+from socialmind.mind.links import Input
+from socialmind.mind.modules import Skill
 from socialmind.mind.state import Record, new_state, societies_of
 from socialmind.mind.steps import Steps
 

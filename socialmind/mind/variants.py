@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import ModelError
 from socialmind.mind.description import MindDescription
-from socialmind.mind.modules import Actuator, Input, Output, Sensor, Skill, Variable
+from socialmind.mind.links import Input, Output
+from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 
 if TYPE_CHECKING:
     from socialmind.mind.hierarchy import Hierarchy

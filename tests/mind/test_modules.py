@@ -20,7 +20,7 @@ from socialmind.mind import (
     Variable,
     load_mind,
 )
-from socialmind.mind.modules import MOST_TICKS
+from socialmind.mind.links import MOST_TICKS
 
 MAKERS = {
     "sensor": Sensor,

@@ -21,7 +21,8 @@ from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.neat_graph import NeatGraph
 from socialmind.mind.functions.programmed import Programmed
-from socialmind.mind.modules import Input, Output, Skill
+from socialmind.mind.links import Input, Output
+from socialmind.mind.modules import Skill
 
 INPUT, OUTPUT = "input", "output"
 CLASS, SCHEME, COGNITON = "class", "scheme", "cogniton"

@@ -37,7 +37,8 @@ from socialmind.mind.functions.influence_network import InfluenceNetwork
 from socialmind.mind.functions.neat_graph import NeatGraph
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.programmed import Programmed
-from socialmind.mind.modules import Actuator, Input, Output, Sensor, Skill, Variable
+from socialmind.mind.links import Input, Output
+from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 from socialmind.mind.regulation import REGULATIONS, Counter, Regulated, Regulation, Simple, Wave
 
 SENSORS, ACTUATORS, VARIABLES, SKILLS = "sensors", "actuators", "variables", "skills"
