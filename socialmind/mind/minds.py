@@ -117,7 +117,8 @@ class Minds:
         """Evaluate all agents once on the sensors as they are set; nothing is allocated.
 
         Raises:
-            ModelError: a sensor is outside [0, 1], or a genome is not set.
+            ModelError: a sensor is outside [0, 1], or a genome is not set; or a program failed,
+                which leaves the step half done: go back by `restore` or `reset`.
         """
         if self.unset:
             raise _no_genome(self.description, next(iter(self.unset)))

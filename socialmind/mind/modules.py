@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from socialmind.errors import ModelError
 from socialmind.mind.links import Input, Output
 from socialmind.mind.names import check_name, check_share
-from socialmind.mind.regulation import Regulation, Simple
+from socialmind.mind.regulation import Regulated, Regulation, Simple
 
 if TYPE_CHECKING:
     from socialmind.mind.functions.contract import InternalFunction
@@ -93,6 +93,15 @@ class Variable:
         check_name(self.name, "a variable", self.file, self.line)
         if self.group is not None:
             check_name(self.group, "a group", self.file, self.line)
+            if isinstance(self.regulation, Regulated):
+                raise ModelError(
+                    f"the variable {self.name!r}, shared in {self.group!r} and with a regulation "
+                    "of your own",
+                    "a simple variable, a wave or a counter, or a variable of the agent's own",
+                    None,
+                    self.file,
+                    self.line,
+                )
         if self.default is not None:
             what = f"the default of the variable {self.name!r}"
             check_share(self.default, what, self.file, self.line)

@@ -115,3 +115,12 @@ def test_functions_that_do_not_fit_their_inputs():
     refused(lambda: Programmed(named_only), "named_only()", "must be named")
     refused(lambda: Skill("A", ["SE:L", "SE:R"], ["MO:M"], Programmed(math.sin)), "'A'", "1 value")
     assert Skill("A", ["SE:L", "SE:R"], ["MO:M"], Programmed(mean)).genome_size == 0
+
+
+def test_a_shared_variable_has_no_regulation_of_its_own():
+    def calm(value):
+        return value / 2
+
+    with pytest.raises(ModelError, match="shared in 'Village'") as caught:
+        Variable("V", Regulated(calm), group="Village")
+    assert "\n" not in str(caught.value)

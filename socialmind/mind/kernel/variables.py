@@ -112,18 +112,27 @@ def take_commands(structure: Any, state: Any, block: int, lanes: int, variable: 
 
 @register_jitable
 def vary(structure: Any, state: Any, block: int, lanes: int) -> None:
-    """Step 2 for all variables with built-in regulations; the modeller's own come after."""
+    """Step 2 for all variables with built-in regulations; the modeller's own come after.
+
+    Members of a group see its shared variable; outside any group it is an agent's own.
+    """
     values, memory, kept = state.values[block], state.memory[block], state.command[block]
     for variable in range(structure.sizes[VARIABLES]):
         code = structure.regulation[variable]
-        if structure.shared[variable] >= 0:
-            _vary_shared(structure, state, block, lanes, variable)
-            continue
         if code == REGULATED:
             continue
         row = take_commands(structure, state, block, lanes, variable)
         parameters = structure.regulation_parameters[variable]
+        number = structure.shared[variable]
         for lane in range(lanes):
+            group = state.group[block, number, lane] if number >= 0 else -1
+            if group >= 0:
+                instance = state.instances[group, number]
+                if instance[SHARED_TICK] != state.now[0]:
+                    settle_shared(code, parameters, instance)
+                    instance[SHARED_TICK] = state.now[0]
+                values[variable, lane] = instance[SHARED_VALUE]
+                continue
             values[variable, lane], memory[variable, lane] = regulate(
                 code,
                 parameters,
@@ -134,35 +143,6 @@ def vary(structure: Any, state: Any, block: int, lanes: int) -> None:
             )
             if not math.isnan(row[lane]):
                 kept[variable, lane] = row[lane]
-
-
-@register_jitable
-def _vary_shared(structure: Any, state: Any, block: int, lanes: int, variable: int) -> None:
-    """Let agents see the shared variable of their group; outside any group it is their own."""
-    values, memory, kept = state.values[block], state.memory[block], state.command[block]
-    row = take_commands(structure, state, block, lanes, variable)
-    number = structure.shared[variable]
-    code = structure.regulation[variable]
-    parameters = structure.regulation_parameters[variable]
-    for lane in range(lanes):
-        group = state.group[block, number, lane]
-        if group < 0:
-            values[variable, lane], memory[variable, lane] = regulate(
-                code,
-                parameters,
-                row[lane],
-                kept[variable, lane],
-                values[variable, lane],
-                memory[variable, lane],
-            )
-            if not math.isnan(row[lane]):
-                kept[variable, lane] = row[lane]
-        else:
-            instance = state.instances[group, number]
-            if instance[SHARED_TICK] != state.now[0]:
-                settle_shared(code, parameters, instance)
-                instance[SHARED_TICK] = state.now[0]
-            values[variable, lane] = instance[SHARED_VALUE]
 
 
 @register_jitable
