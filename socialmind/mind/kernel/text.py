@@ -47,36 +47,42 @@ def _held(value):
 
 # Entries are called through their addresses, by Python and by compiled models alike, so that the
 # evaluation is compiled once. No error can pass such a call: 1 says that there was one.
-_EVALUATE = """@cfunc("int64(int64, int64, int64)", cache=True)
-def evaluate(address, first, end):
-    \"\"\"Evaluate blocks of agents; return 0, or 1 when it failed.\"\"\"
+_EVALUATE = """@_inner
+def _evaluate_NAME(address, first, end):
     mind = _at(address)
     structure = _structure_NAME(mind)
     state = _state_NAME(mind)
     mind.failed_skill = NO_SKILL
     mind.failed_agent = -1
+    for block in range(first, end):
+        lanes = min(state.fresh.shape[1], mind.agents - block * state.fresh.shape[1])
+        _signals.check_sensors(structure, state, block, lanes)
+    for block in range(first, end):
+        lanes = min(state.fresh.shape[1], mind.agents - block * state.fresh.shape[1])
+        _signals.sense(structure, state, block, lanes)
+        _variables.vary(structure, state, block, lanes)
+        REGULATE
+        _signals.present_variables(structure, state, block, lanes)
+        DRIVE
+        for skill in range(structure.sizes[_SKILLS]):
+            if _flow.receive(structure, state, block, lanes, skill):
+                kind = structure.skill_kind[skill]
+                if kind == _NETWORK:
+                    _run_network(structure, state, block, lanes, skill)
+                elif kind == _PROGRAM:
+                    _program_NAME(mind, structure, state, block, lanes, skill)
+                else:
+                    _scheme_NAME(mind, structure, state, block, lanes, skill)
+                _flow.transmit(structure, state, block, lanes, skill)
+        _flow.act(structure, state, block, lanes)
+
+
+@cfunc("int64(int64, int64, int64)", cache=True)
+def evaluate(address, first, end):
+    \"\"\"Evaluate blocks of agents; return 0, or 1 when it failed.\"\"\"
+    # One call alone: numba for Python 3.12 loses errors out of loops inside a `try`.
     try:
-        for block in range(first, end):
-            lanes = min(state.fresh.shape[1], mind.agents - block * state.fresh.shape[1])
-            _signals.check_sensors(structure, state, block, lanes)
-        for block in range(first, end):
-            lanes = min(state.fresh.shape[1], mind.agents - block * state.fresh.shape[1])
-            _signals.sense(structure, state, block, lanes)
-            _variables.vary(structure, state, block, lanes)
-            REGULATE
-            _signals.present_variables(structure, state, block, lanes)
-            DRIVE
-            for skill in range(structure.sizes[_SKILLS]):
-                if _flow.receive(structure, state, block, lanes, skill):
-                    kind = structure.skill_kind[skill]
-                    if kind == _NETWORK:
-                        _run_network(structure, state, block, lanes, skill)
-                    elif kind == _PROGRAM:
-                        _program_NAME(mind, structure, state, block, lanes, skill)
-                    else:
-                        _scheme_NAME(mind, structure, state, block, lanes, skill)
-                    _flow.transmit(structure, state, block, lanes, skill)
-            _flow.act(structure, state, block, lanes)
+        _evaluate_NAME(address, first, end)
     except Exception:
         return 1
     return 0"""
@@ -98,8 +104,8 @@ def renew(address, agent, parent):
     return 0"""
 
 _REGULATE_LOOP = """for variable in range(structure.sizes[_VARIABLES]):
-                if structure.regulation[variable] == _REGULATED:
-                    _regulate_NAME(mind, structure, state, block, lanes, variable)"""
+            if structure.regulation[variable] == _REGULATED:
+                _regulate_NAME(mind, structure, state, block, lanes, variable)"""
 
 _REGULATION = """@_inner
 def _regulate_NAME(_model, structure, state, block, lanes, variable):
@@ -204,8 +210,8 @@ def _drive_text(drive: str | None) -> str:
     if drive is None:
         return "pass"
     lane = "block * state.fresh.shape[1] + lane"
-    before = f"for lane in range(lanes):\n                mind.failed_agent = {lane}"
-    return f"{before}\n                {drive}(mind, {lane})"
+    before = f"for lane in range(lanes):\n            mind.failed_agent = {lane}"
+    return f"{before}\n            {drive}(mind, {lane})"
 
 
 def _view(array: str, kind: str, dimensions: int) -> str:
