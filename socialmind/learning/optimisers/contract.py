@@ -1,0 +1,223 @@
+"""The contract of optimisers: genomes are asked for, judged, and their scores told."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from socialmind.errors import ModelError
+from socialmind.learning.optimisers.generator import generator_at, words_of
+from socialmind.learning.optimisers.settings import Setting, checked
+
+State = dict[str, Any]
+"""Arrays and numbers by name, as `numpy.savez` writes them and `numpy.load` reads them."""
+
+
+class Optimiser(ABC):
+    """What finds better genomes, a generation at a time.
+
+    A generation is drawn as soon as the one before is judged, so that the state holds it: an
+    optimiser that is restored between `ask` and `tell` gives the generation in hand once more.
+
+    Subclasses say `keyword` and `known_settings`, and write `population`, `_begin`, `_advance`,
+    `_own_state` and `_restore_own`; all that they draw is drawn from `_generator`.
+
+    Args:
+        size: weights in a genome, 1 or more.
+        seed: decides all draws; 0 or more.
+        settings: values by name, others than the defaults of `known_settings`.
+        first: shape (k, size), individuals to begin from, the foremost first. They stand at the
+            head of the first generation, as many as fit into it.
+
+    Raises:
+        ModelError: an argument is outside its range.
+
+    >>> from socialmind.learning.optimisers.genetic import Genetic
+    >>> search = Genetic(3, seed=1, settings={"population": 30})
+    >>> for generation in range(40):
+    ...     genomes = search.ask()
+    ...     search.tell(-((genomes - 0.5) ** 2).sum(axis=1))
+    >>> search.generation, search.best.round(1).tolist()
+    (40, [0.5, 0.5, 0.5])
+    """
+
+    keyword: ClassVar[str]
+    """Its name in a lesson (LEARNINGMETHOD in `.simbatch` files)."""
+
+    known_settings: ClassVar[Mapping[str, Setting]]
+    """Its settings by name."""
+
+    def __init__(
+        self,
+        size: int,
+        seed: int,
+        settings: Mapping[str, Any] | None = None,
+        first: ArrayLike | None = None,
+    ) -> None:
+        self.size = _whole("genome size", size, 1)
+        self.settings = MappingProxyType(checked(self.known_settings, settings or {}))
+        self._generator = np.random.default_rng(_whole("seed", seed, 0))
+        self._asked = False
+        self._generation = 0
+        self._best = np.zeros(self.size)
+        self._best_score = -math.inf
+        self._genomes = self._begin(self._checked_first(first))
+
+    @property
+    @abstractmethod
+    def population(self) -> int:
+        """How many genomes a generation has."""
+
+    @property
+    def generation(self) -> int:
+        """How many generations were told."""
+        return self._generation
+
+    @property
+    def best(self) -> NDArray[np.float64]:
+        """The genome of the best individual of all generations, shape (size,) (Algorithm 1).
+
+        Raises:
+            ModelError: no generation was told yet.
+        """
+        if not self._generation:
+            raise ModelError("no best genome before the first generation is told")
+        return self._best.copy()
+
+    @property
+    def best_score(self) -> float:
+        """Its score; minus infinity before the first generation is told."""
+        return self._best_score
+
+    def ask(self) -> NDArray[np.float64]:
+        """Return the genomes of the generation, shape (population, size).
+
+        Raises:
+            ModelError: its genomes were asked for already, and no scores told.
+        """
+        if self._asked:
+            raise ModelError(
+                f"generation {self._generation} asked for twice", "ask, then tell", "tell scores"
+            )
+        self._asked = True
+        return self._genomes.copy()
+
+    def tell(self, scores: ArrayLike) -> None:
+        """Take the scores of the genomes that were asked for, and draw the next generation.
+
+        Args:
+            scores: shape (population,), finite, the higher the better.
+
+        Raises:
+            ModelError: the generation was not asked for, or the scores are of another shape or not
+                finite.
+        """
+        if not self._asked:
+            raise ModelError("scores of a generation not asked for", "ask, then tell", "ask first")
+        told = _numbers("scores", scores)
+        if told.shape != (self.population,):
+            raise ModelError(f"scores of shape {told.shape}", f"({self.population},)")
+        wrong = np.flatnonzero(~np.isfinite(told))
+        if wrong.size:
+            raise ModelError(f"the score {told[wrong[0]]} of genome {wrong[0]}", "a finite number")
+        leader = int(told.argmax())
+        if told[leader] > self._best_score:
+            self._best, self._best_score = self._genomes[leader].copy(), float(told[leader])
+        self._genomes = self._advance(self._genomes, told)
+        self._generation += 1
+        self._asked = False
+
+    def state(self) -> State:
+        """Return all that `restore` needs, as arrays and numbers."""
+        return {
+            "genomes": self._genomes.copy(),
+            "generation": self._generation,
+            "best": self._best.copy(),
+            "best_score": self._best_score,
+            "generator": words_of(self._generator),
+            **self._own_state(),
+        }
+
+    def restore(self, state: Mapping[str, Any]) -> None:
+        """Go on from a state of an optimiser of the same kind, size and settings, bit by bit.
+
+        Args:
+            state: what `state` returned, also after a way through `numpy.savez`.
+
+        Raises:
+            ModelError: the state is one of another kind, size or population; the optimiser is as it
+            was.
+        """
+        own = self.state()
+        if sorted(state) != sorted(own):
+            raise ModelError(
+                f"a state of {', '.join(sorted(state))}",
+                f"one of {', '.join(sorted(own))}",
+                f"restore a state of {self.keyword}",
+            )
+        for name in own:
+            found, expected = np.shape(state[name]), np.shape(own[name])
+            if found != expected:
+                raise ModelError(
+                    f"{name!r} of shape {found} in a state of {self.keyword}",
+                    str(expected),
+                    "restore with the same genome size and settings",
+                )
+        self._generator = generator_at(state["generator"])
+        self._restore_own(state)
+        self._genomes = np.array(state["genomes"], dtype=np.float64)
+        self._generation = int(state["generation"])
+        self._best = np.array(state["best"], dtype=np.float64)
+        self._best_score = float(state["best_score"])
+        self._asked = False
+
+    @abstractmethod
+    def _begin(self, first: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the first generation, begun from individuals, shape (k, size), k of 0 or more."""
+
+    @abstractmethod
+    def _advance(
+        self, genomes: NDArray[np.float64], scores: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return the generation that follows one with these scores."""
+
+    @abstractmethod
+    def _own_state(self) -> State:
+        """Return what the subclass remembers beside the generation: the same names at all times."""
+
+    @abstractmethod
+    def _restore_own(self, state: Mapping[str, Any]) -> None:
+        """Take what `_own_state` returned."""
+
+    def _drawn(self, count: int) -> NDArray[np.float64]:
+        """Return genomes with weights drawn in [-1, 1], shape (count, size)."""
+        return self._generator.uniform(-1.0, 1.0, (count, self.size))
+
+    def _checked_first(self, first: ArrayLike | None) -> NDArray[np.float64]:
+        if first is None:
+            return np.zeros((0, self.size))
+        given = _numbers("first individuals", first)
+        if given.ndim != 2 or given.shape[1] != self.size:
+            raise ModelError(f"first individuals of shape {given.shape}", f"(k, {self.size})")
+        if not np.isfinite(given).all():
+            raise ModelError("first individuals that are not finite", "finite weights")
+        return given
+
+
+def _whole(name: str, value: Any, low: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < low:
+        raise ModelError(f"{name}={value!r} of an optimiser", f"a whole number, {low} or more")
+    return int(value)
+
+
+def _numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    try:
+        return np.array(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ModelError(f"{name} that are no table of numbers", "numbers") from None
