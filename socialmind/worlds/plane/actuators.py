@@ -17,7 +17,7 @@ def wheel(at: tuple[float, float], force: float = 80.0) -> Act:
             body to the right.
         force: at a command of 1; 0.5 is none, 0 the same backwards.
     """
-    return Act(push, at=at, settings={"force": float(force), "left": float(at[1])})
+    return Act(push, at=at, settings={"force": force, "left": at[1]})
 
 
 def push(robot: Any, command: float, force: float, left: float) -> None:
@@ -36,7 +36,7 @@ def claw(of: str, half: float = 2.0, ahead: float = 2.5) -> Act:
     holds is carried just ahead of the body until it opens. A claw that closed on nothing grips
     only when its command rises again, from 0.5 or less.
     """
-    return Act(grip, of=of, at=(ahead, 0.0), settings={"half": float(half), "ahead": float(ahead)})
+    return Act(grip, of=of, at=(ahead, 0.0), settings={"half": half, "ahead": ahead})
 
 
 def grip(
@@ -86,6 +86,6 @@ def emitter(channel: int = 0) -> Act:
     return Act(emit, settings={"channel": channel})
 
 
-def emit(robot: Any, command: float, channel: int) -> None:
+def emit(robot: Any, command: float, channel: float) -> None:
     """Write a command as the robot's signal."""
-    robot.signal[channel] = command
+    robot.signal[int(channel)] = command

@@ -47,7 +47,7 @@ GIVEN: dict[str, str] = {
     "target": "the nearest member of `of`, seen from the device's place; unless found, do not use",
     "found": "whether there is such a member",
     "distance": "to its centre; when none is found the reach, or 0 where that is infinite",
-    "bearing": "radians, -pi … pi, from the device's direction, left positive; 0 when none is found",
+    "bearing": "radians, -pi … pi, from the device's direction, positive to the left; 0 for none",
     "held": "whether the target is carried by this robot",
     "memory": "an array of so many numbers as the device's `memory`, zeros at the start",
     "reading": "what the body's sensor `sensor` reads, 0 … 1",
@@ -61,9 +61,10 @@ GIVEN: dict[str, str] = {
 The nearest is found among the living members other than the robot, within reach; carried ones are
 left out, unless `free` is False: then those that this robot carries count."""
 
-_TARGET = ("members", "own", "target", "found", "distance", "bearing", "held")
+_SOUGHT = ("target", "found", "distance", "bearing", "held")
+"""Of these, what tells of the nearest member."""
 _NEEDED = {
-    **dict.fromkeys(_TARGET, ("of", "a population: of='objects'")),
+    **dict.fromkeys(("members", "own", *_SOUGHT), ("of", "a population: of='objects'")),
     "memory": ("memory", "how many numbers it remembers: memory=2"),
     "reading": ("sensor", "the name of a sensor: sensor='SENSOBJ'"),
     "readings": ("sensors", "names of sensors: sensors=('S1', 'S2')"),
@@ -93,8 +94,8 @@ class Device:
         memory: how many numbers it remembers, for each robot.
         free: whether carried members of `of` are left out; with False, those that the robot itself
             carries count.
-        settings: the numbers that further parameters of the function take. Those that it leaves
-            out take the function's defaults.
+        settings: the numbers that further parameters of the function take, as numbers with a
+            fraction; True and False are 1 and 0. Those left out take the function's defaults.
 
     Raises:
         ModelError: what the function asks for and what the device says do not fit.
@@ -146,6 +147,11 @@ class Device:
     def takes(self) -> tuple[str, ...]:
         """The names of its function's parameters, in order."""
         return tuple(inspect.signature(self.function).parameters)
+
+    @property
+    def seeks(self) -> bool:
+        """Whether its function asks for the nearest member of `of`."""
+        return any(name in _SOUGHT for name in self.takes)
 
     @property
     def given(self) -> tuple[str, ...]:
@@ -218,7 +224,7 @@ class Device:
                     f"{name}={value!r} of the {self.word} {self.name!r}",
                     "a number or a truth value",
                 )
-        return {name: found[name] for name in parameters if name in found}
+        return {name: float(found[name]) for name in parameters if name in found}
 
     def _check_given(self, name: str) -> None:
         if name not in self.given:
@@ -386,8 +392,7 @@ def _kind(device: Device, name: str, population: str) -> AnyType:
         return ArrayType(FLOAT, device.memory)
     if name == "readings":
         return ArrayType(FLOAT, len(device.sensors))
-    value = device.settings[name]
-    return BOOL if isinstance(value, bool) else INT if isinstance(value, int) else FLOAT
+    return FLOAT
 
 
 def _hint(name: str, known: Sequence[str]) -> str:

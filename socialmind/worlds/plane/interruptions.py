@@ -29,7 +29,7 @@ def without_charge(robot: Any) -> bool:
 
 def over_threshold(sensor: str, threshold: float = 0.5) -> Interruption:
     """A sensor reads more than a threshold."""
-    return Interruption(reads_more, sensor=sensor, settings={"threshold": float(threshold)})
+    return Interruption(reads_more, sensor=sensor, settings={"threshold": threshold})
 
 
 def reads_more(reading: float, threshold: float) -> bool:
@@ -39,7 +39,7 @@ def reads_more(reading: float, threshold: float) -> bool:
 
 def under_threshold(sensor: str, threshold: float = 0.5) -> Interruption:
     """A sensor reads less than a threshold."""
-    return Interruption(reads_less, sensor=sensor, settings={"threshold": float(threshold)})
+    return Interruption(reads_less, sensor=sensor, settings={"threshold": threshold})
 
 
 def reads_less(reading: float, threshold: float) -> bool:
@@ -52,6 +52,6 @@ def after(ticks: int) -> Interruption:
     return Interruption(out_of_time, settings={"ticks": ticks})
 
 
-def out_of_time(model: Any, ticks: int) -> bool:
+def out_of_time(model: Any, ticks: float) -> bool:
     """Return whether the tick is the last."""
     return model.tick + 1 >= ticks

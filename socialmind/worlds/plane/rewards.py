@@ -13,7 +13,7 @@ def closing(of: str, gain: float = 0.001) -> Reward:
 
     Nothing when another one has become the nearest, nor in the tick in which rewards start anew.
     """
-    return Reward(approach, of=of, memory=3, settings={"gain": float(gain)})
+    return Reward(approach, of=of, memory=3, settings={"gain": gain})
 
 
 def approach(memory: Any, target: Any, found: bool, distance: float, gain: float) -> float:
@@ -35,7 +35,7 @@ def reached(sensor: str, amount: float, threshold: float = 0.5) -> Reward:
     return Reward(
         amount_above,
         sensor=sensor,
-        settings={"amount": float(amount), "threshold": float(threshold)},
+        settings={"amount": amount, "threshold": threshold},
     )
 
 
@@ -46,7 +46,7 @@ def amount_above(reading: float, threshold: float, amount: float) -> float:
 
 def forward(gain: float) -> Reward:
     """`gain` in each tick in which the robot moves ahead, −10 · `gain` when it moves backwards."""
-    return Reward(heading_on, settings={"gain": float(gain)})
+    return Reward(heading_on, settings={"gain": gain})
 
 
 def heading_on(robot: Any, gain: float) -> float:
@@ -63,8 +63,8 @@ def speed_ahead(robot: Any) -> float:
 
 
 def collision_cost(gain: float) -> Reward:
-    """−`gain` in each tick in contact with a border, an obstacle or a body that it collides with."""
-    return Reward(cost_of_contact, settings={"gain": float(gain)})
+    """−`gain` in each tick in contact with a border, an obstacle or a body."""
+    return Reward(cost_of_contact, settings={"gain": gain})
 
 
 def cost_of_contact(robot: Any, gain: float) -> float:

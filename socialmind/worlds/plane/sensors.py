@@ -111,7 +111,7 @@ def turn_to(bearing: float) -> float:
 
 def distance_to(of: str, reach: float = 100.0) -> Sense:
     """How far the nearest of a kind is, over the reach; 1 where there is none within reach."""
-    return Sense(share_of_reach, of=of, reach=reach, settings={"largest": float(reach)})
+    return Sense(share_of_reach, of=of, reach=reach, settings={"largest": reach})
 
 
 def share_of_reach(distance: float, found: bool, largest: float) -> float:
@@ -137,9 +137,7 @@ def in_claw(
     That is, whether the centre of one that nobody else carries is within a square of sides
     2·`half`, whose centre is `ahead` of the body's centre and which turns with the body.
     """
-    return Sense(
-        can_grip, of=of, settings={"half": float(half), "ahead": float(ahead), **_truth(low, high)}
-    )
+    return Sense(can_grip, of=of, settings={"half": half, "ahead": ahead, **_truth(low, high)})
 
 
 def can_grip(
@@ -205,15 +203,15 @@ def signal_orientation(of: str, channel: int = 0, reach: float = math.inf) -> Se
         channel: the channel that an `emitter` writes.
         reach: how far a signal is heard.
     """
-    return Sense(heard_from, of=of, settings={"channel": channel, "farthest": float(reach)})
+    return Sense(heard_from, of=of, settings={"channel": channel, "farthest": reach})
 
 
-def heard_from(robot: Any, members: Any, own: bool, channel: int, farthest: float) -> float:
+def heard_from(robot: Any, members: Any, own: bool, channel: float, farthest: float) -> float:
     """Return where the nearest signal comes from."""
     best = farthest
     reading = 0.5
     for one in members:
-        if one.signal[channel] > 0.5 and not (own and one.id == robot.id):
+        if one.signal[int(channel)] > 0.5 and not (own and one.id == robot.id):
             dx = one.x - robot.x
             dy = one.y - robot.y
             distance = math.hypot(dx, dy)
@@ -229,16 +227,18 @@ def signal_distance(of: str, channel: int = 0, reach: float = 100.0) -> Sense:
     """How far the nearest robot that emits a signal is, over the reach; 1 when none is heard.
 
     Args:
-        of, channel, reach: as for `signal_orientation`.
+        of: as for `signal_orientation`.
+        channel: likewise.
+        reach: likewise.
     """
-    return Sense(heard_at, of=of, settings={"channel": channel, "farthest": float(reach)})
+    return Sense(heard_at, of=of, settings={"channel": channel, "farthest": reach})
 
 
-def heard_at(robot: Any, members: Any, own: bool, channel: int, farthest: float) -> float:
+def heard_at(robot: Any, members: Any, own: bool, channel: float, farthest: float) -> float:
     """Return the distance of the nearest signal over the range."""
     best = farthest
     for one in members:
-        if one.signal[channel] > 0.5 and not (own and one.id == robot.id):
+        if one.signal[int(channel)] > 0.5 and not (own and one.id == robot.id):
             best = min(best, math.hypot(one.x - robot.x, one.y - robot.y))
     return best / farthest
 
@@ -269,11 +269,11 @@ def moved(positions: int = 20, every: int = 20, largest: float = 3.0) -> Sense:
     return Sense(
         roaming,
         memory=4 + 2 * positions,
-        settings={"every": every, "largest": float(largest)},
+        settings={"every": every, "largest": largest},
     )
 
 
-def roaming(robot: Any, memory: Any, every: int, largest: float) -> float:
+def roaming(robot: Any, memory: Any, every: float, largest: float) -> float:
     """Return how much the robot moves; the memory holds ticks, count, place and reading first."""
     room = (len(memory) - 4) // 2
     if memory[0] == 0.0:
@@ -297,7 +297,7 @@ def roaming(robot: Any, memory: Any, every: int, largest: float) -> float:
 
 def constant(value: float) -> Sense:
     """Always the same, 0 … 1."""
-    return Sense(same, settings={"value": float(value)})
+    return Sense(same, settings={"value": value})
 
 
 def same(value: float) -> float:
@@ -310,14 +310,14 @@ def identity(robots: int) -> Sense:
     return Sense(rank, settings={"robots": robots})
 
 
-def rank(slot: int, robots: int) -> float:
+def rank(slot: int, robots: float) -> float:
     """Return the place of a robot among so many, 0 … 1."""
     return min(slot / (robots - 1), 1.0) if robots > 1 else 0.0
 
 
 def payoff(scale: float = 1.0) -> Sense:
     """The robot's reward of this tick: 0.5 for none, 1 for `scale` or more, 0 for −`scale`."""
-    return Sense(felt_reward, settings={"scale": float(scale)})
+    return Sense(felt_reward, settings={"scale": scale})
 
 
 def felt_reward(robot: Any, scale: float) -> float:
@@ -326,4 +326,4 @@ def felt_reward(robot: Any, scale: float) -> float:
 
 
 def _truth(low: float, high: float) -> dict[str, float]:
-    return {"low": float(low), "high": float(high)}
+    return {"low": low, "high": high}
