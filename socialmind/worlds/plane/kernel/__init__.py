@@ -1,0 +1,1 @@
+"""The compiled kernel of the plane: motion, contacts and range finders."""
