@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -18,6 +19,9 @@ from socialmind.learning.optimisers.settings import Setting, checked
 State = dict[str, Any]
 """Arrays and numbers by name, as `numpy.savez` writes them and `numpy.load` reads them."""
 
+Generation = Any
+"""Individuals: genomes as an array of shape (population, size); where they are graphs, a list."""
+
 
 class Optimiser(ABC):
     """What finds better genomes, a generation at a time.
@@ -26,14 +30,17 @@ class Optimiser(ABC):
     optimiser that is restored between `ask` and `tell` gives the generation in hand once more.
 
     Subclasses say `keyword` and `known_settings`, and write `population`, `_begin`, `_advance`,
-    `_own_state` and `_restore_own`; all that they draw is drawn from `_generator`.
+    `_own_state` and `_restore_own`; all that they draw is drawn from `_generator`. Those whose
+    individuals are graphs say `graphs`, and write `_checked_size`, `_checked_first`,
+    `_genomes_state`, `_restore_genomes` and `_check_fits` too.
 
     Args:
-        size: weights in a genome, 1 or more.
+        size: weights in a genome, 1 or more; where individuals are graphs, the numbers of inputs
+            and outputs.
         seed: decides all draws; 0 or more.
         settings: values by name, others than the defaults of `known_settings`.
-        first: shape (k, size), individuals to begin from, the foremost first. They stand at the
-            head of the first generation, as many as fit into it.
+        first: individuals to begin from, the foremost first, shape (k, size); where they are
+            graphs, a list. They stand at the head of the first generation, as many as fit into it.
 
     Raises:
         ModelError: an argument is outside its range.
@@ -53,21 +60,24 @@ class Optimiser(ABC):
     known_settings: ClassVar[Mapping[str, Setting]]
     """Its settings by name."""
 
+    graphs: ClassVar[bool] = False
+    """Whether individuals are graphs with weights (`NeatGenome`), not genomes of one size."""
+
     def __init__(
         self,
-        size: int,
+        size: int | tuple[int, int],
         seed: int,
         settings: Mapping[str, Any] | None = None,
-        first: ArrayLike | None = None,
+        first: Any = None,
     ) -> None:
-        self.size = _whole("genome size", size, 1)
+        self.size = self._checked_size(size)
         self.settings = MappingProxyType(checked(self.known_settings, settings or {}))
-        self._generator = np.random.default_rng(_whole("seed", seed, 0))
+        self._generator = np.random.default_rng(whole("seed", seed, 0))
         self._asked = False
         self._generation = 0
-        self._best = np.zeros(self.size)
         self._best_score = -math.inf
-        self._genomes = self._begin(self._checked_first(first))
+        self._genomes: Generation = self._begin(self._checked_first(first))
+        self._best: Any = copy.copy(self._genomes[0])
 
     @property
     @abstractmethod
@@ -80,23 +90,23 @@ class Optimiser(ABC):
         return self._generation
 
     @property
-    def best(self) -> NDArray[np.float64]:
-        """The genome of the best individual of all generations, shape (size,) (Algorithm 1).
+    def best(self) -> Any:
+        """The best individual of all generations (Algorithm 1): shape (size,), or a graph.
 
         Raises:
             ModelError: no generation was told yet.
         """
         if not self._generation:
             raise ModelError("no best genome before the first generation is told")
-        return self._best.copy()
+        return copy.copy(self._best)
 
     @property
     def best_score(self) -> float:
         """Its score; minus infinity before the first generation is told."""
         return self._best_score
 
-    def ask(self) -> NDArray[np.float64]:
-        """Return the genomes of the generation, shape (population, size).
+    def ask(self) -> Generation:
+        """Return the genomes of the generation, shape (population, size), or a list of graphs.
 
         Raises:
             ModelError: its genomes were asked for already, and no scores told.
@@ -106,7 +116,7 @@ class Optimiser(ABC):
                 f"generation {self._generation} asked for twice", "ask, then tell", "tell scores"
             )
         self._asked = True
-        return self._genomes.copy()
+        return copy.copy(self._genomes)
 
     def tell(self, scores: ArrayLike) -> None:
         """Take the scores of the genomes that were asked for, and draw the next generation.
@@ -128,7 +138,7 @@ class Optimiser(ABC):
             raise ModelError(f"the score {told[wrong[0]]} of genome {wrong[0]}", "a finite number")
         leader = int(told.argmax())
         if told[leader] > self._best_score:
-            self._best, self._best_score = self._genomes[leader].copy(), float(told[leader])
+            self._best, self._best_score = copy.copy(self._genomes[leader]), float(told[leader])
         self._genomes = self._advance(self._genomes, told)
         self._generation += 1
         self._asked = False
@@ -136,11 +146,10 @@ class Optimiser(ABC):
     def state(self) -> State:
         """Return all that `restore` needs, as arrays and numbers."""
         return {
-            "genomes": self._genomes.copy(),
             "generation": self._generation,
-            "best": self._best.copy(),
             "best_score": self._best_score,
             "generator": words_of(self._generator),
+            **self._genomes_state(),
             **self._own_state(),
         }
 
@@ -161,30 +170,20 @@ class Optimiser(ABC):
                 f"one of {', '.join(sorted(own))}",
                 f"restore a state of {self.keyword}",
             )
-        for name in own:
-            found, expected = np.shape(state[name]), np.shape(own[name])
-            if found != expected:
-                raise ModelError(
-                    f"{name!r} of shape {found} in a state of {self.keyword}",
-                    str(expected),
-                    "restore with the same genome size and settings",
-                )
+        self._check_fits(state, own)
         self._generator = generator_at(state["generator"])
         self._restore_own(state)
-        self._genomes = np.array(state["genomes"], dtype=np.float64)
+        self._restore_genomes(state)
         self._generation = int(state["generation"])
-        self._best = np.array(state["best"], dtype=np.float64)
         self._best_score = float(state["best_score"])
         self._asked = False
 
     @abstractmethod
-    def _begin(self, first: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _begin(self, first: Generation) -> Generation:
         """Return the first generation, begun from individuals, shape (k, size), k of 0 or more."""
 
     @abstractmethod
-    def _advance(
-        self, genomes: NDArray[np.float64], scores: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
+    def _advance(self, genomes: Generation, scores: NDArray[np.float64]) -> Generation:
         """Return the generation that follows one with these scores."""
 
     @abstractmethod
@@ -195,11 +194,28 @@ class Optimiser(ABC):
     def _restore_own(self, state: Mapping[str, Any]) -> None:
         """Take what `_own_state` returned."""
 
+    def _genomes_state(self) -> State:
+        """Return the generation and the best genome."""
+        return {"genomes": self._genomes.copy(), "best": self._best.copy()}
+
+    def _restore_genomes(self, state: Mapping[str, Any]) -> None:
+        """Take what `_genomes_state` returned."""
+        self._genomes = np.array(state["genomes"], dtype=np.float64)
+        self._best = np.array(state["best"], dtype=np.float64)
+
+    def _check_fits(self, state: Mapping[str, Any], own: State) -> None:
+        """Refuse a state of another size or population than its own."""
+        for name in own:
+            check_shape(self.keyword, name, np.shape(state[name]), np.shape(own[name]))
+
     def _drawn(self, count: int) -> NDArray[np.float64]:
         """Return genomes with weights drawn in [-1, 1], shape (count, size)."""
         return self._generator.uniform(-1.0, 1.0, (count, self.size))
 
-    def _checked_first(self, first: ArrayLike | None) -> NDArray[np.float64]:
+    def _checked_size(self, size: Any) -> Any:
+        return whole("genome size", size, 1)
+
+    def _checked_first(self, first: Any) -> Generation:
         if first is None:
             return np.zeros((0, self.size))
         given = _numbers("first individuals", first)
@@ -210,7 +226,12 @@ class Optimiser(ABC):
         return given
 
 
-def _whole(name: str, value: Any, low: int) -> int:
+def whole(name: str, value: Any, low: int) -> int:
+    """Return a whole number that an optimiser is given.
+
+    Raises:
+        ModelError: it is none, or below `low`.
+    """
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < low:
         raise ModelError(f"{name}={value!r} of an optimiser", f"a whole number, {low} or more")
     return int(value)
@@ -221,3 +242,17 @@ def _numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
         return np.array(values, dtype=np.float64)
     except (TypeError, ValueError):
         raise ModelError(f"{name} that are no table of numbers", "numbers") from None
+
+
+def check_shape(keyword: str, name: str, found: tuple[int, ...], expected: tuple[int, ...]) -> None:
+    """Refuse an array of a state of another shape than expected.
+
+    Raises:
+        ModelError: so it is.
+    """
+    if found != expected:
+        raise ModelError(
+            f"{name!r} of shape {found} in a state of {keyword}",
+            str(expected),
+            "restore with the same genome size and settings",
+        )

@@ -10,18 +10,19 @@ from socialmind.learning.optimisers.annealing import Annealing
 from socialmind.learning.optimisers.cma import Cma
 from socialmind.learning.optimisers.contract import Optimiser
 from socialmind.learning.optimisers.genetic import Genetic
+from socialmind.learning.optimisers.neat import Neat
 
 OPTIMISERS: Mapping[str, type[Optimiser]] = MappingProxyType(
-    {one.keyword: one for one in (Genetic, Annealing, Cma)}
+    {one.keyword: one for one in (Genetic, Neat, Annealing, Cma)}
 )
-"""All that search genomes of a fixed length, by keyword."""
+"""All optimisers by keyword; `graphs` says whether their individuals are graphs."""
 
 
 def optimiser_named(keyword: str) -> type[Optimiser]:
     """Return the optimiser of a keyword, in capitals or not.
 
     Args:
-        keyword: `GENETIC`, `ANNEALING` or `CMAES`.
+        keyword: `GENETIC`, `NEAT`, `ANNEALING` or `CMAES`.
 
     Raises:
         ModelError: there is none of that name.
