@@ -1,0 +1,310 @@
+"""The reference engine of a plane: one world whose bodies are moved and kept apart by pymunk.
+
+Pymunk's own step moves with the velocities of the step before, damps a whole space, multiplies
+elasticities and pushes overlapping bodies apart over several steps. A plane wants none of it, so
+pymunk does here what it is best at, finding contacts and solving all of them together, and the
+rest is done around its step:
+
+- velocities are worked out from forces and damping before the step, and pymunk moves with them;
+- each contact is given its restitution as it is found;
+- overlaps are taken out at once, by the corrections that pymunk would have spread over steps.
+
+The rows are all that a world remembers. Every step writes them into pymunk and puts all moving
+shapes in anew, in order, which empties pymunk's cache of contacts and gives its tree of shapes the
+same form again: what a step does follows from the rows alone, so that a world that was restored
+goes on exactly as if it had never stopped.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import pymunk
+from numpy.typing import NDArray
+
+from socialmind.errors import ModelError
+from socialmind.worlds.plane.bodies import Disc
+from socialmind.worlds.plane.layout import FASTEST, SETTLING, TOUCHING
+
+MOST_KINDS = 31
+"""Kinds of bodies in a world: pymunk tells 32 categories apart, and one is what never moves."""
+ITERATIONS = 20
+"""How often pymunk goes over all contacts of a step."""
+
+_STILL = 1 << MOST_KINDS
+_FULL_TURN = 2.0 * math.pi
+
+
+@dataclass(eq=False)
+class Kind:
+    """A population of bodies.
+
+    Attributes:
+        name: what the `meets` of other kinds call it.
+        disc: what its bodies are made of. Two kinds collide if either meets the other.
+        rows: (slots,) records with the columns of `Body`, by name.
+        alive: (slots,) truth values (bool): which of them live.
+    """
+
+    name: str
+    disc: Disc
+    rows: NDArray[Any]
+    alive: NDArray[Any]
+    discs: dict[int, tuple[pymunk.Body, pymunk.Shape]] = field(
+        default_factory=dict, init=False, repr=False
+    )
+
+
+class PymunkMotion:
+    """Moves the bodies of one world by pymunk.
+
+    Args:
+        half_width: of the arena with borders at ±half_width, 0 for one without borders.
+        dt: seconds a tick. Up to 0.1 what a step does follows from the rows alone; with longer
+            ones the order in which pymunk finds contacts does not.
+        kinds: the populations of bodies; a body's `carrier_kind` is a place in this sequence.
+        obstacles: (rows, alive) of what never moves, records with the columns of `Obstacle`.
+
+    Call `build` once the world is set up, and again after obstacles changed or a population's
+    arrays were replaced (`kinds[k].rows`, `kinds[k].alive`). Anything else may be written into the
+    rows between ticks; bodies that are born, die, are picked up or dropped are followed.
+
+    Raises:
+        ModelError: more than `MOST_KINDS` kinds, or a body that meets a kind that is not there.
+
+    >>> from socialmind.worlds.plane.layout import BODY
+    >>> rows, alive = np.zeros(1, BODY), np.ones(1, bool)
+    >>> rows["x"], rows["carrier_kind"], rows["push_x"] = 8.0, -1, 160.0
+    >>> motion = PymunkMotion(10.0, 1 / 30, [Kind("robots", Disc(), rows, alive)])
+    >>> motion.build()
+    >>> for _ in range(30):
+    ...     motion.move()
+    >>> rows["x"].round(6).item(), rows["contact"].item()
+    (9.0, 1)
+    """
+
+    def __init__(
+        self,
+        half_width: float,
+        dt: float,
+        kinds: Sequence[Kind],
+        obstacles: tuple[NDArray[Any], NDArray[Any]] | None = None,
+    ) -> None:
+        self.half_width = half_width
+        self.dt = dt
+        self.kinds = list(kinds)
+        self.obstacles = obstacles
+        self._filters = _filters(self.kinds)
+        self._space = pymunk.Space()
+        self._owner: dict[pymunk.Shape, tuple[pymunk.Body, float]] = {}
+        self._touching: set[pymunk.Shape] = set()
+
+    def build(self) -> None:
+        """Make the space anew from the rows of obstacles and bodies.
+
+        Raises:
+            ModelError: an obstacle's place, angle or half-width is not finite.
+        """
+        space = self._space = pymunk.Space()
+        space.iterations = ITERATIONS
+        space.collision_slop = 0.0
+        space.collision_bias = 0.0  # the whole of an overlap is taken out in its step
+        space.on_collision(pre_solve=self._meet)
+        self._owner = {}
+        for kind in self.kinds:
+            kind.discs = {}
+        for shape in self._borders() + self._stones():
+            shape.filter = pymunk.ShapeFilter(categories=_STILL)
+            space.add(shape)
+
+    def move(self) -> None:
+        """Move all bodies by one tick: their x, y, heading, angle, vx, vy, spin and contact.
+
+        A body whose carrier is dead is put down (`carrier_kind` and `carrier` are -1).
+
+        Raises:
+            ModelError: a body's place or motion is not finite.
+        """
+        moving = self._moving()
+        space, shapes = self._space, [shape for _, _, _, shape in moving]
+        space.add(*shapes)
+        self._touching.clear()
+        space.step(self.dt)
+        for kind, slot, body, shape in moving:
+            rows = kind.rows
+            if touched := shape in self._touching:
+                vx, vy = body.velocity
+                rows["vx"][slot], rows["vy"][slot] = vx, vy
+                # What is left of the motion in pymunk is the correction of overlaps alone.
+                body.velocity = (0.0, 0.0)
+                pymunk.Body.update_position(body, self.dt)
+            x, y = body.position
+            if touched and self.half_width > 0:
+                # Where a crowd finds no room, pymunk leaves overlaps: not at borders.
+                room = max(self.half_width - kind.disc.radius, 0.0)
+                x, y = min(max(x, -room), room), min(max(y, -room), room)
+            rows["x"][slot], rows["y"][slot] = x, y
+            rows["contact"][slot] = touched
+        space.remove(*shapes)
+        self._carry()
+
+    def _moving(self) -> list[tuple[Kind, int, pymunk.Body, pymunk.Shape]]:
+        """The living bodies that nobody carries, with their velocities of this tick."""
+        moving = []
+        for kind, shape_filter in zip(self.kinds, self._filters, strict=True):
+            rows = kind.rows
+            for slot in np.flatnonzero(kind.alive).tolist():
+                if rows["carrier_kind"].item(slot) >= 0:
+                    if self._has_carrier(rows, slot):
+                        continue
+                    rows["carrier_kind"][slot] = rows["carrier"][slot] = -1
+                body, shape = kind.discs.get(slot) or self._disc(kind, slot, shape_filter)
+                x, y, vx, vy = _accelerate(kind, slot, self.dt)
+                body.position = (x, y)
+                body.velocity = (vx, vy)
+                moving.append((kind, slot, body, shape))
+        return moving
+
+    def _has_carrier(self, rows: NDArray[Any], slot: int) -> bool:
+        """Whether the one that carries a body lives."""
+        number, carrier = rows["carrier_kind"].item(slot), rows["carrier"].item(slot)
+        if number >= len(self.kinds):
+            return False
+        alive = self.kinds[number].alive
+        return 0 <= carrier < len(alive) and bool(alive[carrier])
+
+    def _disc(
+        self, kind: Kind, slot: int, shape_filter: pymunk.ShapeFilter
+    ) -> tuple[pymunk.Body, pymunk.Shape]:
+        """A body in the space. It does not turn there: without friction no contact turns it."""
+        body = pymunk.Body(kind.disc.mass, math.inf)
+        shape = pymunk.Circle(body, kind.disc.radius)
+        shape.filter = shape_filter
+        self._space.add(body)
+        self._owner[shape] = body, kind.disc.restitution
+        kind.discs[slot] = body, shape
+        return body, shape
+
+    def _meet(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: object) -> None:
+        """Note who touches, and say how much of this impact bounces."""
+        if arbiter.contact_point_set.points[0].distance > -TOUCHING:
+            arbiter.process_collision = False
+            return
+        normal, approach, share, most = arbiter.normal, 0.0, 0.0, math.inf
+        for shape, toward in zip(arbiter.shapes, (1.0, -1.0), strict=True):
+            if shape in self._owner:
+                body, restitution = self._owner[shape]
+                self._touching.add(shape)
+                approach += toward * normal.dot(body.velocity)
+                share = max(share, restitution)
+            else:
+                most = 1.0
+        arbiter.restitution = min(share, most) if approach > SETTLING else 0.0
+
+    def _borders(self) -> list[pymunk.Shape]:
+        """Thick walls around the arena, so that what ran far into one is pushed back inside."""
+        half = self.half_width
+        if half <= 0:
+            return []
+        thick = 4.0 * half + FASTEST
+        line, end = half + thick, half + 2.0 * thick
+        ends = [
+            ((line, -end), (line, end)),
+            ((-line, -end), (-line, end)),
+            ((-end, line), (end, line)),
+            ((-end, -line), (end, -line)),
+        ]
+        ground = self._space.static_body
+        return [pymunk.Segment(ground, start, stop, thick) for start, stop in ends]
+
+    def _stones(self) -> list[pymunk.Shape]:
+        """The living obstacles."""
+        if self.obstacles is None:
+            return []
+        rows, alive = self.obstacles
+        ground = self._space.static_body
+        stones: list[pymunk.Shape] = []
+        for slot in np.flatnonzero(alive).tolist():
+            row = rows[slot]
+            x, y, angle, half = (float(row[name]) for name in ("x", "y", "angle", "half_width"))
+            if not math.isfinite(x + y + angle + half):
+                raise ModelError(
+                    f"obstacle {slot} at ({x}, {y}), angle {angle}, half-width {half}",
+                    "finite numbers",
+                )
+            if row["round"] or half == 0.0:
+                stones.append(pymunk.Circle(ground, half, (x, y)))
+                continue
+            a, b = half * math.cos(angle), half * math.sin(angle)
+            corners = [(a - b, b + a), (-a - b, -b + a), (-a + b, -b - a), (a + b, b - a)]
+            stones.append(pymunk.Poly(ground, [(x + dx, y + dy) for dx, dy in corners]))
+        return stones
+
+    def _carry(self) -> None:
+        """Put what is carried ahead of its carrier."""
+        for kind in self.kinds:
+            rows = kind.rows
+            for slot in np.flatnonzero(kind.alive & (rows["carrier_kind"] >= 0)).tolist():
+                carrier_kind = self.kinds[rows["carrier_kind"][slot]]
+                carrier = carrier_kind.rows[rows["carrier"][slot]]
+                ahead = carrier_kind.disc.radius + kind.disc.radius
+                rows["x"][slot] = carrier["x"] + ahead * math.cos(carrier["angle"])
+                rows["y"][slot] = carrier["y"] + ahead * math.sin(carrier["angle"])
+                for name in ("heading", "angle", "vx", "vy"):
+                    rows[name][slot] = carrier[name]
+                rows["spin"][slot] = 0.0
+                rows["contact"][slot] = 0
+
+
+def _filters(kinds: Sequence[Kind]) -> list[pymunk.ShapeFilter]:
+    """Whom the bodies of each kind collide with."""
+    if len(kinds) > MOST_KINDS:
+        raise ModelError(f"{len(kinds)} populations of bodies", f"up to {MOST_KINDS} with pymunk")
+    numbers = {kind.name: number for number, kind in enumerate(kinds)}
+    meets = [_STILL] * len(kinds)
+    for number, kind in enumerate(kinds):
+        for name in kind.disc.meets:
+            if name not in numbers:
+                raise ModelError(f"meets {name!r} of {kind.name!r}", "a population of bodies")
+            meets[number] |= 1 << numbers[name]
+            meets[numbers[name]] |= 1 << number
+    return [
+        pymunk.ShapeFilter(categories=1 << number, mask=mask) for number, mask in enumerate(meets)
+    ]
+
+
+def _accelerate(kind: Kind, slot: int, dt: float) -> tuple[float, float, float, float]:
+    """Turn a body, and work out the velocity with which it moves.
+
+    Returns:
+        x, y, vx, vy.
+    """
+    rows, disc = kind.rows, kind.disc
+    x, y, angle = rows["x"].item(slot), rows["y"].item(slot), rows["angle"].item(slot)
+    vx, vy, spin = rows["vx"].item(slot), rows["vy"].item(slot), rows["spin"].item(slot)
+    slowing = 1.0 + dt * disc.linear_damping
+    vx = (vx + dt * rows["push_x"].item(slot) / disc.mass) / slowing
+    vy = (vy + dt * rows["push_y"].item(slot) / disc.mass) / slowing
+    spin += dt * rows["torque"].item(slot) / disc.moment
+    spin /= 1.0 + dt * disc.angular_damping
+    if (speed := math.sqrt(vx * vx + vy * vy)) > FASTEST:
+        vx, vy = vx * FASTEST / speed, vy * FASTEST / speed
+    angle += dt * spin
+    if not math.isfinite(x + y + vx + vy + angle):
+        # Pymunk ends the whole process at a number that is none.
+        raise ModelError(
+            f"a body of {kind.name!r} at ({x}, {y}), angle {angle}, velocity ({vx}, {vy})",
+            "finite numbers",
+        )
+    if not -math.pi <= angle < math.pi:
+        angle -= _FULL_TURN * math.floor((angle + math.pi) / _FULL_TURN)
+        if not -math.pi <= angle < math.pi:  # a hair off, by rounding
+            angle = -math.pi
+    rows["vx"][slot], rows["vy"][slot], rows["spin"][slot] = vx, vy, spin
+    rows["angle"][slot] = angle
+    rows["heading"][slot] = (90.0 - math.degrees(angle)) % 360.0
+    return x, y, vx, vy
