@@ -40,6 +40,8 @@ def connect(model: Model) -> None:
             for axis, length in enumerate(array.shape):
                 context[f"_{name}_{axis}"] = length
     model.connected = list(arrays.values())
+    if model.arena is not None:
+        model.arena.connect()
 
 
 def _address(array: Any) -> int:

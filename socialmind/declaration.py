@@ -15,6 +15,8 @@ from socialmind.population import Population
 from socialmind.rows import ArrayField
 from socialmind.schedule import PhaseDeclaration
 from socialmind.worlds.grid import Torus
+from socialmind.worlds.plane.devices import Interruption, Reward
+from socialmind.worlds.plane.plane import Plane
 
 OWN_NAMES = frozenset(
     (
@@ -25,7 +27,11 @@ OWN_NAMES = frozenset(
         "engine",
         "grid",
         "hierarchy",
+        "arena",
         "assemblies",
+        "physics",
+        "over",
+        "steered",
         "names",
         "program",
         "scheme",
@@ -45,6 +51,8 @@ SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "ticks": ((int,), "a whole number, 0 or more"),
     "setup": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "schedule": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
+    "rewards": ((dict,), "rewards by name, on a plane"),
+    "interruptions": ((dict,), "interruptions by name, on a plane"),
 }
 """The class attributes of `Model` that a modeller sets, and what they are."""
 
@@ -78,6 +86,9 @@ class Declaration(NamedTuple):
     variables: dict[str, Field]
     populations: dict[str, Population]
     torus: Torus | None
+    plane: Plane | None
+    rewards: dict[str, Reward]
+    interruptions: dict[str, Interruption]
 
 
 def declaration_of(cls: type, model: type) -> Declaration:
@@ -101,19 +112,23 @@ def declaration_of(cls: type, model: type) -> Declaration:
         value = cls.__dict__.get(name)
         if isinstance(value, Parameter):
             _check_kind(cls, value, kind)
-        elif not isinstance(value, Population | Torus):
+        elif not isinstance(value, Population | Torus | Plane) and name not in SETTINGS:
             _check_name(cls, model, name, "a variable")
             missing: tuple[Any, ...] = () if name not in cls.__dict__ else (value,)
             setattr(cls, name, Variable(declared(cls, name, kind, *missing)))
     own = {name: value for base in reversed(cls.__mro__) for name, value in vars(base).items()}
-    torus = own.get("world")
+    world = own.get("world")
     found = Declaration(
         {name: value for name, value in own.items() if isinstance(value, Parameter)},
         {name: value.field for name, value in own.items() if isinstance(value, Variable)},
         {name: value for name, value in own.items() if isinstance(value, Population)},
-        torus if isinstance(torus, Torus) else None,
+        world if isinstance(world, Torus) else None,
+        world if isinstance(world, Plane) else None,
+        dict(own.get("rewards", {})),
+        dict(own.get("interruptions", {})),
     )
     _check_sizes(cls, found)
+    _check_plane(cls, found)
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
     return found
@@ -121,11 +136,12 @@ def declaration_of(cls: type, model: type) -> Declaration:
 
 def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
     """Refuse an attribute of a class that is of a wrong kind or hides what models use."""
-    if isinstance(value, Parameter | Population | Torus):
-        if not isinstance(value, Torus):
+    if isinstance(value, Parameter | Population | Torus | Plane):
+        if not isinstance(value, Torus | Plane):
             _check_name(cls, model, name, "a part of the model")
         elif name != "world":
-            _refuse(cls, name, f"a torus called {name!r}", "world", "write world = Torus(…)")
+            kind = type(value).__name__
+            _refuse(cls, name, f"a {kind.lower()} called {name!r}", "world", f"world = {kind}(…)")
         try:
             value.check()
         except ModelError as error:
@@ -191,6 +207,26 @@ def _check_sizes(cls: type, found: Declaration) -> None:
                 _refuse(cls, name, f"the size {size!r}", expected, nearest(size, whole))
         elif isinstance(size, bool) or not isinstance(size, int) or size < least:
             _refuse(cls, name, f"the size {size!r}", f"a whole number, {least} or more")
+
+
+def _check_plane(cls: type, found: Declaration) -> None:
+    """Refuse what belongs to a plane where there is none, and a half-width that is no parameter."""
+    for name, kind in (("rewards", Reward), ("interruptions", Interruption)):
+        for key, device in getattr(found, name).items():
+            if not isinstance(device, kind):
+                _refuse(cls, name, f"{device!r} as {key!r}", f"one of the {name} of socialmind")
+            if found.plane is None:
+                _refuse(cls, name, f"{name} without a plane", None, "write world = Plane(…)")
+    if found.plane is None:
+        for name, one in found.populations.items():
+            if one.body is not None or one.sensors or one.actuators:
+                _refuse(cls, name, f"bodies of {name!r} without a plane", "world = Plane(…)")
+    elif isinstance(found.plane.half_width, str):
+        wide, numbers = found.plane.half_width, [n for n, p in found.parameters.items()
+                                                 if p.kind is float]  # fmt: skip
+        if wide not in numbers:
+            what = "a number or the name of a parameter of numbers"
+            _refuse(cls, "world", f"the half-width {wide!r}", what, nearest(wide, numbers))
 
 
 def _check_phases(cls: type, name: str, phases: Any, populations: dict[str, Population]) -> None:

@@ -89,6 +89,9 @@ class Engine:
             for _ in range(ticks):
                 run_tick(self.model, self.functions)
             return
+        if self.model.physics != "compiled":
+            self._advance_outside(ticks)
+            return
         left = ticks
         while left > 0:
             begin = time.perf_counter()
@@ -104,6 +107,17 @@ class Engine:
                 self._ticks_per_chunk *= 2
             elif took > CHUNK_SECONDS and self._ticks_per_chunk > 1:
                 self._ticks_per_chunk //= 2
+
+    def _advance_outside(self, ticks: int) -> None:
+        """Run a number of ticks whose motion is not compiled."""
+        arena = self.model.arena
+        for _ in range(ticks):
+            connect(self.model)
+            if arena is not None and self.model.over is None:
+                arena.move()
+            one = functools.partial(self.module.advance, self.model.contexts, 1)
+            if self._guarded(one, run_tick) < 1:
+                self._make_room()
 
     def _make_room(self) -> None:
         for name in self.model.program.births:

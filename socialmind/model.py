@@ -14,7 +14,7 @@ import inspect
 import re
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.society import Society
+from socialmind.arena import Arena
 from socialmind.connection import names_of_minds
 from socialmind.declaration import declaration_of
 from socialmind.engine import Engine
@@ -38,13 +39,14 @@ from socialmind.population import Population, Table
 from socialmind.schedule import PhaseDeclaration, run_tick, taken
 from socialmind.streams import STREAM
 from socialmind.worlds.grid import Grid, Torus
+from socialmind.worlds.plane.plane import Plane, plane_shape
 
 if TYPE_CHECKING:
     from coglogo_py.receipt import Receipt
     from socialmind.mind.arrays import Assembly
     from socialmind.mind.population_minds import PopulationMinds
 
-_KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick")
+_KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick", "_over", "_steered")
 """Columns of the record with a leading underscore that are state, not addresses and sizes."""
 
 Loaded = TypeVar("Loaded", bound="Model")
@@ -80,6 +82,7 @@ class Model:
             several populations that have minds, a mapping from their names.
         hierarchy: a hierarchy of skills to use instead of the model's own: a mind's folder or YAML
             file, or a `MindDescription`; with several populations that have one, a mapping.
+        physics: on a plane, what moves the bodies: "compiled", or "pymunk", the reference.
         parameters: values of parameters that differ from the defaults.
 
     Raises:
@@ -95,12 +98,16 @@ class Model:
     variables: ClassVar[dict[str, Field]] = {}
     populations: ClassVar[dict[str, Population]] = {}
     torus: ClassVar[Torus | None] = None
+    plane: ClassVar[Plane | None] = None
+    rewards: ClassVar[dict[str, Any]] = {}
+    interruptions: ClassVar[dict[str, Any]] = {}
     shape: ClassVar[ModelShape]
 
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
         found = declaration_of(cls, Model)
-        cls.parameters, cls.variables, cls.populations, cls.torus = found
+        cls.parameters, cls.variables, cls.populations, cls.torus, cls.plane = found[:5]
+        cls.rewards, cls.interruptions = found.rewards, found.interruptions
         cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
         cls.shape = cls._shape()
         cls._programs = {}
@@ -110,6 +117,13 @@ class Model:
     @classmethod
     def _shape(cls) -> ModelShape:
         stored = {float: "f8", int: "i8", bool: "?"}
+        populations = {name: one.shape for name, one in cls.populations.items()}
+        plane = None
+        if cls.plane is not None:
+            plane = plane_shape(cls.plane, cls.populations, cls.rewards, cls.interruptions)
+            for name, robots in plane.robots.items():
+                fields = {**populations[name].fields, **robots.fields}
+                populations[name] = replace(populations[name], fields=fields)
         return ModelShape(
             name=cls.name,
             parameters={
@@ -117,10 +131,11 @@ class Model:
                 for name, one in cls.parameters.items()
             },
             variables=cls.variables,
-            populations={name: one.shape for name, one in cls.populations.items()},
+            populations=populations,
             patch=None if cls.torus is None else cls.torus.fields,
             setup=tuple(phase.shape for phase in cls.setup),
             schedule=tuple(phase.shape for phase in cls.schedule),
+            plane=plane,
         )
 
     @classmethod
@@ -158,6 +173,7 @@ class Model:
         compiled: bool = True,
         scheme: str | Path | CognitiveScheme | Mapping[str, Any] | None = None,
         hierarchy: Any = None,
+        physics: str = "compiled",
         **parameters: Any,
     ) -> None:
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**64:
@@ -166,6 +182,7 @@ class Model:
         self.compiled = compiled
         self._scheme = scheme
         self._hierarchy = hierarchy
+        self.physics = physics
         self.watch: tuple[str, int] | None = None
         self.watched: Receipt | None = None
         self.assemblies = self.hierarchies(hierarchy)
@@ -177,6 +194,7 @@ class Model:
         self.grid = None if torus is None else Grid(torus.fields, self._size(torus.size, 1))
         self.schemes = self._schemes()
         self.tables = self._tables()
+        self.arena = None if self.shape.plane is None else Arena(self)
         self.stream = np.zeros(1, STREAM)
         self.stream["key_0"], self.stream["key_1"] = seed & 0xFFFFFFFF, seed >> 32
         self.connected: list[NDArray[Any]] = []
@@ -196,6 +214,8 @@ class Model:
         }
         self.engine = Engine(self, compiled)
         self.engine.set_up()
+        if self.arena is not None:
+            self.arena.build()
 
     def _set_values(self, parameters: Mapping[str, Any]) -> None:
         for name in parameters:
@@ -313,6 +333,14 @@ class Model:
         symbol, takes = self.program.plans[population][name]
         self.engine.functions[symbol](*taken(takes, agent, self, rng).values())
 
+    # On a plane -------------------------------------------------------------------------------
+
+    @property
+    def over(self) -> str | None:
+        """The name of the interruption that ended what goes on here, None while it goes on."""
+        number = int(self.context["_over"]) if self.shape.plane is not None else 0
+        return list(self.interruptions)[number - 1] if number else None
+
     # Observing --------------------------------------------------------------------------------
 
     def series(self) -> dict[str, Any]:
@@ -370,7 +398,12 @@ class Model:
     def fresh(self: Loaded) -> Loaded:
         """Return the same society before its first tick."""
         return type(self)(
-            self.seed, self.compiled, self._scheme, self._hierarchy, **self.parameter_values()
+            self.seed,
+            self.compiled,
+            self._scheme,
+            self._hierarchy,
+            self.physics,
+            **self.parameter_values(),
         )
 
     def explain(self, agent: int, tick: int) -> Receipt:
@@ -442,6 +475,8 @@ class Model:
                 table.society.restore(_part(own, "minds"))
             if table.minds is not None:
                 table.minds.restore(_part(own, "hierarchy"))
+        if self.arena is not None:
+            self.arena.build()
 
     def mesa(self) -> Any:
         """Return a real `mesa.Model` over this society; see docs/mesa.md."""

@@ -43,6 +43,9 @@ if TYPE_CHECKING:
     from socialmind.mind.description import MindDescription
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.model import Model
+    from socialmind.worlds.plane.bodies import Disc
+    from socialmind.worlds.plane.devices import Act, Sense
+    from socialmind.worlds.plane.sensors import RangeFinder
 
 
 class Agent:
@@ -105,6 +108,9 @@ class Population:
         drive: the hierarchy's drive module, a plain function `drive(mind)`.
         own_genomes: whether each agent has its own weights.
         instances: how many instances there are of the groups that share variables.
+        body: what its bodies are made of, where the world is a plane and they move on it.
+        sensors: the sensors of each body, by name.
+        actuators: the actuators of each body, by name.
     """
 
     def __init__(
@@ -119,6 +125,9 @@ class Population:
         drive: Callable[..., None] | None = None,
         own_genomes: bool = False,
         instances: int = 0,
+        body: Disc | None = None,
+        sensors: Mapping[str, Sense | RangeFinder] | None = None,
+        actuators: Mapping[str, Act] | None = None,
     ) -> None:
         self.agent = agent
         self.size = size
@@ -130,6 +139,9 @@ class Population:
         self.drive = drive
         self.own_genomes = own_genomes
         self.instances = instances
+        self.body = body
+        self.sensors = dict(sensors or {})
+        self.actuators = dict(actuators or {})
         self.name = ""
 
     def __set_name__(self, owner: type, name: str) -> None:

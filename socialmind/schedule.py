@@ -78,10 +78,28 @@ def run_setup(model: Model, functions: dict[str, Rule]) -> None:
 
 def run_tick(model: Model, functions: dict[str, Rule]) -> None:
     """Run one tick of a model in interpreted Python."""
-    for phase in model.program.schedule:
-        _run(model, functions, phase)
+    if model.arena is None:
+        _run_schedule(model, functions)
+    else:
+        _run_plane(model, functions)
     _settle(model)
     model.context["_tick"] += 1
+
+
+def _run_schedule(model: Model, functions: dict[str, Rule]) -> None:
+    for phase in model.program.schedule:
+        _run(model, functions, phase)
+
+
+def _run_plane(model: Model, functions: dict[str, Rule]) -> None:
+    """Run a tick on a plane, on which nothing happens any more after an interruption."""
+    from socialmind.worlds.plane.interpreted import before_minds, think
+
+    if model.over is None:
+        before_minds(model, functions)
+    if model.over is None:
+        think(model)
+        _run_schedule(model, functions)
 
 
 def _run(model: Model, functions: dict[str, Rule], phase: Phase) -> None:

@@ -34,13 +34,22 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     if minded:
         from socialmind.mind.kernel import text as minds
 
-        parts += [minds.HEAD, *(minds.population_text(name) for name in minded)]
+        parts += [minds.HEAD, *(minds.population_text(name, shape.plane is not None) for name in minded)]
     for function in program.functions.values():
         parts.append(f"@_inner\n{lowered(function)}")
     for name, plans in program.plans.items():
         parts.append(plans_text(name, list(plans.values())))
     parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]
+    if program.plane is not None:
+        from socialmind.worlds.plane.text import plane_text
+
+        parts.append(plane_text(program.plane, _phase_calls(program)))
     parts.append(_loops_text(shape, program))
+    if program.plane is not None:
+        from socialmind.worlds.plane.lockstep_text import lockstep_text
+
+        setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
+        parts.append(lockstep_text(program.plane, setup))
     return "\n\n\n".join(parts) + "\n"
 
 
@@ -184,6 +193,10 @@ def _phase_text(shape: ModelShape, phase: Phase) -> str:
     return "\n".join(lines)
 
 
+def _phase_calls(program: Program) -> str:
+    return "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.schedule)
+
+
 def _loops_text(shape: ModelShape, program: Program) -> str:
     settle = "".join(
         f"    _settle(_counters_{name}(_model), _order_{name}(_model), _alive_{name}(_model), "
@@ -196,7 +209,9 @@ def _loops_text(shape: ModelShape, program: Program) -> str:
         for name in program.births
     )
     setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
-    tick = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.schedule)
+    tick = _phase_calls(program)
+    if program.plane is not None:
+        from socialmind.worlds.plane.text import TICK as tick
     return f'''@_inner
 def _end_tick(_model):
 {settle}    return

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from socialmind.fields import Field
+
+if TYPE_CHECKING:
+    from socialmind.worlds.plane.plane import PlaneShape
 
 
 @dataclass(frozen=True)
@@ -55,6 +58,7 @@ class ModelShape:
         patch: the fields of a patch, or None for a model without a world.
         setup: the phases that run once, before the first tick.
         schedule: the phases of a tick.
+        plane: what the model's bodies sense and do on a plane, or None.
     """
 
     name: str
@@ -64,3 +68,4 @@ class ModelShape:
     patch: Mapping[str, Field] | None
     setup: tuple[PhaseShape, ...]
     schedule: tuple[PhaseShape, ...]
+    plane: PlaneShape | None = None

@@ -11,23 +11,23 @@ def _record_NAME(_model):
 def _hierarchy_evaluate_NAME(_model, agent):
     mind = _record_NAME(_model)
     _state_NAME(mind).now[0] = _model._tick
-    if _call(mind.evaluate, _model._NAME_hierarchy, agent, agent + 1) != 0:
+    if _call(mind.evaluate, _model._NAME_hierarchy, FIRSTagent, FIRSTagent + 1) != 0:
         raise ValueError("a hierarchy could not be evaluated")
 
 
 @_inner
 def _hierarchy_restart_NAME(_model, agent):
-    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, agent, RESTARTED)
+    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, FIRSTagent, RESTARTED)
 
 
 @_inner
 def _begin_hierarchy_NAME(_model, agent):
-    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, agent, NEW_BORN)
+    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, FIRSTagent, NEW_BORN)
 
 
 @_inner
 def _copy_hierarchy_NAME(_model, parent, child):
-    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, child, parent)"""
+    _call(_record_NAME(_model).renew, _model._NAME_hierarchy, FIRSTchild, FIRSTparent)"""
 
 _METHOD = """@_inner
 def _hierarchy_METHOD_NAME(_model, agentARGUMENTS):
@@ -35,7 +35,8 @@ def _hierarchy_METHOD_NAME(_model, agentARGUMENTS):
     structure = _structure_NAME(mind)
     state = _state_NAME(mind)
     lanes = state.fresh.shape[1]
-    block, lane = agent // lanes, agent % lanes
+    number = FIRSTagent
+    block, lane = number // lanes, number % lanes
     BODY"""
 
 METHODS: dict[str, tuple[str, str]] = {
@@ -71,12 +72,13 @@ METHODS: dict[str, tuple[str, str]] = {
 """What rules and drives do with a hierarchy, but to evaluate it: arguments, and the body."""
 
 
-def methods_text(name: str, evaluating: bool) -> str:
+def methods_text(name: str, evaluating: bool, first: str = "") -> str:
     """Return the functions by which compiled rules reach the hierarchy of an agent.
 
     Args:
         name: the population's name.
         evaluating: whether rules may evaluate it; a drive may not.
+        first: what is added to an agent's place, as text, where several worlds share the arrays.
     """
     parts = [
         _METHOD.replace("METHOD", method)
@@ -84,4 +86,5 @@ def methods_text(name: str, evaluating: bool) -> str:
         .replace("BODY", body)
         for method, (arguments, body) in METHODS.items()
     ]
-    return "\n\n\n".join([*parts, _METHODS] if evaluating else parts).replace("NAME", name)
+    text = "\n\n\n".join([*parts, _METHODS] if evaluating else parts)
+    return text.replace("FIRST", first).replace("NAME", name)

@@ -269,9 +269,16 @@ def _regulation_branch(number: int, one: tuple[str, tuple[str, ...], bool]) -> s
     return "\n".join([*lines, ""])
 
 
-def population_text(name: str) -> str:
-    """Return how a model's compiled rules reach the hierarchies of a population."""
-    return "\n\n\n".join([record_text(name, 0), methods_text(name, evaluating=True)])
+def population_text(name: str, first: bool = False) -> str:
+    """Return how a model's compiled rules reach the hierarchies of a population.
+
+    Args:
+        name: the population.
+        first: whether the model's record says the number of its first agent among those that are
+            evaluated together with it.
+    """
+    text = methods_text(name, evaluating=True, first=f"_model._{name}_first + " if first else "")
+    return "\n\n\n".join([record_text(name, 0), text])
 
 
 def module_text(program: Program, programs: MindProgram) -> str:

@@ -1,0 +1,169 @@
+"""The stages of a tick on a plane in interpreted Python; the same functions as compiled."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from socialmind.streams import Stream
+from socialmind.worlds.plane.kernel.code import kernel
+from socialmind.worlds.plane.relative import bearing_of, bounded, counted, mounted
+from socialmind.worlds.plane.stages import PLACED, Call, Seek, Stage
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
+
+Functions = dict[str, Callable[..., Any]]
+
+
+def before_minds(model: Model, functions: Functions) -> None:
+    """Run a tick up to what the minds are told."""
+    arena, plan = model.arena, model.program.plane
+    if arena is None or plan is None:
+        return
+    arena.move()
+    for name in ("rewards", "interruptions"):
+        for stages in plan.stages.values():
+            _run(model, functions, stages[name])
+    if model.context["_over"]:
+        return
+    for name in ("actuators", "sensors"):
+        for stages in plan.stages.values():
+            _run(model, functions, stages[name])
+
+
+def think(model: Model) -> None:
+    """Evaluate the hierarchies of skills, and hand their commands to the actuators."""
+    arena = model.arena
+    if arena is None or model.context["_steered"]:
+        return
+    for name, senses in arena.senses.items():
+        table = model.tables[name]
+        minds: Any = table.minds
+        for slot in range(len(table.rows)):
+            if table.alive[slot]:
+                minds.state.sensors[slot, :, 0] = table.rows["readings"][slot][senses]
+        for slot in range(len(table.rows)):
+            minds.stepping.evaluate(slot)
+        motors = arena.motors[name]
+        known = motors >= 0
+        for slot in range(len(table.rows)):
+            if table.alive[slot]:
+                commands = minds.state.actuators[slot, motors[known], 0]
+                table.rows["commands"][slot, : len(motors)][known] = commands
+
+
+def _run(model: Model, functions: Functions, stage: Stage) -> None:
+    table = model.tables[stage.robots.name]
+    if stage.name == "sensors" and model.arena is not None:
+        eyes = model.arena.eyes_of(stage.robots.name)
+        if eyes:
+            kernel().look.ctypes(model.arena.arrays.address, eyes, 0)
+    for slot in range(len(table.rows)):
+        if table.alive[slot]:
+            _robot(model, functions, stage, table, slot)
+
+
+def _robot(model: Model, functions: Functions, stage: Stage, table: Any, slot: int) -> None:
+    robot = table.row_class(table, slot)
+    row = table.rows[slot]
+    cos, sin = math.cos(robot.angle), math.sin(robot.angle)
+    if stage.name == "rewards":
+        touches = robot.contact != 0
+        robot.collisions += int(touches and not robot.touching)
+        robot.touching = touches
+        robot.reward = 0.0
+        if robot.restarted:
+            for call in stage.calls:
+                if call.memory:
+                    row[call.memory] = 0.0
+    if stage.name == "actuators":
+        robot.push_x = robot.push_y = robot.torque = 0.0
+    seen = [_sought(model, stage, seek, robot, slot, cos, sin) for seek in stage.seeks]
+    for call in stage.calls:
+        _call(model, functions, stage, call, robot, slot, seen, (cos, sin))
+    if stage.name == "rewards":
+        robot.score += robot.reward
+        robot.restarted = False
+    if stage.name == "actuators":
+        row["before"] = row["commands"]
+
+
+def _sought(
+    model: Model, stage: Stage, seek: Seek, robot: Any, slot: int, cos: float, sin: float
+) -> tuple[Any, bool, float, float]:
+    """Return the nearest target, whether there is one, and how far it is away in x and y."""
+    settings: Any = model.program.plane.settings  # type: ignore[union-attr]  # it has a plane
+    ahead, aside, _, reach = settings[seek.settings : seek.settings + PLACED].tolist()
+    x = mounted(robot.x, cos, sin, ahead, aside)
+    y = mounted(robot.y, sin, -cos, ahead, aside)
+    table = model.tables[seek.of]
+    nearest, least = -1, reach * reach
+    for other in range(len(table.rows)):
+        if not table.alive[other] or (seek.same and other == slot):
+            continue
+        row = table.rows[other]
+        if seek.carried and row["carrier"] >= 0:
+            own = row["carrier"] == slot and row["carrier_kind"] == stage.robots.kind
+            if seek.free or not own:
+                continue
+        dx, dy = float(row["x"]) - x, float(row["y"]) - y
+        away = dx * dx + dy * dy
+        if away < least or (nearest < 0 and away <= least):
+            nearest, least = other, away
+    target = table.row_class(table, max(nearest, 0))
+    return target, nearest >= 0, float(target.x) - x, float(target.y) - y
+
+
+def _call(
+    model: Model,
+    functions: Functions,
+    stage: Stage,
+    call: Call,
+    robot: Any,
+    slot: int,
+    seen: list[tuple[Any, bool, float, float]],
+    turned: tuple[float, float],
+) -> None:
+    device = call.device
+    settings: Any = model.program.plane.settings  # type: ignore[union-attr]  # it has a plane
+    _, _, angle, reach, *numbers = settings[
+        call.settings : call.settings + PLACED + len(device.settings)
+    ].tolist()
+    values: dict[str, Any] = dict(zip(device.settings, numbers, strict=True))
+    values |= {"robot": robot, "model": model, "kind": stage.robots.kind, "slot": slot}
+    values |= {"restarted": robot.restarted}
+    sensors = list(stage.robots.sensors)
+    if device.of is not None:
+        values["members"] = model.tables[device.of]
+        values["own"] = device.of == stage.robots.name
+    if call.seek is not None:
+        target, found, dx, dy = seen[call.seek]
+        values |= {"target": target, "found": found}
+        values["distance"] = math.sqrt(dx * dx + dy * dy)
+        values["bearing"] = bearing_of(dx, dy, *turned, angle) if found else 0.0
+        if not found:
+            values["distance"] = reach if math.isfinite(reach) else 0.0
+        if stage.seeks[call.seek].carried:
+            values["held"] = found and target.carrier >= 0
+    if device.sensor is not None:
+        values["reading"] = robot.readings[sensors.index(device.sensor)]
+    if device.sensors:
+        first = sensors.index(device.sensors[0])
+        values["readings"] = [robot.readings[first + one] for one in range(len(device.sensors))]
+    if call.memory:
+        values["memory"] = getattr(robot, call.memory)
+    if stage.name == "actuators":
+        values["command"] = robot.commands[call.number]
+        values["before"] = robot.before[call.number]
+    if "rng" in device.takes:
+        values["rng"] = Stream(model.seed)
+        values["rng"].begin(call.tag, robot.id, model.tick)
+    result = functions[call.symbol](*(values[one] for one in device.takes))
+    if stage.name == "sensors":
+        robot.readings[call.number] = bounded(result)
+    elif stage.name == "rewards":
+        robot.reward += counted(result)
+    elif stage.name == "interruptions" and result and not model.context["_over"]:
+        model.context["_over"] = call.number + 1

@@ -1,0 +1,204 @@
+"""Many worlds of one model, run in lockstep by compiled code, as text.
+
+Each lane runs one episode after another: it begins from the world before its setup, under the
+episode's seed, and ends at an interruption or the limit of ticks. Between the sensors and the
+schedule the minds of all lanes are evaluated together.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from socialmind.language.layout import dtype_text
+from socialmind.worlds.plane.stages import PlaneProgram
+
+LOCKSTEP = np.dtype(
+    [
+        (name, "i8")
+        for name in (
+            "lanes", "contexts", "jobs", "next", "job", "individual", "seed_0", "seed_1", "limit",
+            "copies", "copy_begin", "score", "ticks", "ended", "genomes", "genome_size", "weights",
+            "learner", "out", "failed",
+        )
+    ]
+)  # fmt: skip
+"""What compiled code knows of a batch of episodes. Addresses of int64: `contexts` (lanes) of the
+models' records, `job` (lanes) the episode that each lane runs or -1, `individual`, `seed_0` and
+`seed_1` (jobs), `copies` (…, 3) from, to and how many bytes, `copy_begin` (lanes + 1), `ticks` and
+`ended` (jobs), `weights` (genome_size) places in the genome of a mind, `out` (tables, 2) where the
+rows of each population of robots go and the bytes of an episode's. Of float64: `score` (jobs),
+`genomes` (individuals, genome_size). `next` is the next job to begin, `learner` the number of the
+population that learns, `failed` the job that failed or -1."""
+
+_TEXT = """LOCKSTEP = DTYPE
+
+
+@_inner
+def _words(address, count):
+    return carray(_as_pointer(address), (count,), np.int64)
+
+
+@_inner
+def _numbers(address, count):
+    return carray(_as_pointer(address), (count,), np.float64)
+
+
+@_inner
+def _copy_bytes(source, target, count):
+    read = carray(_as_pointer(source), (count,), np.uint8)
+    write = carray(_as_pointer(target), (count,), np.uint8)
+    for place in range(count):
+        write[place] = read[place]
+
+
+@_inner
+def _world(work, lane):
+    return carray(_as_pointer(_words(work.contexts, work.lanes)[lane]), (1,), MODEL)[0]
+
+
+@_inner
+def _begin_episode(work, lane, job):
+    begin = _words(work.copy_begin, work.lanes + 1)
+    copies = carray(_as_pointer(work.copies), (begin[work.lanes], 3), np.int64)
+    for one in range(begin[lane], begin[lane + 1]):
+        _copy_bytes(copies[one, 0], copies[one, 1], copies[one, 2])
+    _model = _world(work, lane)
+    rng = _stream(_model)
+    rng.key_0 = _words(work.seed_0, work.jobs)[job]
+    rng.key_1 = _words(work.seed_1, work.jobs)[job]
+    individual = _words(work.individual, work.jobs)[job]
+RENEW
+SETUP
+    _end_tick(_model)
+    if _call(_model._build, _model._plane, 0, 0) != 0:
+        raise ValueError("no room for the obstacles")
+
+
+@_inner
+def _learn_weights(work, state, first, count, individual):
+    size = work.genome_size
+    genome = _numbers(work.genomes + 8 * size * individual, size)
+    weights = _words(work.weights, size)
+    lanes = state.fresh.shape[1]
+    for number in range(first, first + count):
+        for place in range(size):
+            state.genome[number // lanes, weights[place], number % lanes] = genome[place]
+
+
+@_inner
+def _end_episode(work, lane, job):
+    _model = _world(work, lane)
+    total = 0.0
+    robots = 0
+    out = carray(_as_pointer(work.out), (TABLES, 2), np.int64)
+SCORES
+    _numbers(work.score, work.jobs)[job] = total / max(robots, 1)
+    _words(work.ticks, work.jobs)[job] = _model._tick
+    _words(work.ended, work.jobs)[job] = _model._over
+
+
+@_inner
+def _run_lanes(work, rounds):
+    lane_job = _words(work.job, work.lanes)
+    for _ in range(rounds):
+        running = False
+        for lane in range(work.lanes):
+            if lane_job[lane] < 0 and work.next < work.jobs:
+                work.failed = work.next
+                lane_job[lane] = work.next
+                work.next += 1
+                _begin_episode(work, lane, lane_job[lane])
+            if lane_job[lane] >= 0:
+                running = True
+                work.failed = lane_job[lane]
+                _model = _world(work, lane)
+                _before_minds(_model, _stream(_model))
+        if not running:
+            work.failed = -1
+            return 0
+        work.failed = -1
+        _think_together(work)
+        for lane in range(work.lanes):
+            job = lane_job[lane]
+            if job >= 0:
+                work.failed = job
+                _model = _world(work, lane)
+                if _model._over == 0:
+                    _after_minds(_model, _stream(_model))
+                _end_tick(_model)
+                _model._tick += 1
+                if _model._over != 0 or _model._tick >= work.limit:
+                    _end_episode(work, lane, job)
+                    lane_job[lane] = -1
+    work.failed = -1
+    return 1
+
+
+@_inner
+def _think_together(work):
+    _model = _world(work, 0)
+THINK
+    return
+
+
+@_cfunc("int64(int64, int64, int64)", cache=True)
+def run_lanes(address, rounds, nothing):
+    \"\"\"Run all lanes for so many ticks; return 1 while there is more to do, 0, or -1: it failed.\"\"\"
+    # One call alone: numba for Python 3.12 loses errors out of loops inside a `try`.
+    try:
+        result = _run_lanes(carray(_as_pointer(address), (1,), LOCKSTEP)[0], rounds)
+    except Exception:
+        return -1
+    return result"""
+
+_RENEW = """    mind = _record_NAME(_model)
+    for slot in range(len(_rows_NAME(_model))):
+        _call(mind.renew, _model._NAME_hierarchy, _model._NAME_first + slot, RESTARTED)
+    if work.learner == NUMBER and work.genome_size > 0:
+        _learn_weights(
+            work, _state_NAME(mind), _model._NAME_first, len(_rows_NAME(_model)), individual
+        )"""
+
+_SCORE = """    rows = _rows_NAME(_model)
+    alive = _alive_NAME(_model)
+    for slot in range(len(rows)):
+        if alive[slot]:
+            total += rows[slot].score
+            robots += 1
+    _copy_bytes(_model._NAME_rows, out[NUMBER, 0] + job * out[NUMBER, 1], out[NUMBER, 1])"""
+
+_THINK = """    mind = _record_NAME(_model)
+    state = _state_NAME(mind)
+    state.now[0] += 1
+    if _call(mind.evaluate, _model._NAME_hierarchy, 0, len(state.fresh)) != 0:
+        raise ValueError("a hierarchy could not be evaluated")"""
+
+
+def lockstep_text(plane: PlaneProgram, setup: str) -> str:
+    """Return the functions that run many worlds.
+
+    Args:
+        plane: the typed devices.
+        setup: the calls of the phases of the setup, indented.
+    """
+    robots = list(plane.shape.robots)
+    minded = [name for name in robots if plane.shape.robots[name].hierarchy]
+
+    def each(text: str, names: list[str]) -> str:
+        parts = [
+            text.replace("NAME", name).replace("NUMBER", str(robots.index(name))) for name in names
+        ]
+        return "\n".join(parts) or "    pass"
+
+    fills = {
+        "DTYPE": dtype_text(LOCKSTEP),
+        "RENEW": each(_RENEW, minded),
+        "SETUP": setup or "    pass",
+        "TABLES": str(len(robots)),
+        "SCORES": each(_SCORE, robots),
+        "THINK": each(_THINK, minded),
+    }
+    text = _TEXT
+    for mark, fill in fills.items():
+        text = text.replace(mark, fill)
+    return text

@@ -1,0 +1,141 @@
+"""The stages of a tick on a plane, planned once for both speeds.
+
+A tick: motion, rewards, interruptions, actuators, sensors, minds, schedule. For each stage and
+population of robots a `Stage` says which functions are called with what; `text` writes it for the
+compiled module, `interpreted` walks through it in Python.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.streams import phase_tags
+from socialmind.worlds.plane.devices import Device, typed
+from socialmind.worlds.plane.plane import PlaneShape, RobotShape, memory_field
+
+if TYPE_CHECKING:
+    from socialmind.language.program import Program
+
+STAGES = ("rewards", "interruptions", "actuators", "sensors")
+DEVICE_TAG = 0x0000
+"""First tag of the streams that devices draw from."""
+PLACED = 4
+"""Numbers that every device has before its settings: its place, its angle and its reach."""
+
+
+@dataclass(frozen=True)
+class Call:
+    """The call of a device's function.
+
+    Attributes:
+        name: the device's.
+        number: its place among the sensors, actuators or interruptions.
+        device: what it is.
+        symbol: the typed function.
+        seek: the number of the stage's look-up of its target, or None.
+        settings: where its numbers begin in the settings: place (2), angle, reach, then the others.
+        memory: the field of what it remembers, or None.
+        tag: of the stream that it draws from.
+    """
+
+    name: str
+    number: int
+    device: Device
+    symbol: str
+    seek: int | None
+    settings: int
+    memory: str | None
+    tag: int
+
+
+@dataclass(frozen=True)
+class Seek:
+    """A look-up of the nearest target, shared by the devices that look from one place.
+
+    Attributes:
+        of: the population.
+        free: whether those that are carried are left out.
+        settings: where the place begins in the settings.
+        same: whether the population is the robot's own.
+        carried: whether its members can be carried.
+    """
+
+    of: str
+    free: bool
+    settings: int
+    same: bool
+    carried: bool
+
+
+@dataclass(frozen=True)
+class Stage:
+    """What the robots of a population go through in a stage."""
+
+    robots: RobotShape
+    name: str
+    seeks: tuple[Seek, ...]
+    calls: tuple[Call, ...]
+
+
+@dataclass(frozen=True)
+class PlaneProgram:
+    """The typed devices of a plane.
+
+    Attributes:
+        shape: the plane.
+        stages: by the robots' population, then the stage's name.
+        settings: the numbers of all devices.
+    """
+
+    shape: PlaneShape
+    stages: Mapping[str, Mapping[str, Stage]]
+    settings: NDArray[np.float64]
+
+
+def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
+    """Type the devices of a plane as parts of a program.
+
+    Raises:
+        ModelError: a function outside the language, or that returns other than it should.
+    """
+    settings: list[float] = []
+    tags: list[tuple[str, str, str]] = [
+        (robots, stage, name)
+        for robots, one in shape.robots.items()
+        for stage in STAGES
+        for name in getattr(one, stage)
+    ]
+    tag_of = dict(zip(tags, phase_tags(DEVICE_TAG, ["/".join(t) for t in tags]), strict=True))
+    stages: dict[str, dict[str, Stage]] = {}
+    for robots, one in shape.robots.items():
+        stages[robots] = {}
+        for stage in STAGES:
+            seeks: dict[Any, Seek] = {}
+            calls = []
+            for number, (name, device) in enumerate(getattr(one, stage).items()):
+                if not isinstance(device, Device):
+                    continue  # a range finder
+                first = len(settings)
+                settings += [*device.at, device.angle, device.reach]
+                settings += [float(value) for value in device.settings.values()]
+                place = None
+                if device.of is not None and device.seeks:
+                    key = (device.of, device.free, device.at, device.reach)
+                    if key not in seeks:
+                        carried = device.of in shape.bodies
+                        same = device.of == robots
+                        seeks[key] = Seek(device.of, device.free, first, same, carried)
+                    place = list(seeks).index(key)
+                symbol = typed(program, device, robots, list(one.sensors))
+                if stage == "interruptions":
+                    number = shape.interruptions.index(name)
+                memory = memory_field(stage, name) if device.memory else None
+                tag = tag_of[robots, stage, name]
+                calls.append(Call(name, number, device, symbol, place, first, memory, tag))
+            stages[robots][stage] = Stage(one, stage, tuple(seeks.values()), tuple(calls))
+    return PlaneProgram(shape, stages, np.array([*settings, 0.0]))
