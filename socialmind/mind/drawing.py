@@ -8,19 +8,26 @@ the skill itself gives, its edge what was transmitted. All values are written as
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse, FancyBboxPatch, PathPatch
 from matplotlib.path import Path
+from matplotlib.text import Text
 
-from socialmind.mind.drawing_plan import MARGIN, Curve, Plan, Point, planned, text_width
+from socialmind.mind.drawing_plan import (
+    MARGIN,
+    Curve,
+    Evaluated,
+    Plan,
+    Point,
+    planned,
+    text_width,
+    values_of,
+)
 from socialmind.mind.layering import Box
-
-if TYPE_CHECKING:
-    from socialmind.mind.hierarchy import Hierarchy
 
 INFLUENCE = LinearSegmentedColormap.from_list("influence", ["#000000", "#10b830"])
 """From black for 0 to green for 1, lighter with every step."""
@@ -38,7 +45,7 @@ PAGE = 510.0
 """Width of a page in points."""
 
 
-def draw_hierarchy(hierarchy: Hierarchy, ax: Axes | None = None, key: bool = True) -> Axes:
+def draw_hierarchy(hierarchy: Evaluated, ax: Axes | None = None, key: bool = True) -> Axes:
     """Draw a hierarchy with the state of its last evaluation.
 
     Before the first evaluation there are no values: the structure is drawn alone. Sensors,
@@ -60,36 +67,125 @@ def draw_hierarchy(hierarchy: Hierarchy, ax: Axes | None = None, key: bool = Tru
     >>> [text.get_text() for text in ax.texts]
     ['Still', 'Mot']
     """
-    known = hierarchy.tick > 0
-    plan = planned(hierarchy, key and known)
-    if ax is None:
-        size = max(min(COMFORTABLE, PAGE / plan.width), SMALLEST)
-        figure = Figure(figsize=(plan.width * size / 72, plan.height * size / 72))
-        ax = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    size = _fitted(ax, plan)
-    for (module, _), curve in plan.readings.items():
-        look: dict[str, Any] = {"alpha": 0.45}
-        if module.startswith("VA:"):
-            look = {"alpha": 0.9, "linestyle": (0, (4, 2))}
-        _line(ax, _path(curve), EDGE[module[:2]], 0.07 * size, 1.0, **look)
-    transmitted = {_link(link): value for link, value in hierarchy.links().items()}
-    given = {_link(link): value for link, value in hierarchy.outputs().items()}
-    for link, curve in plan.routes.items():
-        width = (0.46 if link[1].startswith("SK:") else 0.22) * size
-        sent = min(transmitted[link], 1.0)
-        # Where links cross, the stronger one lies above.
-        depth = (3.0 if link[1].startswith("SK:") else 2.0) + 0.5 * sent
-        path = _path(curve)
-        _line(ax, path, INFLUENCE(sent) if known else UNKNOWN, width, depth)
-        if known:
-            _line(ax, path, INFLUENCE(given[link]), 0.4 * width, depth + 0.01)
-    for name, box in plan.boxes.items():
-        _node(ax, name, box, plan.lines[name], size)
-    if known:
-        _write_influences(ax, plan, transmitted, size)
-    if plan.key:
-        _draw_key(ax, plan, size)
-    return ax
+    return HierarchyPicture(hierarchy, ax, key).ax
+
+
+class HierarchyPicture:
+    """A drawing of a hierarchy that follows its state, evaluation by evaluation.
+
+    Args:
+        hierarchy: what to draw, and in which state at first.
+        ax: Axes to draw in, as for `draw_hierarchy`.
+        key: whether the colours are explained at the bottom.
+        known: whether values are shown; those of an evaluated hierarchy unless said.
+
+    Attributes:
+        ax: the Axes.
+    """
+
+    def __init__(
+        self,
+        hierarchy: Evaluated,
+        ax: Axes | None = None,
+        key: bool = True,
+        known: bool | None = None,
+    ) -> None:
+        self._known = hierarchy.tick > 0 if known is None else known
+        plan = planned(hierarchy, key and self._known, self._known)
+        if ax is None:
+            size = max(min(COMFORTABLE, PAGE / plan.width), SMALLEST)
+            figure = Figure(figsize=(plan.width * size / 72, plan.height * size / 72))
+            ax = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        self.ax = ax
+        self._size = size = _fitted(ax, plan)
+        for (module, _), curve in plan.readings.items():
+            look: dict[str, Any] = {"alpha": 0.45}
+            if module.startswith("VA:"):
+                look = {"alpha": 0.9, "linestyle": (0, (4, 2))}
+            _line(ax, _path(curve), EDGE[module[:2]], 0.07 * size, 1.0, **look)
+        self._links: dict[tuple[str, str], tuple[PathPatch, PathPatch]] = {}
+        for link, curve in plan.routes.items():
+            width = (0.46 if link[1].startswith("SK:") else 0.22) * size
+            edge = _line(ax, _path(curve), UNKNOWN, width, 2.0)
+            self._links[link] = edge, _line(ax, _path(curve), UNKNOWN, 0.4 * width, 2.01)
+            self._links[link][1].set_visible(self._known)
+        values = values_of(hierarchy)
+        self._names: dict[str, tuple[Text, str]] = {}
+        for name, box in plan.boxes.items():
+            text = _node(ax, name, box, plan.lines[name], size)
+            self._names[name] = text, text.get_text().removesuffix(values[name])
+        self._labels: dict[tuple[str, str], Text] = {}
+        self._taken = [(box.x, box.y, box.width / 2, box.height / 2) for box in plan.boxes.values()]
+        self._places = {
+            link: list(_between_layers(curve))
+            for link, curve in plan.routes.items()
+            if link[1].startswith("SK:")
+        }
+        if plan.key:
+            _draw_key(ax, plan, size)
+        if self._known:
+            self.show(hierarchy)
+
+    def show(self, hierarchy: Evaluated) -> None:
+        """Show the state of the last evaluation.
+
+        Args:
+            hierarchy: the same structure as at first.
+        """
+        transmitted = {_link(link): value for link, value in hierarchy.links().items()}
+        given = {_link(link): value for link, value in hierarchy.outputs().items()}
+        for link, (edge, centre) in self._links.items():
+            sent = min(transmitted[link], 1.0)
+            # Where links cross, the stronger one lies above.
+            depth = (3.0 if link[1].startswith("SK:") else 2.0) + 0.5 * sent
+            edge.set(edgecolor=INFLUENCE(sent), zorder=depth)
+            centre.set(edgecolor=INFLUENCE(given[link]), zorder=depth + 0.01)
+        for name, value in values_of(hierarchy).items():
+            if name in self._names:
+                text, beginning = self._names[name]
+                text.set_text(beginning + value)
+        self._write_influences(transmitted)
+
+    def _write_influences(self, transmitted: Mapping[tuple[str, str], float]) -> None:
+        """Write on links of influence what they transmit, where there is room; not the zeros.
+
+        A place that covers no other link comes first. Once found it is the link's for good.
+        """
+        for link, own in self._places.items():
+            text = f"{transmitted[link]:.2f}"
+            if link in self._labels:
+                self._labels[link].set(text=text, visible=text != "0.00")
+                continue
+            if text == "0.00":
+                continue
+            half = 0.8 * text_width(text) / 2 + 0.1, 0.45
+            free = [
+                (x, y)
+                for x, y in own
+                if not any(
+                    abs(x - other_x) < half[0] + width and abs(y - other_y) < half[1] + height
+                    for other_x, other_y, width, height in self._taken
+                )
+            ]
+            covered = {
+                (x, y): sum(
+                    any(
+                        abs(x - at) < half[0] + 0.2 and abs(y - height) < half[1]
+                        for at, height in some
+                    )
+                    for other, some in self._places.items()
+                    if other != link
+                )
+                for x, y in free
+            }
+            if free:
+                x, y = min(free, key=covered.__getitem__)
+                self._taken.append((x, y, *half))
+                self._labels[link] = self.ax.text(
+                    x, y, text, size=0.8 * self._size, color=INK, ha="center", va="center",
+                    zorder=4,
+                    bbox={"boxstyle": "square,pad=0.08", "facecolor": "white", "edgecolor": "none"},
+                )  # fmt: skip
 
 
 def _link(link: tuple[str, str]) -> tuple[str, str]:
@@ -114,17 +210,20 @@ def _fitted(ax: Axes, plan: Plan) -> float:
     return size
 
 
-def _line(ax: Axes, path: Path, colour: Any, width: float, depth: float, **properties: Any) -> None:
+def _line(
+    ax: Axes, path: Path, colour: Any, width: float, depth: float, **properties: Any
+) -> PathPatch:
     patch = PathPatch(path, facecolor="none", edgecolor=colour, linewidth=width, zorder=depth)
     patch.set(capstyle="butt", **properties)
     ax.add_patch(patch)
+    return patch
 
 
 def _path(curve: Curve) -> Path:
     return Path(curve, [Path.MOVETO, *[Path.CURVE4] * (len(curve) - 1)])
 
 
-def _node(ax: Axes, name: str, box: Box, lines: Sequence[str], size: float) -> None:
+def _node(ax: Axes, name: str, box: Box, lines: Sequence[str], size: float) -> Text:
     code = name[:2]
     patch: Ellipse | FancyBboxPatch
     if code == "SK":
@@ -134,55 +233,10 @@ def _node(ax: Axes, name: str, box: Box, lines: Sequence[str], size: float) -> N
         patch = Ellipse((box.x, box.y), box.width, box.height)
     patch.set(facecolor=FILL[code], edgecolor=EDGE[code], linewidth=0.09 * size, zorder=5)
     ax.add_patch(patch)
-    ax.text(
+    return ax.text(
         box.x, box.y, "\n".join(lines), size=size, color=INK, ha="center", va="center",
         linespacing=1.05, parse_math=False, zorder=6,
     )  # fmt: skip
-
-
-def _write_influences(
-    ax: Axes, plan: Plan, transmitted: Mapping[tuple[str, str], float], size: float
-) -> None:
-    """Write on links of influence what they transmit, where there is room; not the zeros.
-
-    A place that covers no other link comes first.
-    """
-    taken = [(box.x, box.y, box.width / 2, box.height / 2) for box in plan.boxes.values()]
-    places = {
-        link: list(_between_layers(curve))
-        for link, curve in plan.routes.items()
-        if link[1].startswith("SK:")
-    }
-    for link, own in places.items():
-        text = f"{transmitted[link]:.2f}"
-        if text == "0.00":
-            continue
-        half = 0.8 * text_width(text) / 2 + 0.1, 0.45
-        free = [
-            (x, y)
-            for x, y in own
-            if not any(
-                abs(x - other_x) < half[0] + width and abs(y - other_y) < half[1] + height
-                for other_x, other_y, width, height in taken
-            )
-        ]
-        covered = {
-            (x, y): sum(
-                any(
-                    abs(x - at) < half[0] + 0.2 and abs(y - height) < half[1] for at, height in some
-                )
-                for other, some in places.items()
-                if other != link
-            )
-            for x, y in free
-        }
-        if free:
-            x, y = min(free, key=covered.__getitem__)
-            taken.append((x, y, *half))
-            ax.text(
-                x, y, text, size=0.8 * size, color=INK, ha="center", va="center", zorder=4,
-                bbox={"boxstyle": "square,pad=0.08", "facecolor": "white", "edgecolor": "none"},
-            )  # fmt: skip
 
 
 def _between_layers(curve: Curve) -> Iterator[Point]:

@@ -12,14 +12,14 @@ import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from matplotlib.textpath import TextPath
 
 from socialmind.mind.layering import SPACE, Box, Layering, Link, layered, layers_of
 
 if TYPE_CHECKING:
-    from socialmind.mind.hierarchy import Hierarchy
+    from socialmind.mind.description import MindDescription
 
 Point = tuple[float, float]
 Curve = tuple[Point, ...]
@@ -30,6 +30,38 @@ KEY = "influence: the centre of a link is what the skill gives, its edge what is
 _WIDEST = 46.0  # of a layer in one row
 _TALLEST = 38.0  # of a column of sensors, where the skills are not taller
 _COLUMN_GAP = 4.5
+
+
+class Evaluated(Protocol):
+    """What can be drawn: a `Hierarchy`, or an agent's in a model; methods as of `Hierarchy`."""
+
+    @property
+    def skills(self) -> tuple[str, ...]:
+        """The names of the evaluated skills, from the master down."""
+
+    @property
+    def tick(self) -> int:
+        """How many evaluations there were."""
+
+    description: MindDescription
+
+    def influences(self) -> dict[str, float]:
+        """Return the influence that each skill received."""
+
+    def links(self) -> dict[tuple[str, str], float]:
+        """Return what each output transmitted."""
+
+    def outputs(self) -> dict[tuple[str, str], float]:
+        """Return what each output's function gave."""
+
+    def sensors(self) -> dict[str, float]:
+        """Return the sensors' values."""
+
+    def variables(self) -> dict[str, float]:
+        """Return the variables' values."""
+
+    def actuators(self) -> dict[str, float]:
+        """Return the actuators' commands."""
 
 
 @dataclass(frozen=True)
@@ -55,13 +87,15 @@ class Plan:
     height: float
 
 
-def planned(hierarchy: Hierarchy, key: bool) -> Plan:
+def planned(hierarchy: Evaluated, key: bool, known: bool | None = None) -> Plan:
     """Return the plan of a hierarchy's drawing.
 
     Args:
-        hierarchy: what to draw; without values before its first evaluation.
+        hierarchy: what to draw.
         key: whether the colours are explained.
+        known: whether values are shown; those of an evaluated hierarchy unless said.
     """
+    known = hierarchy.tick > 0 if known is None else known
     skills = [hierarchy.description.skills[name] for name in hierarchy.skills]
     links = [(f"SK:{skill.name}", str(one)) for skill in skills for one in skill.outputs]
     readings = dict.fromkeys(
@@ -71,7 +105,7 @@ def planned(hierarchy: Hierarchy, key: bool) -> Plan:
     )
     commanded = {target for _, target in links}
     read = {module for module, _ in readings}
-    values = _values(hierarchy)
+    values = values_of(hierarchy) if known else dict.fromkeys(values_of(hierarchy), "")
     inner = [name for name in values if name.startswith("SK:") or name in commanded]
     beside = [name for name in values if name in read and name not in commanded]
     lines = {name: _lines(name, values[name], name in beside) for name in (*inner, *beside)}
@@ -120,17 +154,16 @@ def _framed(
 # Nodes -------------------------------------------------------------------------------------------
 
 
-def _values(hierarchy: Hierarchy) -> dict[str, str]:
-    """Return all nodes with their values as texts, empty before the first evaluation."""
+def values_of(hierarchy: Evaluated) -> dict[str, str]:
+    """Return all nodes with their values as texts."""
     tables = {
         "SK": hierarchy.influences(),
         "MO": hierarchy.actuators(),
         "SE": hierarchy.sensors(),
         "VA": hierarchy.variables(),
     }
-    known = hierarchy.tick > 0
     return {
-        f"{code}:{name}": f"{value:.2f}" if known else ""
+        f"{code}:{name}": f"{value:.2f}"
         for code, table in tables.items()
         for name, value in table.items()
     }
