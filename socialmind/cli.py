@@ -1,4 +1,4 @@
-"""The command line: `socialmind list, run, plot, replay, check, explain, reproduce, new`.
+"""The command line: `socialmind list, run, plot, render, replay, check, explain, reproduce, new`.
 
 This file says what the commands take; `socialmind.commands` does the work and is imported by the
 command that needs it, so that a run starts fast. What the user can put right goes to stderr in
@@ -157,6 +157,65 @@ def plot(folder: Folder) -> None:
 
     for path in draw(folder):
         typer.echo(path)
+
+
+@command
+def render(
+    folder: Folder,
+    out: Annotated[
+        Path,
+        typer.Option(
+            metavar="FILE", help="Film (.mp4, .gif) or picture (.svg, .pdf, .png) to write."
+        ),
+    ],
+    tick: Annotated[
+        list[int] | None,
+        typer.Option(help="Moment of a picture (the last); may be repeated, for rows.", min=0),
+    ] = None,
+    begin: Annotated[
+        int | None, typer.Option("--from", help="First tick of a film (0).", min=0)
+    ] = None,
+    end: Annotated[
+        int | None, typer.Option("--to", help="Last tick of a film (the run's).", min=0)
+    ] = None,
+    every: Annotated[
+        int | None,
+        typer.Option(help="Ticks between two frames (for 900 frames, 300 of a GIF).", min=1),
+    ] = None,
+    fps: Annotated[float | None, typer.Option(help="Frames a second (30, 20 for a GIF).")] = None,
+    mind: Annotated[
+        bool, typer.Option("--mind", help="Draw the robot's hierarchy of skills beside it.")
+    ] = False,
+    agent: Annotated[
+        str | None,
+        typer.Option(metavar="[POPULATION=]ID", help="Robot for --mind and --around (the first)."),
+    ] = None,
+    around: Annotated[
+        float | None,
+        typer.Option(metavar="DISTANCE", help="Show only what is so near to the robot."),
+    ] = None,
+    trail: Annotated[
+        int | None, typer.Option(metavar="TICKS", help="Length of the path drawn (all).", min=0)
+    ] = None,
+    look: Annotated[
+        str | None,
+        typer.Option(
+            metavar="thesis|paper", help="Dark, or on white (films dark, pictures white)."
+        ),
+    ] = None,
+    width: Annotated[
+        int | None, typer.Option(help="Width in pixels; of SVG and PDF in millimetres.")
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Draw a run on a plane: robots, what they see, where they go; on request their minds."""
+    from socialmind.commands import rendering
+
+    path = rendering.render(
+        folder, out, tick or [], begin, end, every, fps, look, mind, agent, around, trail, width,
+        quiet,
+    )  # fmt: skip
+    typer.echo(path)
 
 
 @command

@@ -1,0 +1,139 @@
+"""The page on which moments of a run are drawn: the plane, and a robot's hierarchy beside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+from socialmind.experiments.film import Frame
+from socialmind.experiments.paper import COLUMN, PAGE
+from socialmind.experiments.repeating import Name, Repeated
+from socialmind.mind.drawing import HierarchyPicture
+from socialmind.mind.drawing_plan import planned
+from socialmind.worlds.plane.look import LOOKS
+from socialmind.worlds.plane.picture import FOOT, Picture
+
+PIXELS = {".mp4": 720, ".gif": 480}
+"""Width of a film, by default; with a hierarchy beside it twice that."""
+DOTS = {".mp4": 144, ".gif": 120, ".png": 300}
+"""Dots an inch, which say how large type and lines are for the width in pixels."""
+MOTION = tuple(PIXELS)
+GAP = 5.0
+"""Points between panels, and around them."""
+SLENDEREST, WIDEST = 0.6, 1.7
+"""Width of a hierarchy's panel over that of the plane's."""
+
+
+@dataclass(frozen=True)
+class Style:
+    """How a run is drawn.
+
+    Attributes:
+        look: "thesis", on black, or "paper", on white; by default films have the first, pictures
+            the other.
+        mind: whether the hierarchy of a robot stands beside the plane.
+        robot: whose that is, and whom `around` is about; the first robot by default.
+        around: half the side of the part shown around the robot; the whole plane by default.
+        trail: how many ticks of the path are drawn; all by default.
+        width: of the page: pixels, but millimetres for SVG and PDF.
+    """
+
+    look: str | None = None
+    mind: bool = False
+    robot: Name | None = None
+    around: float | None = None
+    trail: int | None = None
+    width: int | None = None
+
+
+class Page:
+    """A page with a row for each moment.
+
+    Args:
+        repeated: the run, at the first moment.
+        style: how it is drawn.
+        suffix: how the file ends, such as ".pdf".
+        rows: how many moments.
+    """
+
+    def __init__(self, repeated: Repeated, style: Style, suffix: str, rows: int = 1) -> None:
+        self._repeated = repeated
+        self._style = style
+        self._rows = rows
+        self._look = LOOKS[style.look or ("thesis" if suffix in MOTION else "paper")]
+        self._dots = DOTS.get(suffix, 72)
+        width = self._points(suffix)
+        self._ratio = 0.0
+        if repeated.mind is not None:
+            plan = planned(repeated.mind, key=rows == 1, known=True)
+            self._ratio = min(max(plan.width / plan.height, SLENDEREST), WIDEST)
+        gaps = (3 if self._ratio else 2) * GAP
+        # The hierarchy's panel is as high as the plane's with the line below it.
+        self._side = (width - gaps - self._ratio * FOOT) / (1.0 + self._ratio)
+        height = rows * (self._side + FOOT + GAP) + GAP
+        if suffix in MOTION:
+            # Films have even numbers of pixels.
+            width, height = (2 * round(one * self._dots / 144) * 72 / self._dots
+                             for one in (width, height))  # fmt: skip
+        self._size = width, height
+        self.figure = Figure(
+            figsize=(width / 72, height / 72), dpi=self._dots, facecolor=self._look.page
+        )
+        self._canvas = FigureCanvasAgg(self.figure)
+        self._pictures: list[tuple[Picture, HierarchyPicture | None]] = []
+
+    def _points(self, suffix: str) -> float:
+        """Return the width of the page in points."""
+        width, several = self._style.width, 2 if self._repeated.mind is not None else 1
+        if suffix in MOTION:
+            return (width or several * PIXELS[suffix]) * 72 / DOTS[suffix]
+        if suffix in DOTS and width is not None:
+            return width * 72 / DOTS[suffix]
+        return (width or (PAGE if several > 1 else COLUMN)) / 25.4 * 72
+
+    def draw(self) -> None:
+        """Draw the moment that the run is at in the next row."""
+        row, repeated, style = len(self._pictures), self._repeated, self._style
+        top = self._size[1] - GAP - row * (self._side + FOOT + GAP)
+        left = GAP
+        beside = None
+        if repeated.mind is not None:
+            wide, high = self._ratio * (self._side + FOOT), self._side + FOOT
+            ground = Rectangle((0, 0), 1, 1, facecolor="white", edgecolor="none", zorder=-1)
+            panel = self._panel(left, top - high, wide, high)
+            ground.set(transform=panel.transAxes, figure=self.figure)
+            self.figure.patches.append(ground)
+            beside = HierarchyPicture(repeated.mind, panel, key=self._rows == 1, known=True)
+            left += wide + GAP
+        panel = self._panel(left, top - self._side, self._side, self._side)
+        picture = Picture(panel, repeated.scene, self._look, style.around, repeated.robot)
+        picture.show(repeated.scene, repeated.paths(style.trail))
+        self._pictures.append((picture, beside))
+
+    def redraw(self) -> Frame:
+        """Show the moment that the run is at in the first row, and return the page's pixels."""
+        picture, beside = self._pictures[0]
+        picture.show(self._repeated.scene, self._repeated.paths(self._style.trail))
+        if beside is not None and self._repeated.mind is not None:
+            beside.show(self._repeated.mind)
+        self._canvas.draw()
+        return np.asarray(self._canvas.buffer_rgba())
+
+    def save(self, path: Path) -> None:
+        """Write the page."""
+        # Without its date a file of the same run is the same file.
+        metadata = {".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
+        self.figure.savefig(
+            path, dpi=self._dots, metadata=metadata.get(path.suffix.lower()),
+            facecolor=self._look.page,
+        )  # fmt: skip
+
+    def _panel(self, left: float, bottom: float, width: float, height: float) -> Axes:
+        across, down = self._size
+        return self.figure.add_axes((left / across, bottom / down, width / across, height / down))
