@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,9 @@ from socialmind.errors import ModelError
 from socialmind.learning.optimisers.contract import Optimiser, State, check_shape, whole
 from socialmind.learning.optimisers.settings import Setting
 from socialmind.mind.functions.neat_graph import NeatGraph
+
+if TYPE_CHECKING:
+    from socialmind.mind.modules import Skill
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,23 +80,27 @@ class Neat(Optimiser):
             "disjoint": Setting("the distance that a gene without a counterpart makes", 1.0),
             "difference": Setting("the factor of differences of weights in the distance", 0.5),
             "add_neuron": Setting("the probability that a child gets a neuron", 0.2, high=1.0),
-            "delete_neuron": Setting("the probability that it loses one", 0.2, high=1.0),
+            "delete_neuron": Setting("the probability that a child loses a neuron", 0.2, high=1.0),
             "add_connection": Setting(
                 "the probability that a child gets a connection", 0.5, high=1.0
             ),
-            "delete_connection": Setting("the probability that it loses one", 0.5, high=1.0),
+            "delete_connection": Setting(
+                "the probability that a child loses a connection", 0.5, high=1.0
+            ),
             "enabling": Setting(
                 "the probability that a connection is enabled or disabled by chance",
                 0.01,
                 high=1.0,
             ),
             "mutation": Setting("the probability that a weight mutates", 0.8, high=1.0),
-            "step": Setting("the standard deviation of its mutation", 0.5),
-            "replacement": Setting("the probability that it is drawn anew instead", 0.1, high=1.0),
+            "step": Setting("the standard deviation of a weight's mutation", 0.5),
+            "replacement": Setting(
+                "the probability that a weight is drawn anew instead", 0.1, high=1.0
+            ),
             "bias_mutation": Setting("the probability that a bias mutates", 0.7, high=1.0),
-            "bias_step": Setting("the standard deviation of its mutation", 0.5),
+            "bias_step": Setting("the standard deviation of a bias's mutation", 0.5),
             "bias_replacement": Setting(
-                "the probability that it is drawn anew instead", 0.1, high=1.0
+                "the probability that a bias is drawn anew instead", 0.1, high=1.0
             ),
             "spread": Setting("the standard deviation of weights and biases when drawn", 1.0),
             "bound": Setting("the greatest weight or bias, of either sign", 30.0),
@@ -114,6 +121,24 @@ class Neat(Optimiser):
             ),
         }
     )
+
+    @classmethod
+    def of_skill(
+        cls,
+        skill: Skill,
+        seed: int,
+        settings: Mapping[str, Any] | None = None,
+        first: Sequence[NeatGenome] | None = None,
+    ) -> Neat:
+        """Return an optimiser of graphs for a skill.
+
+        Args:
+            skill: gives the numbers of inputs and outputs; what function it has does not matter.
+            seed: as of the class; so are the others.
+            settings: values by name.
+            first: individuals to begin from.
+        """
+        return cls((len(skill.inputs), len(skill.outputs)), seed, settings, first)
 
     @property
     def population(self) -> int:

@@ -210,6 +210,20 @@ def test_where_all_species_die_out_a_generation_is_drawn_anew():
     assert search.best == first[9]
 
 
+def test_the_past_of_species_is_restored():
+    """With noise, the best of a species lies generations back, and it dies out soon after."""
+    settings = {"population": 30, "stagnation": 3, "threshold": 1.5}
+    search, restored = Neat((3, 2), 1, settings), Neat((3, 2), 1, settings)
+    for generation in range(40):
+        scores = np.random.default_rng(generation).normal(size=30)
+        state = restored.state()
+        restored = Neat((3, 2), 2, settings)
+        restored.restore(state)
+        assert restored.ask() == search.ask()
+        for one in (search, restored):
+            one.tell(scores)
+
+
 @pytest.mark.parametrize("threshold", [0.0, 0.5])
 @pytest.mark.parametrize(("elite", "least"), [(0, 1), (2, 2), (0, 3), (10, 1)])
 def test_more_species_than_there_is_room_for_do_no_harm(threshold, elite, least):
@@ -294,6 +308,13 @@ def test_optimisers_in_threads_do_not_disturb_each_other():
     for one in threads:
         one.join()
     assert [one[0] for one in found] == expected
+
+
+def test_a_skill_gives_the_numbers_of_inputs_and_outputs():
+    skill = Skill("Go", ["SE:A", "SE:B", "SE:C"], ["MO:L", "MO:R"], NeatGraph())
+    first = NeatGenome(NeatGraph.minimal(3, 2), np.arange(8.0))
+    search = Neat.of_skill(skill, 4, {"population": 30}, [first])
+    assert search.ask() == Neat((3, 2), 4, {"population": 30}, [first]).ask()
 
 
 def test_individuals_are_equal_by_graph_and_weights():
