@@ -19,8 +19,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 import pymunk
@@ -29,6 +29,9 @@ from numpy.typing import NDArray
 from socialmind.errors import ModelError
 from socialmind.worlds.plane.bodies import Disc
 from socialmind.worlds.plane.layout import FASTEST, SETTLING, TOUCHING
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
 
 MOST_KINDS = 31
 """Kinds of bodies in a world: pymunk tells 32 categories apart, and one is what never moves."""
@@ -39,24 +42,35 @@ _STILL = 1 << MOST_KINDS
 _FULL_TURN = 2.0 * math.pi
 
 
-@dataclass(eq=False)
+class Slots(Protocol):
+    """Records and which of them live, such as the table of a population of a running model.
+
+    Attributes:
+        rows: (slots,) records with the columns of `Body` or `Obstacle`, found by their names.
+        alive: (slots,) truth values.
+    """
+
+    rows: NDArray[Any]
+    alive: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
 class Kind:
     """A population of bodies.
 
     Attributes:
         name: what the `meets` of other kinds call it.
         disc: what its bodies are made of. Two kinds collide if either meets the other.
-        rows: (slots,) records with the columns of `Body`, by name.
-        alive: (slots,) truth values (bool): which of them live.
+        table: its bodies. Each tick looks up its arrays anew: they may have been replaced.
     """
 
     name: str
     disc: Disc
-    rows: NDArray[Any]
-    alive: NDArray[Any]
-    discs: dict[int, tuple[pymunk.Body, pymunk.Shape]] = field(
-        default_factory=dict, init=False, repr=False
-    )
+    table: Slots
+
+
+Placed = tuple[pymunk.Body, pymunk.Shape]
+"""A body of a plane in pymunk."""
 
 
 class PymunkMotion:
@@ -67,19 +81,21 @@ class PymunkMotion:
         dt: seconds a tick. Up to 0.1 what a step does follows from the rows alone; with longer
             ones the order in which pymunk finds contacts does not.
         kinds: the populations of bodies; a body's `carrier_kind` is a place in this sequence.
-        obstacles: (rows, alive) of what never moves, records with the columns of `Obstacle`.
+        obstacles: what never moves, or None.
 
-    Call `build` once the world is set up, and again after obstacles changed or a population's
-    arrays were replaced (`kinds[k].rows`, `kinds[k].alive`). Anything else may be written into the
-    rows between ticks; bodies that are born, die, are picked up or dropped are followed.
+    Call `build` once the world is set up, and again after obstacles changed. Anything else may be
+    written into the rows between ticks; bodies that are born, die, are picked up or put down are
+    followed.
 
     Raises:
         ModelError: more than `MOST_KINDS` kinds, or a body that meets a kind that is not there.
 
+    >>> from types import SimpleNamespace
     >>> from socialmind.worlds.plane.layout import BODY
-    >>> rows, alive = np.zeros(1, BODY), np.ones(1, bool)
+    >>> rows = np.zeros(1, BODY)
     >>> rows["x"], rows["carrier_kind"], rows["push_x"] = 8.0, -1, 160.0
-    >>> motion = PymunkMotion(10.0, 1 / 30, [Kind("robots", Disc(), rows, alive)])
+    >>> table = SimpleNamespace(rows=rows, alive=np.ones(1, bool))
+    >>> motion = PymunkMotion(10.0, 1 / 30, [Kind("robots", Disc(), table)])
     >>> motion.build()
     >>> for _ in range(30):
     ...     motion.move()
@@ -92,7 +108,7 @@ class PymunkMotion:
         half_width: float,
         dt: float,
         kinds: Sequence[Kind],
-        obstacles: tuple[NDArray[Any], NDArray[Any]] | None = None,
+        obstacles: Slots | None = None,
     ) -> None:
         self.half_width = half_width
         self.dt = dt
@@ -100,6 +116,7 @@ class PymunkMotion:
         self.obstacles = obstacles
         self._filters = _filters(self.kinds)
         self._space = pymunk.Space()
+        self._placed: list[dict[int, Placed]] = []
         self._owner: dict[pymunk.Shape, tuple[pymunk.Body, float]] = {}
         self._touching: set[pymunk.Shape] = set()
 
@@ -114,9 +131,8 @@ class PymunkMotion:
         space.collision_slop = 0.0
         space.collision_bias = 0.0  # the whole of an overlap is taken out in its step
         space.on_collision(pre_solve=self._meet)
+        self._placed = [{} for _ in self.kinds]
         self._owner = {}
-        for kind in self.kinds:
-            kind.discs = {}
         for shape in self._borders() + self._stones():
             shape.filter = pymunk.ShapeFilter(categories=_STILL)
             space.add(shape)
@@ -135,7 +151,7 @@ class PymunkMotion:
         self._touching.clear()
         space.step(self.dt)
         for kind, slot, body, shape in moving:
-            rows = kind.rows
+            rows = kind.table.rows
             if touched := shape in self._touching:
                 vx, vy = body.velocity
                 rows["vx"][slot], rows["vy"][slot] = vx, vy
@@ -155,14 +171,16 @@ class PymunkMotion:
     def _moving(self) -> list[tuple[Kind, int, pymunk.Body, pymunk.Shape]]:
         """The living bodies that nobody carries, with their velocities of this tick."""
         moving = []
-        for kind, shape_filter in zip(self.kinds, self._filters, strict=True):
-            rows = kind.rows
-            for slot in np.flatnonzero(kind.alive).tolist():
+        for number, kind in enumerate(self.kinds):
+            rows, placed = kind.table.rows, self._placed[number]
+            for slot in np.flatnonzero(kind.table.alive).tolist():
                 if rows["carrier_kind"].item(slot) >= 0:
                     if self._has_carrier(rows, slot):
                         continue
                     rows["carrier_kind"][slot] = rows["carrier"][slot] = -1
-                body, shape = kind.discs.get(slot) or self._disc(kind, slot, shape_filter)
+                if slot not in placed:
+                    placed[slot] = self._place(number)
+                body, shape = placed[slot]
                 x, y, vx, vy = _accelerate(kind, slot, self.dt)
                 body.position = (x, y)
                 body.velocity = (vx, vy)
@@ -174,19 +192,17 @@ class PymunkMotion:
         number, carrier = rows["carrier_kind"].item(slot), rows["carrier"].item(slot)
         if number >= len(self.kinds):
             return False
-        alive = self.kinds[number].alive
+        alive = self.kinds[number].table.alive
         return 0 <= carrier < len(alive) and bool(alive[carrier])
 
-    def _disc(
-        self, kind: Kind, slot: int, shape_filter: pymunk.ShapeFilter
-    ) -> tuple[pymunk.Body, pymunk.Shape]:
-        """A body in the space. It does not turn there: without friction no contact turns it."""
-        body = pymunk.Body(kind.disc.mass, math.inf)
-        shape = pymunk.Circle(body, kind.disc.radius)
-        shape.filter = shape_filter
+    def _place(self, number: int) -> Placed:
+        """A body of a kind in pymunk. It does not turn there: without friction nothing turns it."""
+        disc = self.kinds[number].disc
+        body = pymunk.Body(disc.mass, math.inf)
+        shape = pymunk.Circle(body, disc.radius)
+        shape.filter = self._filters[number]
         self._space.add(body)
-        self._owner[shape] = body, kind.disc.restitution
-        kind.discs[slot] = body, shape
+        self._owner[shape] = body, disc.restitution
         return body, shape
 
     def _meet(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: object) -> None:
@@ -225,10 +241,10 @@ class PymunkMotion:
         """The living obstacles."""
         if self.obstacles is None:
             return []
-        rows, alive = self.obstacles
+        rows = self.obstacles.rows
         ground = self._space.static_body
         stones: list[pymunk.Shape] = []
-        for slot in np.flatnonzero(alive).tolist():
+        for slot in np.flatnonzero(self.obstacles.alive).tolist():
             row = rows[slot]
             x, y, angle, half = (float(row[name]) for name in ("x", "y", "angle", "half_width"))
             if not math.isfinite(x + y + angle + half):
@@ -247,10 +263,11 @@ class PymunkMotion:
     def _carry(self) -> None:
         """Put what is carried ahead of its carrier."""
         for kind in self.kinds:
-            rows = kind.rows
-            for slot in np.flatnonzero(kind.alive & (rows["carrier_kind"] >= 0)).tolist():
+            rows = kind.table.rows
+            held = kind.table.alive & (rows["carrier_kind"] >= 0)
+            for slot in np.flatnonzero(held).tolist():
                 carrier_kind = self.kinds[rows["carrier_kind"][slot]]
-                carrier = carrier_kind.rows[rows["carrier"][slot]]
+                carrier = carrier_kind.table.rows[rows["carrier"][slot]]
                 ahead = carrier_kind.disc.radius + kind.disc.radius
                 rows["x"][slot] = carrier["x"] + ahead * math.cos(carrier["angle"])
                 rows["y"][slot] = carrier["y"] + ahead * math.sin(carrier["angle"])
@@ -258,6 +275,21 @@ class PymunkMotion:
                     rows[name][slot] = carrier[name]
                 rows["spin"][slot] = 0.0
                 rows["contact"][slot] = 0
+
+
+def motion_of(model: Model) -> PymunkMotion:
+    """Return what moves the bodies of a model with a plane, to be built once it is set up.
+
+    Raises:
+        ModelError: the model has no plane.
+    """
+    arena, tables = model.arena, model.tables
+    if arena is None:
+        raise ModelError(f"{model.name} has no plane", None, "declare one: world = Plane(70.0)")
+    shape = arena.shape
+    kinds = [Kind(name, disc, tables[name]) for name, disc in shape.bodies.items()]
+    obstacles = None if shape.obstacles is None else tables[shape.obstacles]
+    return PymunkMotion(arena.half_width, shape.dt, kinds, obstacles)
 
 
 def _filters(kinds: Sequence[Kind]) -> list[pymunk.ShapeFilter]:
@@ -283,7 +315,7 @@ def _accelerate(kind: Kind, slot: int, dt: float) -> tuple[float, float, float, 
     Returns:
         x, y, vx, vy.
     """
-    rows, disc = kind.rows, kind.disc
+    rows, disc = kind.table.rows, kind.disc
     x, y, angle = rows["x"].item(slot), rows["y"].item(slot), rows["angle"].item(slot)
     vx, vy, spin = rows["vx"].item(slot), rows["vy"].item(slot), rows["spin"].item(slot)
     slowing = 1.0 + dt * disc.linear_damping

@@ -1,6 +1,7 @@
 """Pymunk moves bodies as a plane wants it: hand-computed motion, impacts and contacts."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -36,10 +37,14 @@ def stones(*rows):
     return table, np.ones(len(rows), bool)
 
 
+def population(rows, alive):
+    return SimpleNamespace(rows=rows, alive=alive)
+
+
 def plane(*populations, half_width=0.0, obstacles=None):
     """A built world; populations as (name, disc, (rows, alive))."""
-    kinds = [Kind(name, disc, rows, alive) for name, disc, (rows, alive) in populations]
-    motion = PymunkMotion(half_width, DT, kinds, obstacles)
+    kinds = [Kind(name, disc, population(*slots)) for name, disc, slots in populations]
+    motion = PymunkMotion(half_width, DT, kinds, obstacles and population(*obstacles))
     motion.build()
     return motion
 
@@ -394,6 +399,17 @@ def test_the_dead_are_left_out_and_the_born_appear():
     motion.move()
     assert robots[0][0] == before
     assert robots[0]["contact"][1] == 0
+
+
+def test_a_population_may_move_to_larger_arrays():
+    robots = population(*bodies({"vx": 3.0}))
+    motion = PymunkMotion(0.0, DT, [Kind("robots", GLIDER, robots)])
+    motion.build()
+    motion.move()
+    rows, robots.rows = robots.rows, bodies({}, {"x": 5.0, "vx": -3.0}, slots=8)[0]
+    robots.rows[:1], robots.alive = rows, np.arange(8) < 2
+    motion.move()
+    assert robots.rows["x"][:2].tolist() == pytest.approx([6.0 * DT, 5.0 - 3.0 * DT])
 
 
 def crowd(seed):
