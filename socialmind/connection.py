@@ -44,6 +44,15 @@ def connect(model: Model) -> None:
         model.arena.connect()
 
 
+def connected_arrays(model: Model) -> list[Any]:
+    """Return the arrays of a model that change in a run, beside its record and its minds."""
+    return [
+        array
+        for name, array in _all_arrays(model).items()
+        if not name.endswith(("_names", "_default", "_hierarchy"))
+    ]
+
+
 def _address(array: Any) -> int:
     return int(array.__array_interface__["data"][0])
 

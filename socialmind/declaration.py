@@ -29,6 +29,8 @@ OWN_NAMES = frozenset(
         "hierarchy",
         "arena",
         "assemblies",
+        "before_setup",
+        "steerings",
         "physics",
         "over",
         "steered",

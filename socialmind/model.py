@@ -44,6 +44,7 @@ from socialmind.worlds.plane.plane import Plane, plane_shape
 if TYPE_CHECKING:
     from coglogo_py.receipt import Receipt
     from socialmind.mind.arrays import Assembly
+    from socialmind.mind.inhabitants import Steering
     from socialmind.mind.population_minds import PopulationMinds
 
 _KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick", "_over", "_steered")
@@ -113,6 +114,7 @@ class Model:
         cls._programs = {}
 
     _programs: ClassVar[dict[bool, Program]] = {}
+    _sets_up: ClassVar[bool] = True
 
     @classmethod
     def _shape(cls) -> ModelShape:
@@ -150,17 +152,25 @@ class Model:
         return cls._programs[compiled]
 
     @classmethod
-    def hierarchies(cls, given: Any = None) -> dict[str, Assembly]:
-        """Return the hierarchies of skills of the populations that have some, laid out in arrays.
+    def steerings(cls, given: Any = None) -> dict[str, Steering]:
+        """Return the hierarchies of skills of the populations that have some.
 
         Args:
             given: what `hierarchy` of the model is.
         """
         if given is None and all(one.hierarchy is None for one in cls.populations.values()):
             return {}
-        from socialmind.mind.inhabitants import assemblies_of
+        from socialmind.mind.inhabitants import steerings_of
 
-        return assemblies_of(cls.populations, cls.folder(), given, cls.name)
+        return steerings_of(cls.populations, cls.folder(), given, cls.name)
+
+    @classmethod
+    def before_setup(cls: type[Loaded], **arguments: Any) -> Loaded:
+        """Return a society whose setup has not run; arguments as of the class."""
+        model = cls.__new__(cls)
+        model._sets_up = False  # type: ignore[misc]  # of this one
+        model.__init__(**arguments)  # type: ignore[misc]  # what __new__ left out
+        return model
 
     @classmethod
     def folder(cls) -> Path:
@@ -185,7 +195,8 @@ class Model:
         self.physics = physics
         self.watch: tuple[str, int] | None = None
         self.watched: Receipt | None = None
-        self.assemblies = self.hierarchies(hierarchy)
+        self._steerings = self.steerings(hierarchy)
+        self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = self.typed(compiled)
         self.contexts = np.zeros(1, model_dtype(self.shape))
         self.context: Any = self.contexts[0]
@@ -213,9 +224,10 @@ class Model:
             for name in self.populations
         }
         self.engine = Engine(self, compiled)
-        self.engine.set_up()
-        if self.arena is not None:
-            self.arena.build()
+        if self._sets_up:
+            self.engine.set_up()
+            if self.arena is not None:
+                self.arena.build()
 
     def _set_values(self, parameters: Mapping[str, Any]) -> None:
         for name in parameters:
@@ -288,7 +300,7 @@ class Model:
             name,
             population.own_genomes,
             population.instances,
-            population.drive,
+            self._steerings[name].drive,
             lambda: self.tick,
         )
 

@@ -76,7 +76,8 @@ def _findings_of_hierarchies(model_class: type[Model]) -> list[str]:
     """Lint the hierarchies of skills of a model's populations, each mind once."""
     program = model_class.typed(compiled=True)
     minds: dict[str, tuple[MindDescription, list[str], set[str]]] = {}
-    for name, assembly in model_class.hierarchies().items():
+    for name, steering in model_class.steerings().items():
+        assembly = steering.assembly
         source = model_class.populations[name].hierarchy
         place = str(model_class.folder() / source) if isinstance(source, str | Path) else name
         _, masters, named = minds.setdefault(place, (assembly.description, [], set()))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,16 +15,45 @@ if TYPE_CHECKING:
     from socialmind.population import Population
 
 
-def assemblies_of(
+@dataclass(frozen=True)
+class Steering:
+    """Who steers the agents of a population: a mind, its master skill and its drive module.
+
+    Wherever a model takes a mind, it takes one of these.
+
+    Attributes:
+        mind: a mind's folder, its YAML file, or a `MindDescription`.
+        master: the name of the master skill; None for the population's own, or the only one that
+            no other skill influences.
+        drive: a drive module (thesis, 5.1.3); None for the population's own.
+    """
+
+    mind: str | Path | MindDescription
+    master: str | None = None
+    drive: Callable[..., None] | None = None
+
+    @property
+    def assembly(self) -> Assembly:
+        """The mind laid out in arrays.
+
+        Raises:
+            ModelError: it has no such master, or several to choose from.
+        """
+        if not isinstance(self.mind, MindDescription):
+            return Steering(MindDescription.load(self.mind), self.master, self.drive).assembly
+        return assemble(self.mind, master_of(self.mind, self.master), self.drive is not None)
+
+
+def steerings_of(
     populations: Mapping[str, Population], folder: Path, given: Any, name: str
-) -> dict[str, Assembly]:
-    """Read the hierarchies of a model's populations and lay them out.
+) -> dict[str, Steering]:
+    """Read the hierarchies of a model's populations.
 
     Args:
         populations: the model's.
         folder: the model's, which names of files are relative to.
-        given: a mind in place of the model's own: a folder, a YAML file, a `MindDescription`; or
-            a mapping from populations to these.
+        given: a mind in place of the model's own: a folder, a YAML file, a `MindDescription`, a
+            `Steering`; or a mapping from populations to these.
         name: the model's name, for errors.
 
     Raises:
@@ -44,9 +74,13 @@ def assemblies_of(
                 f"a hierarchy for {key!r}, which has none; "
                 f"{name} has {', '.join(minded) or 'no populations with hierarchies'}"
             )
-    assemblies = {}
+    steerings = {}
     for key, one in minded.items():
         source: Any = (given or {}).get(key, one.hierarchy)
+        master, drive = one.master, one.drive
+        if isinstance(source, Steering):
+            master, drive = source.master or master, source.drive or drive
+            source = source.mind
         if not isinstance(source, MindDescription | str | Path):
             raise SocialmindError(
                 f"the hierarchy of {key!r} in {name}: found {source!r}; expected a mind's folder, "
@@ -55,6 +89,5 @@ def assemblies_of(
         if not isinstance(source, MindDescription):
             own = given is None or key not in given
             source = MindDescription.load(folder / source if own else Path(source).expanduser())
-        master = master_of(source, one.master)
-        assemblies[key] = assemble(source, master, one.drive is not None)
-    return assemblies
+        steerings[key] = Steering(source, master, drive)
+    return steerings

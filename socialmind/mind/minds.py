@@ -91,6 +91,13 @@ class Minds:
             if genome is not None:
                 self.set_genome(name, genome)
 
+    @property
+    def address(self) -> int:
+        """Where compiled code finds these minds; it may call them from now on."""
+        module = self._code.module
+        self._record.call(module.evaluate.address, module.renew.address)
+        return self._record.address
+
     # Evaluating -------------------------------------------------------------------------------
 
     def evaluate(self, sensors: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
