@@ -29,6 +29,9 @@ except ImportError as error:
 HIDDEN, OUTPUT = "relu", "identity"
 """Activations of hidden neurons and of outputs; what outputs give is held to [0, 1] as in A.3.1."""
 
+GREATEST = 1e150
+"""Scores are held to this, of either sign, since the library adds them up."""
+
 _TURN = Lock()
 """Held while the library draws, since all threads of a process share its generator."""
 
@@ -259,7 +262,7 @@ class Evolution:
             seed: decides all draws.
         """
         for genome, score in zip(self.population.values(), scores, strict=True):
-            genome.fitness = score
+            genome.fitness = min(max(score, -GREATEST), GREATEST)
         with drawn_from(seed):
             self.population = self.reproduction.reproduce(
                 self.config, self.species, self.count, self.generation

@@ -243,6 +243,17 @@ def test_flat_scores_do_no_harm(kind):
     assert search.best_score == 0.0
 
 
+def test_the_greatest_scores_do_no_harm(kind):
+    search = made(kind, 3)
+    noise = np.random.default_rng(1)
+    with np.errstate(over="ignore"):
+        for _ in range(10):
+            genomes = search.ask()
+            search.tell(noise.choice([-1.7e308, 1.7e308, 0.0], len(genomes)))
+    assert search.best_score == 1.7e308
+    assert all(np.isfinite(one.weights if kind.graphs else one).all() for one in search.ask())
+
+
 def test_what_is_asked_for_belongs_to_the_caller(kind):
     search, other = made(kind, 3), made(kind, 3)
     genomes = search.ask()
