@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from socialmind.worlds.plane.devices import Act
@@ -89,3 +90,7 @@ def emitter(channel: int = 0) -> Act:
 def emit(robot: Any, command: float, channel: float) -> None:
     """Write a command as the robot's signal."""
     robot.signal[int(channel)] = command
+
+
+ACTUATORS: dict[str, Callable[..., Act]] = {one.__name__: one for one in (wheel, claw, emitter)}
+"""What makes actuators, by name."""

@@ -330,7 +330,7 @@ def typed(
     if device.of is not None and device.of not in program.shape.populations:
         known = list(program.shape.populations)
         raise device.error(f"of={device.of!r} in {what}", "a population", nearest(device.of, known))
-    sensor_place(device, body_sensors, what)
+    _check_sensors(device, body_sensors, what)
     source = program.source(device.function)
     kinds = tuple(_kind(device, name, population) for name in device.takes)
     try:
@@ -351,31 +351,24 @@ def typed(
     return symbol
 
 
-def sensor_place(device: Device, body_sensors: Sequence[str], what: str) -> int:
-    """Return the place among a body's sensors of the first that a device reads, -1 for none.
-
-    Raises:
-        ModelError: the body lacks one, or they do not stand next to each other.
-    """
-    wanted = device.sensors or (() if device.sensor is None else (device.sensor,))
-    names = list(body_sensors)
-    for name in (*wanted, *(() if device.sensor is None else (device.sensor,))):
+def _check_sensors(device: Device, body_sensors: Sequence[str], what: str) -> None:
+    """Refuse a device that reads sensors which the body lacks, or not next to each other."""
+    names = tuple(body_sensors)
+    for name in (*device.sensors, *(() if device.sensor is None else (device.sensor,))):
         if name not in names:
             raise device.error(
                 f"the sensor {name!r} that {what} reads",
-                None,
-                f"{nearest(name, names)} among the body's sensors",
+                "a sensor of the body",
+                nearest(name, names),
             )
-    if not wanted:
-        return -1
-    first = names.index(wanted[0])
-    if tuple(names[first : first + len(wanted)]) != tuple(wanted):
-        raise device.error(
-            f"the sensors {', '.join(wanted)} that {what} reads",
-            "sensors that stand next to each other in the body, in this order",
-            f"the body has {', '.join(names)}",
-        )
-    return first
+    if device.sensors:
+        first = names.index(device.sensors[0])
+        if names[first : first + len(device.sensors)] != device.sensors:
+            raise device.error(
+                f"the sensors {', '.join(device.sensors)} that {what} reads",
+                "sensors that stand next to each other in the body, in this order",
+                f"the body has {', '.join(names)}",
+            )
 
 
 def _kind(device: Device, name: str, population: str) -> AnyType:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from socialmind.worlds.plane.devices import Interruption
@@ -55,3 +56,9 @@ def after(ticks: int) -> Interruption:
 def out_of_time(model: Any, ticks: float) -> bool:
     """Return whether the tick is the last."""
     return model.tick + 1 >= ticks
+
+
+INTERRUPTIONS: dict[str, Callable[..., Interruption]] = {
+    one.__name__: one for one in (collision, flat_battery, over_threshold, under_threshold, after)
+}
+"""What makes interruptions, by name."""

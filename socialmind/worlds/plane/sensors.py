@@ -6,6 +6,7 @@ All read 0 … 1. Those that say yes or no read `high` and `low`, 1 and 0 unless
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -323,6 +324,26 @@ def payoff(scale: float = 1.0) -> Sense:
 def felt_reward(robot: Any, scale: float) -> float:
     """Return the reward of this tick around 0.5."""
     return max(0.0, min(0.5 + 0.5 * robot.reward / scale, 1.0))
+
+
+SENSORS: dict[str, Callable[..., Sense]] = {
+    one.__name__: one
+    for one in (
+        orientation,
+        distance_to,
+        active,
+        in_claw,
+        inside,
+        signal_orientation,
+        signal_distance,
+        battery,
+        moved,
+        constant,
+        identity,
+        payoff,
+    )
+}
+"""What makes sensors, by name; beside them there is the `RangeFinder`."""
 
 
 def _truth(low: float, high: float) -> dict[str, float]:
