@@ -100,13 +100,13 @@ class Manifest:
         except (ValueError, TypeError) as error:
             raise SocialmindError(f"{path}: not a run's manifest ({error})") from error
 
+    def content(self) -> bytes:
+        """Return the file's content."""
+        return (json.dumps(asdict(self), indent=2, ensure_ascii=False) + "\n").encode()
+
     def save(self, path: Path) -> None:
         """Write the manifest in one step: a reader sees the old one or this one."""
-        unfinished = path.with_name(path.name + ".partial")
-        unfinished.write_text(
-            json.dumps(asdict(self), indent=2, ensure_ascii=False) + "\n", encoding="utf-8"
-        )
-        unfinished.replace(path)
+        replace_file(path, self.content())
 
 
 class Capsule:
@@ -140,7 +140,7 @@ class Capsule:
             target = out.expanduser().absolute()
             refuse_unless_free(target)
             try:
-                cls._place(target, manifest, files)
+                place(target, {**files, MANIFEST: manifest.content()})
             except FileExistsError as error:
                 raise SocialmindError(str(error)) from error
             return cls(target)
@@ -150,38 +150,11 @@ class Capsule:
             target = home / f"{manifest.model['name']}-{number:03d}"
             if not target.exists():
                 try:
-                    cls._place(target, manifest, files)
+                    place(target, {**files, MANIFEST: manifest.content()})
                     return cls(target)
                 except FileExistsError:
                     pass  # another run took this number just now
             number += 1
-
-    @staticmethod
-    def _place(target: Path, manifest: Manifest, files: Mapping[str, bytes]) -> None:
-        """Fill a folder beside the target under another name, then rename it."""
-        target.parent.mkdir(parents=True, exist_ok=True)
-        unfinished = target.parent / f".{target.name}-{secrets.token_hex(4)}.partial"
-        unfinished.mkdir()
-        try:
-            for name, content in files.items():
-                (unfinished / name).parent.mkdir(parents=True, exist_ok=True)
-                (unfinished / name).write_bytes(content)
-            manifest.save(unfinished / MANIFEST)
-            if target.is_dir() and target == Path.cwd():
-                # Renaming over the current folder would leave the user's shell nowhere.
-                for path in sorted(unfinished.iterdir(), key=lambda p: p.name == MANIFEST):
-                    path.rename(target / path.name)
-                return
-            if os.name == "nt" and target.is_dir():
-                target.rmdir()  # only POSIX renames over an empty folder
-            try:
-                unfinished.rename(target)
-            except OSError as error:
-                if target.exists():
-                    raise FileExistsError(f"{target}: was made by another program") from error
-                raise
-        finally:
-            shutil.rmtree(unfinished, ignore_errors=True)
 
     @property
     def parts(self) -> Path:
@@ -219,21 +192,75 @@ class Capsule:
         Raises:
             SocialmindError: another process holds it.
         """
-        import filelock
-
-        lock = filelock.FileLock(self.folder / ".lock", timeout=0)
-        try:
-            lock.acquire()
-        except filelock.Timeout:
-            raise SocialmindError(
-                f"{self.folder}: another process is running in this folder; wait for it to end"
-            ) from None
-        try:
+        with held(self.folder):
             # What another process wrote while this one waited to begin.
             self.manifest = Manifest.load(self.folder / MANIFEST)
             yield
-        finally:
-            lock.release()
+
+
+def replace_file(path: Path, content: bytes) -> None:
+    """Write a file in one step: a reader sees the one before or this one."""
+    unfinished = path.with_name(path.name + ".partial")
+    unfinished.write_bytes(content)
+    unfinished.replace(path)
+
+
+def place(target: Path, files: Mapping[str, bytes]) -> None:
+    """Make a folder of files; it appears whole or not at all.
+
+    It is filled beside the target under another name, and then renamed.
+
+    Args:
+        target: a path where nothing is, or an empty folder.
+        files: their content by name, the manifest's among them.
+
+    Raises:
+        FileExistsError: another program made it in the meantime.
+    """
+    target.parent.mkdir(parents=True, exist_ok=True)
+    unfinished = target.parent / f".{target.name}-{secrets.token_hex(4)}.partial"
+    unfinished.mkdir()
+    try:
+        for name, content in files.items():
+            (unfinished / name).parent.mkdir(parents=True, exist_ok=True)
+            (unfinished / name).write_bytes(content)
+        if target.is_dir() and target == Path.cwd():
+            # Renaming over the current folder would leave the user's shell nowhere.
+            for path in sorted(unfinished.iterdir(), key=lambda p: p.name == MANIFEST):
+                path.rename(target / path.name)
+            return
+        if os.name == "nt" and target.is_dir():
+            target.rmdir()  # only POSIX renames over an empty folder
+        try:
+            unfinished.rename(target)
+        except OSError as error:
+            if target.exists():
+                raise FileExistsError(f"{target}: was made by another program") from error
+            raise
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+
+
+@contextmanager
+def held(folder: Path) -> Iterator[None]:
+    """Hold a folder for this process; the lock ends with the process, however it ends.
+
+    Raises:
+        SocialmindError: another process holds it.
+    """
+    import filelock
+
+    lock = filelock.FileLock(folder / ".lock", timeout=0)
+    try:
+        lock.acquire()
+    except filelock.Timeout:
+        raise SocialmindError(
+            f"{folder}: another process is running in this folder; wait for it to end"
+        ) from None
+    try:
+        yield
+    finally:
+        lock.release()
 
 
 def refuse_unless_free(folder: Path) -> None:

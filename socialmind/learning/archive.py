@@ -1,0 +1,71 @@
+"""Arrays with a record beside them in one file, which is replaced in one step."""
+
+from __future__ import annotations
+
+import json
+import os
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from socialmind.errors import SocialmindError
+
+_RECORD = "record"
+
+
+def save(path: Path, record: Mapping[str, Any], arrays: Mapping[str, Any]) -> None:
+    """Write the file: whenever the process is killed, the one before or this one stands there.
+
+    Args:
+        path: where.
+        record: what JSON can hold.
+        arrays: by name; numbers and texts, no Python objects.
+    """
+    unfinished = path.with_name(path.name + ".partial")
+    whole: dict[str, Any] = {**arrays, _RECORD: np.array(json.dumps(record))}
+    with unfinished.open("wb") as file:
+        np.savez(file, **whole)
+        file.flush()
+        os.fsync(file.fileno())
+    unfinished.replace(path)
+
+
+def load(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """Return the record and the arrays of a file.
+
+    Raises:
+        SocialmindError: the file is no such file, or cut off.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            record = json.loads(str(file[_RECORD]))
+            return record, {name: file[name] for name in file.files if name != _RECORD}
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        raise SocialmindError(
+            f"{path}: not a whole file of a training ({error}); take it from a copy of the folder"
+        ) from error
+
+
+def part(arrays: Mapping[str, Any], prefix: str) -> dict[str, Any]:
+    """Return the arrays whose names begin with a prefix, by the rest of their names.
+
+    >>> part({"optimiser/best": 1, "rows": 2}, "optimiser/")
+    {'best': 1}
+    """
+    return {
+        name.removeprefix(prefix): array
+        for name, array in arrays.items()
+        if name.startswith(prefix)
+    }
+
+
+def under(prefix: str, arrays: Mapping[str, Any]) -> dict[str, Any]:
+    """Return arrays with a prefix before their names.
+
+    >>> under("optimiser/", {"best": 1})
+    {'optimiser/best': 1}
+    """
+    return {prefix + name: array for name, array in arrays.items()}

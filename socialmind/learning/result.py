@@ -1,0 +1,125 @@
+"""Reading a training's folder, for analysis and for what is done with the minds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from socialmind.errors import SocialmindError
+from socialmind.learning import archive
+from socialmind.learning.attempt import CHECKPOINT, result_file
+from socialmind.learning.curve import read_curve
+from socialmind.learning.finalists import Individual, individual_of
+from socialmind.learning.training_capsule import TrainingCapsule, TrainingManifest
+from socialmind.mind.description import MindDescription
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+class Training:
+    """A training as its folder tells it, up to its last generation; it may still be going on.
+
+    >>> from socialmind.learning import Training                           # doctest: +SKIP
+    >>> training = Training("trainings/collect-001")                       # doctest: +SKIP
+    >>> training.curve.groupby("lesson")["best"].max()                     # doctest: +SKIP
+
+    Args:
+        folder: the training's.
+
+    Raises:
+        SocialmindError: the folder is no training's.
+    """
+
+    def __init__(self, folder: str | Path) -> None:
+        self._capsule = TrainingCapsule(folder)
+
+    @property
+    def folder(self) -> Path:
+        """The training's folder."""
+        return self._capsule.folder
+
+    @property
+    def manifest(self) -> TrainingManifest:
+        """What the training is: model, lessons, seed, versions, status."""
+        return self._capsule.manifest
+
+    @property
+    def attempts(self) -> list[int]:
+        """The numbers of the attempts that have begun."""
+        numbers = range(1, self.manifest.attempts + 1)
+        return [one for one in numbers if (self._capsule.attempt(one) / CHECKPOINT).is_file()]
+
+    @property
+    def curve(self) -> pd.DataFrame:
+        """One row a generation.
+
+        Columns: attempt, cycle, lesson, generation, the scores ``best``, ``mean`` and ``deviation``
+        of its individuals, ``best_so_far``, the lesson's ``ticks`` so far, and the ``seconds`` that
+        it took.
+        """
+        return read_curve([(one, self._capsule.attempt(one)) for one in self.attempts])
+
+    @property
+    def lessons(self) -> pd.DataFrame:
+        """One row a finished lesson.
+
+        Columns: attempt, cycle, lesson, ``score`` of the winner of the finals and its
+        ``deviation`` over worlds, the ``generation`` that it is from, the ``best`` score of all
+        generations, and ``ticks``.
+        """
+        import pandas as pd
+
+        rows = []
+        for attempt in self.attempts:
+            for record, arrays in self._results(attempt):
+                winner = individual_of(archive.part(arrays, "winner/"))
+                best = individual_of(archive.part(arrays, "best/"))
+                rows.append(
+                    {
+                        "attempt": attempt,
+                        "cycle": record["cycle"],
+                        "lesson": record["lesson"],
+                        "score": record["score"],
+                        "deviation": record["deviation"],
+                        "generation": winner.generation,
+                        "best": best.score,
+                        "ticks": record["ticks"],
+                    }
+                )
+        return pd.DataFrame(rows)
+
+    def best(self, lesson: str, attempt: int = 1) -> Individual:
+        """Return the best individual of all generations of a lesson (Algorithm 1).
+
+        It need not be the one that won the finals.
+
+        Args:
+            lesson: its name; of one taught over and over, the last time counts.
+            attempt: the attempt.
+
+        Raises:
+            SocialmindError: the attempt has not finished such a lesson.
+        """
+        results = [one for one in self._results(attempt) if one[0]["lesson"] == lesson]
+        if not results:
+            raise SocialmindError(f"{self.folder}: attempt {attempt} has not finished {lesson}")
+        return individual_of(archive.part(results[-1][1], "best/"))
+
+    def mind(self, attempt: int = 1) -> MindDescription:
+        """Return the mind that an attempt has learned up to its last finished lesson.
+
+        Raises:
+            SocialmindError: the attempt has finished no lesson.
+        """
+        folder = self._capsule.learned(attempt)
+        if not folder.is_dir():
+            raise SocialmindError(f"{self.folder}: attempt {attempt} has finished no lesson")
+        return MindDescription.load(folder)
+
+    def _results(self, attempt: int) -> list[tuple[dict[str, Any], dict[str, Any]]]:
+        folder = self._capsule.attempt(attempt)
+        if not (folder / CHECKPOINT).is_file():
+            return []
+        record, _ = archive.load(folder / CHECKPOINT)
+        return [archive.load(result_file(folder, one)) for one in range(1, record["done"] + 1)]
