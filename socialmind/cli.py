@@ -151,6 +151,86 @@ def run(
 
 
 @command
+def learn(
+    model: Annotated[
+        str | None,
+        typer.Argument(metavar="MODEL", help="A model's name, or its folder."),
+    ] = None,
+    lesson: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME|FILE", help="A lesson, or a .simbatch file (the curriculum)."),
+    ] = None,
+    attempts: Annotated[int | None, typer.Option(help="Independent attempts (1).", min=1)] = None,
+    mind: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Mind to begin from (the model's).")
+    ] = None,
+    optimiser: Annotated[
+        str | None, typer.Option(metavar="NAME", help="GENETIC, NEAT, ANNEALING or CMAES.")
+    ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=NUMBER", help="Setting of optimisers; may repeat."),
+    ] = None,
+    generations: Annotated[
+        int | None, typer.Option(help="Generations of each lesson (the lesson's).", min=1)
+    ] = None,
+    ticks_budget: Annotated[
+        int | None, typer.Option(help="Ticks after which no generation begins.", min=1)
+    ] = None,
+    cycles: Annotated[
+        int | None, typer.Option(help="How often lessons in a cycle are taught.", min=1)
+    ] = None,
+    seed: Annotated[int | None, typer.Option(help="Seed of every draw (0).", min=0)] = None,
+    engine: Annotated[
+        str | None, typer.Option(metavar="ENGINE", help="compiled (as by default) or pymunk.")
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="How many work side by side (one a core).", min=1)
+    ] = None,
+    cluster: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Work on a Dask cluster: tcp://HOST:8786.")
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Folder to make (a fresh one under trainings/)."),
+    ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Go on with a training; --attempts adds attempts."),
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Teach the mind of a model its lessons, or go on with a training."""
+    from socialmind.commands import learning
+
+    if resume is None:
+        if model is None:
+            raise SocialmindError("which model? give a name or a folder with a lessons.py")
+        folder = learning.start(
+            model, settings or [], quiet, lessons=lesson, mind=mind, attempts=attempts or 1,
+            seed=seed or 0, out=out, engine=engine or "compiled", optimiser=optimiser,
+            generations=generations, budget=ticks_budget, cycles=cycles, workers=workers,
+            cluster=cluster,
+        )  # fmt: skip
+    else:
+        fixed = {
+            "MODEL": model, "--lesson": lesson or None, "--mind": mind, "--optimiser": optimiser,
+            "--set": settings or None, "--generations": generations,
+            "--ticks-budget": ticks_budget, "--seed": seed, "--engine": engine, "--out": out,
+        }  # fmt: skip
+        given = [name for name, value in fixed.items() if value is not None]
+        if given:
+            raise SocialmindError(
+                f"--resume with {', '.join(given)}: a training keeps what it was started with; "
+                "leave it out, or start another training"
+            )
+        folder = learning.go_on(
+            resume, quiet, attempts=attempts, cycles=cycles, workers=workers, cluster=cluster
+        )
+    typer.echo(folder)
+
+
+@command
 def plot(folder: Folder) -> None:
     """Draw a run's figures, as PDF and PNG, under figures/ in its folder."""
     from socialmind.commands.running import draw
