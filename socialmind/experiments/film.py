@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -109,7 +109,7 @@ class _Mp4:
         self._fps = fps
         self._program = program
         self._process: subprocess.Popen[bytes] | None = None
-        self._log = tempfile.TemporaryFile()  # noqa: SIM115  # closed by finish and stop
+        self._log: IO[bytes] | None = None
 
     def write(self, frame: Frame) -> None:
         if self._process is None:
@@ -121,6 +121,7 @@ class _Mp4:
                 "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
                 str(self._path),
             ]  # fmt: skip
+            self._log = tempfile.TemporaryFile()  # noqa: SIM115  # closed by finish and stop
             # In a session of its own Ctrl-C reaches us alone, who then stop it.
             self._process = subprocess.Popen(
                 command, stdin=subprocess.PIPE, stdout=self._log, stderr=self._log,
@@ -141,20 +142,26 @@ class _Mp4:
                 self._fail()
             if self._process.wait() != 0:
                 self._fail()
-        self._log.close()
+        self._close()
 
     def stop(self) -> None:
         if self._process is not None:
             self._process.kill()
             self._process.communicate()
-        self._log.close()
+        self._close()
+
+    def _close(self) -> None:
+        if self._log is not None:
+            self._log.close()
 
     def _fail(self) -> None:
         """Say what ffmpeg said."""
-        if self._process is not None:
+        said: list[str] = []
+        if self._process is not None and self._log is not None:
             self._process.wait()
-        self._log.seek(0)
-        said = self._log.read().decode(errors="replace").strip().splitlines()
+            self._log.seek(0)
+            said = self._log.read().decode(errors="replace").strip().splitlines()
+            self._close()
         reason = said[-1].strip() if said else "it ended without a word"
         raise SocialmindError(f"{self._program} could not write the film: {reason}")
 

@@ -82,9 +82,10 @@ def film_run(
         folder: the run's.
         out: the file, which ends in .mp4 or .gif.
         begin: the first tick shown.
-        end: the last one; that of the run by default.
+        end: the last one; that of the run by default. Where an interruption ends the episode
+            before, the film ends too.
         every: ticks between two frames, 1 or more; by default so many that there are at most 900
-            frames, 300 of a GIF.
+            frames, 300 of a GIF. The last tick is always shown.
         fps: frames a second; 30 by default, 20 of a GIF.
         style: how.
         on_progress: called with the ticks done and the length.
@@ -110,13 +111,20 @@ def film_run(
         raise SocialmindError(f"every {every}; expected a number of ticks, 1 or more")
     # An unknown kind of file, or a missing ffmpeg, is told before the run is repeated.
     written = film.Film(path, fps or FPS.get(suffix, 30.0))
-    step = every or max(1, math.ceil((last - begin) / FRAMES[suffix]))
+    step = every or max(1, math.ceil((last - begin) / (FRAMES[suffix] - 1)))
+    ticks = sorted({*range(begin, last, step), last})
     repeated = Repeated(capsule, style.robot, style.mind)
     with paper.style(), written:
         page = Page(repeated, style, suffix)
         page.draw()
-        for _ in repeated.at(range(begin, last + 1, step), on_progress):
-            written.write(page.redraw())
+        for _ in repeated.at(ticks, on_progress):
+            frame = page.redraw()
+            written.write(frame)
+            if repeated.scene.over:
+                # Nothing moves any more: a second to see how it ended.
+                for _ in range(round(written.fps)):
+                    written.write(frame)
+                break
     return path
 
 

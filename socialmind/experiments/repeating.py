@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 Progress = Callable[[int, int], None]
 Name = tuple[str | None, int]
 """A robot: its population, or None for any, and its identity."""
+TOLD = 500
+"""Ticks after which progress is told on the way from moment to moment."""
 
 
 class Repeated:
@@ -90,6 +92,8 @@ class Repeated:
             while self._model.tick < tick:
                 self._model.advance()
                 self._note()
+                if on_progress is not None and self._model.tick % TOLD == 0:
+                    on_progress(self._model.tick, ticks[-1])
             self.scene = scene_of(self._model)
             self._see_mind()
             if on_progress is not None:

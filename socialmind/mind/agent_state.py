@@ -21,7 +21,11 @@ def observe(assembly: Assembly) -> None:
     Args:
         assembly: of a model that has not begun to run.
     """
-    assembly.structure.sizes[OBSERVED] = 1
+    sizes = assembly.structure.sizes
+    # It is read where it lies; nothing else may change in a structure once minds refer to it.
+    sizes.setflags(write=True)
+    sizes[OBSERVED] = 1
+    sizes.setflags(write=False)
 
 
 class AgentState:

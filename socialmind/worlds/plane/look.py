@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from socialmind.experiments.paper import BLUE, GOLD, GREY, INK, PURPLE, RED
 
@@ -24,7 +25,7 @@ class Look:
         heading: the line from a robot's centre to its front.
         obstacle: of obstacles; `obstacle_edge` around them.
         ray: what range finders see.
-        line: from a robot to the target of an orientation sensor.
+        line: from a robot to the target of an orientation sensor; `line_style` its dashes.
         path: where robots have been.
     """
 
@@ -42,6 +43,7 @@ class Look:
     ray: str
     line: str
     path: str
+    line_style: Any = "-"
 
 
 THESIS = Look(
@@ -77,6 +79,7 @@ PAPER = Look(
     ray="#5a5a5a",
     line=INK,
     path=BLUE,
+    line_style=(0, (5, 2)),
 )
 """On white; told apart by the colour-blind, and by lightness in print."""
 

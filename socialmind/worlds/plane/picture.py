@@ -73,7 +73,9 @@ class Picture:
         self._draw_ground(scene.half_width)
         self._rays = self._lines(look.ray, 0.8, 3.0)
         self._targets = self._lines(look.line, 0.9, 2.8)
+        self._targets.set_linestyle(look.line_style)
         self._fronts = self._lines(look.heading, 1.8, 4.5)
+        self._fronts.set_capstyle("butt")
         self._discs: dict[str, EllipseCollection] = {}
         self._colours = {"robots": cycle(look.robots), "objects": cycle(look.objects)}
         self._trails: dict[tuple[str, int], Line2D] = {}
@@ -115,7 +117,8 @@ class Picture:
             self._put("robots", name, np.zeros((0, 3)), 4.0)
         for key, path in (paths or {}).items():
             self._trail(key).set_data(path[:, 0], path[:, 1])
-        self._tick.set_text(f"tick {scene.tick:,}")
+        ended = f" · {scene.over}" if scene.over else ""
+        self._tick.set_text(f"tick {scene.tick:,}{ended}")
 
     # What moves -------------------------------------------------------------------------------
 

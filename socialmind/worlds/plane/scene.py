@@ -61,6 +61,7 @@ class Scene:
         objects: by population, (objects, 3): x, y and radius.
         zones: by population, (zones, 4): x, y, angle and half-width of squares.
         obstacles: (obstacles, 5): x, y, angle, half-width, and 1 for round ones.
+        over: the name of the interruption that has ended the episode, or None.
     """
 
     tick: int
@@ -69,6 +70,7 @@ class Scene:
     objects: Mapping[str, Floats] = field(default_factory=dict)
     zones: Mapping[str, Floats] = field(default_factory=dict)
     obstacles: Floats = field(default_factory=lambda: np.zeros((0, 5)))
+    over: str | None = None
 
     def robot(self, identity: int | None = None, team: str | None = None) -> RobotSeen | None:
         """Return a robot, the first that fits; None where there is none.
@@ -121,6 +123,7 @@ def scene_of(model: Model) -> Scene:
         objects=objects,
         zones=zones,
         obstacles=np.concatenate(obstacles),
+        over=model.over,
     )
 
 
