@@ -20,11 +20,14 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from socialmind.worlds.plane.bodies import BALL, Disc
+from socialmind import Model, Population, each
+from socialmind.errors import ModelError
+from socialmind.worlds.plane import Plane
+from socialmind.worlds.plane.bodies import BALL, Body, Disc, Obstacle, Robot
 from socialmind.worlds.plane.kernel.arrays import Bodies, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
 from socialmind.worlds.plane.layout import BODY, OBSTACLE, SETTLING
-from socialmind.worlds.plane.pymunk_motion import Kind, PymunkMotion
+from socialmind.worlds.plane.pymunk_motion import Kind, PymunkMotion, motion_of
 
 DT = 1 / 30
 SAME = 1e-9
@@ -389,3 +392,61 @@ def test_in_a_crowd_the_engines_agree_on_who_touches(seed):
                 same += (np.max(gaps, axis=0) <= SAME).tolist()
         world.agree()
     assert np.mean(same) > 0.8
+
+
+# In a model
+
+
+class Rover(Robot):
+    touched: int = 0
+
+
+class Ball(Body):
+    pass
+
+
+def lay(obstacle, rng):
+    obstacle.x = rng.uniform(-30, 30)
+    obstacle.y = rng.uniform(-30, 30)
+    obstacle.angle = rng.uniform(0, 3)
+    obstacle.half_width = rng.uniform(1, 3)
+
+
+def place(body, rng):
+    body.x = rng.uniform(-30, 30)
+    body.y = rng.uniform(-30, 30)
+    body.angle = rng.uniform(-3, 3)
+
+
+def rove(rover, rng):
+    rover.touched += rover.contact
+    forward = rng.uniform(50, 160)
+    rover.push_x = forward * math.cos(rover.angle)
+    rover.push_y = forward * math.sin(rover.angle)
+    rover.torque = rng.uniform(-60, 60)
+
+
+class Field(Model):
+    ticks = 1000
+    world = Plane(35.0)
+    obstacles = Population(Obstacle, 12)
+    balls = Population(Ball, 2, body=BALL)
+    rovers = Population(Rover, 3, body=Disc(meets=("balls",)))
+    setup = (each(obstacles, lay), each(balls, place), each(rovers, place))
+    schedule = (each(rovers, rove),)
+
+
+def test_a_model_chooses_its_engine():
+    one, other = (Field(seed=2, physics=name, compiled=False) for name in ("pymunk", "compiled"))
+    for model in (one, other):
+        model.advance(200)
+    assert isinstance(one.arena.motion, PymunkMotion)
+    assert one.rovers.touched.tolist() == other.rovers.touched.tolist()
+    assert one.rovers.touched.sum() > 10
+    for name in ("x", "y", "angle", "vx", "vy"):
+        assert np.abs(getattr(one.rovers, name) - getattr(other.rovers, name)).max() <= RUN
+
+
+def test_a_model_without_a_plane_has_no_motion():
+    with pytest.raises(ModelError, match="no plane"):
+        motion_of(SimpleNamespace(name="Nowhere", arena=None, tables={}))
