@@ -143,7 +143,7 @@ def _finder(module: ModuleType | None, folder: Path | None) -> Callable[..., Any
             raise refused(f"of {name!r}", f"{place}, where it is defined", "write that file")
         found = getattr(module, name, None)
         if not callable(found):
-            known = [key for key, one in vars(module).items() if _is_environment(one, module)]
+            known = [key for key, one in vars(module).items() if _is_environment(one)]
             raise refused(
                 f"of {name!r}, which {module.__file__} does not define",
                 "a class or function of it",
@@ -154,8 +154,10 @@ def _finder(module: ModuleType | None, folder: Path | None) -> Callable[..., Any
     return find
 
 
-def _is_environment(one: Any, module: ModuleType) -> bool:
-    return inspect.isclass(one) and issubclass(one, Model) and one is not Model
+def _is_environment(one: Any) -> bool:
+    if not inspect.isclass(one) or one is Model:
+        return False
+    return issubclass(one, Model) or hasattr(one, "run")
 
 
 def mind_of(

@@ -173,7 +173,9 @@ class Teaching:
         if self.lesson.start == KNOWN:
             # What was known before is not given up for anything worse.
             known = np.concatenate([skill.genome for skill in self._skills])
-            chosen.insert(0, Individual(known, None, float("nan"), 0))
+            before = Individual(known, None, float("nan"), 0)
+            if not any(one.same(before) for one in chosen):
+                chosen.insert(0, before)
         flat = chosen[-1].graph is None
         judged = workers.judge(
             self.ground,
