@@ -16,12 +16,15 @@ import tempfile
 from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
+from threading import RLock
 from types import ModuleType
 from typing import Any
 
 import numba
 import numpy as np
 import platformdirs
+
+_LOADING = RLock()
 
 CACHE_VARIABLE = "SOCIALMIND_CACHE_DIR"
 """Environment variable that names the folder of compiled modules."""
@@ -88,9 +91,15 @@ def compiled_module(text: str, own_makers: Mapping[str, Callable[..., Any]]) -> 
         digest.update(f"{name}\n{inspect.getsource(choose)}".encode())
     key = digest.hexdigest()[:24]
     name = f"socialmind_compiled_{key}"
-    if name in sys.modules:
-        return sys.modules[name]
-    file = _written(key, text)
+    # Another thread must not take for whole what is still being loaded.
+    with _LOADING:
+        if name in sys.modules:
+            return sys.modules[name]
+        return _loaded(name, _written(key, text), own_makers)
+
+
+def _loaded(name: str, file: Path, own_makers: Mapping[str, Callable[..., Any]]) -> ModuleType:
+    """Return the module of a file, which is then known by its name."""
     spec = importlib.util.spec_from_file_location(name, file)
     if spec is None or spec.loader is None:
         raise ImportError(f"cannot load {file}")
