@@ -28,6 +28,7 @@ class Forecast:
         self._attempts = attempts
         self._populations = {one.name: population_of(one, course) for one in self._lessons()}
         self._recent: deque[tuple[str, int, float]] = deque(maxlen=RECENT)
+        self._first = True
 
     def _lessons(self) -> tuple[Lesson, ...]:
         return self._course.curriculum.lessons
@@ -41,6 +42,11 @@ class Forecast:
         lesson = news.lesson
         if self._recent and self._recent[-1][0] != lesson.name:
             self._recent.clear()
+            self._first = True
+        elif self._recent and self._first:
+            # A lesson's first generation here holds the compilation.
+            self._recent.clear()
+            self._first = False
         self._recent.append((lesson.name, self._generation_ticks(lesson), news.seconds))
         paced = sum(ticks for _, ticks, _ in self._recent)
         whole = self._ahead(Position())
