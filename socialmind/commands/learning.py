@@ -93,26 +93,19 @@ def _progress_line(quiet: bool) -> Iterator[OnGeneration | None]:
         return
     from rich import progress
     from rich.console import Console
+    from rich.table import Column
 
     with progress.Progress(
-        progress.TextColumn("{task.description}"),
-        progress.BarColumn(bar_width=20),
-        progress.TextColumn("{task.fields[told]}"),
+        # It wraps where the terminal is narrow: the time left stands at its end.
+        progress.TextColumn("{task.description}", markup=False, table_column=Column()),
         console=Console(stderr=True),
         transient=True,
         auto_refresh=False,
     ) as bar:
-        task = bar.add_task("", total=1, told="")
+        task = bar.add_task("")
 
         def on_generation(news: News, left: float | None) -> None:
-            bar.update(
-                task,
-                description=f"attempt {news.attempt}  {news.lesson.name}",
-                total=news.lesson.generations,
-                completed=news.generation,
-                told=line_of(news, left),
-                refresh=True,
-            )
+            bar.update(task, description=line_of(news, left), refresh=True)
 
         yield on_generation
 
@@ -126,6 +119,7 @@ def line_of(news: News, left: float | None) -> str:
     """
     speed = news.ticks / max(news.seconds, 1e-9)
     parts = [
+        f"attempt {news.attempt}, {news.lesson.name}",
         f"generation {news.generation:,} of {news.lesson.generations:,}",
         f"best {news.best:.4g}",
         f"mean {news.mean:.4g}",

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import socialmind
-from socialmind.catalogue import MODEL_FILE, catalogue, load_model
+from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.signals import deferred_signals
@@ -326,16 +326,15 @@ def _recorded(capsule: TrainingCapsule, lessons: Any) -> Curriculum:
             f"{capsule.folder}: its lessons were given in Python; "
             "go on with socialmind.learning.resume(folder, lessons=...)"
         )
-    model = None
-    if manifest.model["path"] is not None:
-        model = _recorded_model(capsule)
-        if _source(model)["source_sha256"] != manifest.model["source_sha256"]:
-            raise SocialmindError(
-                f"{model}: the model's source is not the one the training was begun with; "
-                "put the old file back, or start another training"
-            )
+    model = None if manifest.model["path"] is None else _recorded_model(capsule)
+    if model is not None and source_hash(model) != manifest.model["source_sha256"]:
+        raise SocialmindError(
+            f"{model}: the model's source is not the one the training was begun with; "
+            "put the old file back, or start another training"
+        )
     given = manifest.chosen if lessons is None else lessons
-    curriculum, _ = curriculum_of(model, given)
+    named = model if model is not None and (model / MODEL_FILE).is_file() else None
+    curriculum, _ = curriculum_of(named, given)
     curriculum = changed(curriculum, manifest.changes)
     if _as_json(curriculum.record()) != manifest.lessons:
         raise SocialmindError(
@@ -346,9 +345,9 @@ def _recorded(capsule: TrainingCapsule, lessons: Any) -> Curriculum:
 
 
 def _recorded_model(capsule: TrainingCapsule) -> Path:
-    """Return the folder of a training's model: where it stood, or that of its name that ships."""
+    """Return where a training's model is: where it stood, or that of its name that ships."""
     name, path = capsule.manifest.model["name"], Path(str(capsule.manifest.model["path"]))
-    if (path / MODEL_FILE).is_file():
+    if (path / MODEL_FILE).is_file() or path.is_file():
         return path
     shipped = catalogue().get(name or "")
     if shipped is None:

@@ -140,7 +140,7 @@ def test_a_line_of_progress(walk):
 
     news = News(1, Lesson("Go", Path, generations=1500), Position(), 20, 1.23456, -0.5, 900, 0.5, 9)
     assert line_of(news, 61.0) == (
-        "generation 20 of 1,500  best 1.235  mean -0.5  1,800 ticks/s  0:01:01 left"
+        "attempt 1, Go  generation 20 of 1,500  best 1.235  mean -0.5  1,800 ticks/s  0:01:01 left"
     )
     assert line_of(news, None).endswith("1,800 ticks/s")
     assert clock(36_000) == "10:00:00"

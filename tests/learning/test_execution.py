@@ -239,6 +239,17 @@ def test_it_goes_on_with_what_it_was_begun_with_alone(model, three, lesson, robo
         resume(begun)
 
 
+def test_a_model_as_a_class_of_any_file(three, slopes, tmp_path):
+    path = tmp_path / "mine.py"
+    path.write_text(MODEL)
+    folder = learn(load_file(path).Empty, three, out=tmp_path / "out")
+    assert Training(folder).manifest.model["path"] == str(path)
+    assert digest(resume(folder, lessons=three)) == digest(folder)
+    path.write_text(MODEL + "# a word\n")
+    with pytest.raises(SocialmindError, match=r"mine\.py: the model's source is not the one"):
+        resume(folder, lessons=three)
+
+
 def test_a_lesson_alone_begins_from_the_mind_as_given(model, robot, tmp_path):
     with pytest.raises(ModelError, match="skill 'Go' below 'Top', which has no weights yet"):
         learn(model, "Top", out=tmp_path / "none")
