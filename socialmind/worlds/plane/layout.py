@@ -47,19 +47,21 @@ PLANE = np.dtype(
 centre a body meets or sees anything; `kinds` the address of its records of kinds. Obstacles as for
 kinds.
 
-What `build` works out from them: `stones`, the address of (`stone_count`, 6) numbers, a row of
-`STONE` for each living obstacle; and a table of `cells` × `cells` square cells of side `cell`, from
-(`left`, `bottom`) on, row by row, that lists for each cell the stones that a body in it can meet or
-see: `cell_begin`, (`cells`² + 1) 32-bit numbers, and `cell_stones`, room for `cell_room` of them.
-Nothing that stands outside the table can meet a stone. A negative `cell` says that there is no
-table, and every stone has to be looked at.
+What `build` works out from them: `stones`, the address of (`stone_count`, `STONE_COLUMNS`)
+numbers, a row for each living obstacle; and a table of `cells` × `cells` square cells of side
+`cell`, from (`left`, `bottom`) on, row by row, that lists for each cell the stones that a body in
+it can meet or see: `cell_begin`, (`cells`² + 1) 32-bit numbers, and `cell_stones`, room for
+`cell_room` of them. Nothing that stands outside the table can meet a stone. A negative `cell` says
+that there is no table, and every stone has to be looked at.
 
 Room to work in: `best`, a number for each lane of the eyes with most lanes, and `state`, one for
 each slot of all kinds."""
 
-STONE_X, STONE_Y, STONE_COS, STONE_SIN, STONE_HALF_WIDTH, STONE_ROUND = range(6)
-"""Columns of a stone; the last is 1 for round ones, whose half-width is the radius."""
-STONE_COLUMNS = 6
+STONE_X, STONE_Y, STONE_RADIUS, STONE_COS, STONE_SIN, STONE_HALF_WIDTH, STONE_ROUND = range(7)
+"""Columns of a stone. The radius is that of the circle about it; the last is 1 for round ones,
+whose half-width is the radius."""
+STONE_COLUMNS = 8
+"""Numbers from one stone to the next: each has a cache line of its own."""
 
 RAY = np.dtype([(name, "f8") for name in ("x", "y", "cos", "sin", "reach")] + [("sensor", "i8")])
 """A ray of a range finder: where it starts and points in the body's frame, how far it reaches, and

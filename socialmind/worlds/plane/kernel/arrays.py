@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from socialmind.errors import ModelError
 from socialmind.worlds.plane.bodies import Disc
 from socialmind.worlds.plane.kernel.code import kernel
+from socialmind.worlds.plane.kernel.stones import candidates
 from socialmind.worlds.plane.layout import (
     BODY,
     EYES,
@@ -234,6 +235,18 @@ class PlaneArrays:
                 f"obstacle {-1 - found} with a place, angle or half-width that is no number",
                 "finite numbers",
             )
+
+    @property
+    def stones(self) -> NDArray[np.float64]:
+        """The living obstacles as `build` found them, a row of `layout.STONE_COLUMNS` for each."""
+        return self._stones[: int(self._record[0]["stone_count"])]
+
+    def stones_near(self, x: float, y: float) -> list[int]:
+        """Return which rows of `stones` a body at a place may meet or see, and a few more."""
+        plane = self._record.view(np.recarray)[0]
+        first, end = candidates(plane, self._begin, x, y)
+        listed = self._stones_of_cells if plane.cell > 0 else np.arange(end)
+        return [int(stone) for stone in listed[first:end]]
 
     def make_room(self, entries: int) -> None:
         """Make room for so many entries of the table of cells, which holds from the next `build`.

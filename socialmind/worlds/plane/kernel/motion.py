@@ -25,6 +25,7 @@ from socialmind.worlds.plane.layout import (
     STONE_COLUMNS,
     STONE_COS,
     STONE_HALF_WIDTH,
+    STONE_RADIUS,
     STONE_ROUND,
     STONE_SIN,
     STONE_X,
@@ -82,11 +83,11 @@ def move(address: int) -> int:
                 continue
             body = body_at(kind, slot)
             body.contact = 0
-            if body.carrier >= 0:
+            if body.carrier_kind >= 0:
                 if _has_carrier(plane, kinds, body):
                     carried = True
                     continue
-                body.carrier_kind = -1
+                body.carrier_kind = -1  # whose carrier is gone moves freely
                 body.carrier = -1
             if not _advance(body, kind, plane.dt) and fault == 0:
                 fault = 1 + first + slot
@@ -100,11 +101,11 @@ def move(address: int) -> int:
 
 @register_jitable(error_model="numpy")
 def _has_carrier(plane: Any, kinds: Any, body: Any) -> bool:
-    number = body.carrier_kind
-    if number < 0 or number >= plane.kind_count:
+    """Return whether a body's carrier lives."""
+    if body.carrier_kind >= plane.kind_count:
         return False
-    kind = kinds[number]
-    if body.carrier >= kind.capacity:
+    kind = kinds[body.carrier_kind]
+    if body.carrier < 0 or body.carrier >= kind.capacity:
         return False
     return alive_of(kind)[body.carrier] != 0
 
@@ -171,22 +172,20 @@ def _advance(body: Any, kind: Any, dt: float) -> bool:
 
 
 @register_jitable(error_model="numpy")
-def _depth_in_stone(stones: Any, first: int, x: float, y: float, radius: float) -> Any:
-    """Return how deep a circle is in a stone, and the normal out of it; depth 0 for outside."""
-    dx, dy = x - stones[first + STONE_X], y - stones[first + STONE_Y]
+def _depth_in_stone(stones: Any, first: int, dx: float, dy: float, radius: float) -> Any:
+    """Return how deep a circle at (dx, dy) from a stone's centre is in it, and the way out.
+
+    The depth is 0 for a circle outside; the way out is a vector of length 1.
+    """
     half_width = stones[first + STONE_HALF_WIDTH]
-    span = dx * dx + dy * dy
     if stones[first + STONE_ROUND] != 0.0:
         both = half_width + radius
-        if span >= both * both:
+        distance = math.sqrt(dx * dx + dy * dy)
+        if distance >= both:
             return 0.0, 0.0, 0.0
-        distance = math.sqrt(span)
         if distance == 0.0:
             return both, 1.0, 0.0
         return both - distance, dx / distance, dy / distance
-    both = half_width * 1.4142135623730951 + radius
-    if span >= both * both:
-        return 0.0, 0.0, 0.0
     cos, sin = stones[first + STONE_COS], stones[first + STONE_SIN]
     ahead, left = cos * dx + sin * dy, cos * dy - sin * dx
     out_ahead, out_left = abs(ahead) - half_width, abs(left) - half_width
@@ -229,10 +228,15 @@ def _deepest(plane: Any, stones: Any, begin: Any, entries: Any, body: Any, radiu
         place, end = candidates(plane, begin, x, y)
         while place < end:
             stone = entries[place] if plane.cell > 0.0 else place
-            depth, nx, ny = _depth_in_stone(stones, stone * STONE_COLUMNS, x, y, radius)
+            place += 1
+            first = stone * STONE_COLUMNS
+            dx, dy = x - stones[first + STONE_X], y - stones[first + STONE_Y]
+            both = stones[first + STONE_RADIUS] + radius
+            if dx * dx + dy * dy >= both * both:
+                continue
+            depth, nx, ny = _depth_in_stone(stones, first, dx, dy, radius)
             if depth > deepest:
                 deepest, normal_x, normal_y = depth, nx, ny
-            place += 1
     if plane.half_width > 0.0:
         room = max(plane.half_width - radius, 0.0)
         depth = abs(x) - room
@@ -260,7 +264,7 @@ def _find_contacts(plane: Any, kinds: Any, bodies: int) -> bool:
             if not alive[slot]:
                 continue
             body = body_at(kind, slot)
-            if body.carrier >= 0:
+            if body.carrier_kind >= 0:
                 continue
             depth, _, _ = _deepest(plane, stones, begin, entries, body, kind.radius)
             if depth > 0.0:
@@ -313,7 +317,7 @@ def _touch_others(
 ) -> bool:
     """Mark a body and those of a kind, from slot `begin` on, that it overlaps."""
     body = body_at(kind, slot)
-    if not alive_of(kind)[slot] or body.carrier >= 0:
+    if not alive_of(kind)[slot] or body.carrier_kind >= 0:
         return False
     alive = alive_of(other)
     found = False
@@ -322,7 +326,7 @@ def _touch_others(
         if not alive[place]:
             continue
         met = body_at(other, place)
-        if met.carrier >= 0:
+        if met.carrier_kind >= 0:
             continue
         depth, _, _ = _overlap(body, met, both)
         if depth > 0.0:
@@ -360,7 +364,7 @@ def _push_out(plane: Any, kinds: Any, state: Any) -> bool:
             if state[first + slot] == AT_REST or not alive[slot]:
                 continue
             body = body_at(kind, slot)
-            if body.carrier >= 0:
+            if body.carrier_kind >= 0:
                 continue
             depth, nx, ny = _deepest(plane, stones, begin, entries, body, kind.radius)
             if depth <= 0.0:
@@ -391,7 +395,7 @@ def _keep_inside(plane: Any, kinds: Any) -> None:
             if not alive[slot]:
                 continue
             body = body_at(kind, slot)
-            if body.carrier < 0:
+            if body.carrier_kind < 0:
                 body.x = min(max(body.x, -room), room)
                 body.y = min(max(body.y, -room), room)
 
@@ -424,7 +428,7 @@ def _part_others(
 ) -> bool:  # fmt: skip
     """Push apart a body and those of a kind, from slot `begin` on, that it overlaps."""
     body = body_at(kind, slot)
-    if not alive_of(kind)[slot] or body.carrier >= 0:
+    if not alive_of(kind)[slot] or body.carrier_kind >= 0:
         return False
     alive = alive_of(other)
     found = False
@@ -437,7 +441,7 @@ def _part_others(
         if own == AT_REST and others == AT_REST:
             continue
         met = body_at(other, place)
-        if met.carrier >= 0:
+        if met.carrier_kind >= 0:
             continue
         depth, nx, ny = _overlap(body, met, both)
         if depth <= 0.0:
@@ -487,7 +491,7 @@ def _carry(plane: Any, kinds: Any) -> None:
             if not alive[slot]:
                 continue
             body = body_at(kind, slot)
-            if body.carrier < 0:
+            if body.carrier_kind < 0:
                 continue
             carrier = kinds[body.carrier_kind]
             holder = body_at(carrier, body.carrier)
@@ -496,6 +500,6 @@ def _carry(plane: Any, kinds: Any) -> None:
             body.y = holder.y + ahead * math.sin(holder.angle)
             body.vx = holder.vx
             body.vy = holder.vy
-            body.spin = holder.spin
+            body.spin = 0.0
             body.angle = holder.angle
             body.heading = holder.heading

@@ -18,15 +18,16 @@ from socialmind.worlds.plane.kernel.motion import alive_of, body_at, kinds_of
 from socialmind.worlds.plane.kernel.stones import (
     candidates,
     plane_at,
-    radius_of,
     stones_of,
     table_of,
 )
 from socialmind.worlds.plane.layout import (
     EYES,
+    LANES,
     STONE_COLUMNS,
     STONE_COS,
     STONE_HALF_WIDTH,
+    STONE_RADIUS,
     STONE_ROUND,
     STONE_SIN,
     STONE_X,
@@ -101,9 +102,11 @@ def _write(eyes: Any, best: Any, reach: Any, readings: int) -> None:
         for sensor in range(count):
             other = best[ray * count + sensor]
             best[sensor] = other if other < best[sensor] else best[sensor]
+    for sensor in range((count + LANES - 1) // LANES * LANES):
+        best[sensor] /= reach[sensor]
     for sensor in range(count):
         place = as_pointer(readings + 8 * sensors[sensor])
-        carray(place, (1,), types.float64)[0] = best[sensor] / reach[sensor]
+        carray(place, (1,), types.float64)[0] = best[sensor]
 
 
 @register_jitable(error_model="numpy")
@@ -118,7 +121,7 @@ def _see_stones(
         place += 1
         first = stone * STONE_COLUMNS
         dx, dy = x - stones[first + STONE_X], y - stones[first + STONE_Y]
-        far = plane.reach + radius_of(stones, first)
+        far = plane.reach + stones[first + STONE_RADIUS]
         if dx * dx + dy * dy > far * far:
             continue
         half_width = stones[first + STONE_HALF_WIDTH]
@@ -148,7 +151,7 @@ def _see_bodies(
             if not alive[slot] or (number == eyes.kind and slot == own):
                 continue
             other = body_at(kind, slot)
-            if other.carrier >= 0:
+            if other.carrier_kind >= 0:
                 continue
             dx, dy = other.x - x, other.y - y
             if dx * dx + dy * dy < far * far:

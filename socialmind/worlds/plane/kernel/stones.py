@@ -15,6 +15,7 @@ from socialmind.worlds.plane.layout import (
     STONE_COLUMNS,
     STONE_COS,
     STONE_HALF_WIDTH,
+    STONE_RADIUS,
     STONE_ROUND,
     STONE_SIN,
     STONE_X,
@@ -128,16 +129,10 @@ def _take_stones(plane: Any) -> int:
         stones[first + STONE_SIN] = math.sin(angle)
         stones[first + STONE_HALF_WIDTH] = half_width
         stones[first + STONE_ROUND] = 1.0 if obstacle.round != 0 else 0.0
+        stones[first + STONE_RADIUS] = half_width * (1.0 if obstacle.round != 0 else SQRT_2)
         count += 1
     plane.stone_count = count
     return 0
-
-
-@register_jitable(error_model="numpy")
-def radius_of(stones: Any, first: int) -> float:
-    """Return the radius of the circle about a stone, whose numbers begin at `first`."""
-    half_width = stones[first + STONE_HALF_WIDTH]
-    return half_width if stones[first + STONE_ROUND] != 0.0 else half_width * SQRT_2
 
 
 @register_jitable(error_model="numpy")
@@ -149,7 +144,7 @@ def _place_table(plane: Any) -> None:
         first = stone * STONE_COLUMNS
         x, y = stones[first + STONE_X], stones[first + STONE_Y]
         # A hair more, as distances are rounded.
-        margin = (radius_of(stones, first) + plane.reach) * (1.0 + 1e-9)
+        margin = (stones[first + STONE_RADIUS] + plane.reach) * (1.0 + 1e-9)
         left, right = min(left, x - margin), max(right, x + margin)
         bottom, top = min(bottom, y - margin), max(top, y + margin)
     plane.left, plane.bottom = left, bottom
@@ -162,7 +157,7 @@ def _enter(plane: Any, begin: Any, entries: Any, stone: int, count_only: bool) -
     stones = stones_of(plane)
     first = stone * STONE_COLUMNS
     x, y = stones[first + STONE_X], stones[first + STONE_Y]
-    margin = (radius_of(stones, first) + plane.reach) * (1.0 + 1e-9)
+    margin = (stones[first + STONE_RADIUS] + plane.reach) * (1.0 + 1e-9)
     side, cells = plane.cell, plane.cells
     low = max(int((x - margin - plane.left) / side), 0)
     high = min(int((x + margin - plane.left) / side) + 1, cells)
