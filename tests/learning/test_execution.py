@@ -318,15 +318,6 @@ def test_wrong_options_are_refused(three, tmp_path, monkeypatch, options, said):
     assert said in str(raised.value)
 
 
-def test_a_model_without_lessons_says_so(model):
-    (model / "lessons.py").write_text("curriculum = 3\n")
-    with pytest.raises(ModelError, match="`curriculum` set to 3; expected curriculum = Curr"):
-        learn(model)
-    (model / "lessons.py").unlink()
-    with pytest.raises(SocialmindError, match=r"no lessons\.py, so there is nothing to learn"):
-        learn(model)
-
-
 def test_a_folder_is_one_process_s_alone(three, tmp_path):
     folder = tmp_path / "out"
     refused = []

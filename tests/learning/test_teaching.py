@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from socialmind.errors import ModelError
-from socialmind.learning.finalists import Finalists, Individual
 from socialmind.learning.ground import COMPILED, Judged
 from socialmind.learning.teaching import COLUMNS, Teaching, check_fits
 from socialmind.learning.workers import Threads, Workers
@@ -156,16 +155,6 @@ def test_restored_it_goes_on_as_if_undisturbed(lesson, robot, tmp_path, optimise
     assert result.winner.same(undisturbed.winner)
     assert result.best.same(undisturbed.best)
     assert result.finalists == undisturbed.finalists
-
-
-def test_finalists_are_distinct_and_half_of_them_the_last():
-    finalists = Finalists(4)
-    scores = [5.0, 9.0, 1.0, 2.0, 9.0, 0.0, 1.0]
-    genomes = [1, 2, 3, 3, 2, 4, 5]
-    for generation, (genome, score) in enumerate(zip(genomes, scores, strict=True), start=1):
-        finalists.add(Individual(np.array([float(genome)]), None, score, generation))
-    chosen = {(one.genome[0], one.generation) for one in finalists.chosen()}
-    assert chosen == {(2.0, 2), (1.0, 1), (5.0, 7), (4.0, 6)}
 
 
 @pytest.mark.parametrize(

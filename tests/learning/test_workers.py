@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.learning.ground import Ground, pieces_of
+from socialmind.learning.ground import Ground
 from socialmind.learning.keys import seeds_for
 from socialmind.learning.workers import Cluster, Processes, Stopped, Threads, hired
 
@@ -88,16 +88,6 @@ def test_skills_of_different_functions_are_judged_one_by_one(ground, robot, proc
     for workers in (threads, processes):
         assert equal(workers.judge(ground(), skills, SEEDS), expected(ground()))
     threads.close()
-
-
-def test_every_individual_meets_every_world_once():
-    for count in (1, 3, 11, 20, 100):
-        met = np.zeros((11, 3), int)
-        for piece in pieces_of(GENOMES, SEEDS, count):
-            met[piece.individuals, piece.worlds] += 1
-            assert (piece.genomes == GENOMES[piece.individuals]).all()
-            assert list(piece.seeds) == SEEDS[piece.worlds]
-        assert (met == 1).all()
 
 
 @pytest.mark.parametrize("kind", [Threads, Processes])
