@@ -4,6 +4,9 @@ Contacts are resolved in rounds. In each, bodies that overlap each other are pus
 after the other; then each body is pushed out of the one obstacle or border that it is deepest in.
 Rounds end when nothing overlaps, or after `MOST_ROUNDS`, as bodies may be where there is no room
 for them; they are inside the borders even then.
+
+Few ticks have contacts. What every tick does is compiled into `move` itself (`forceinline`), which
+saves a third of its time; what resolves contacts is not, as that would only take longer to compile.
 """
 
 from __future__ import annotations
@@ -139,7 +142,7 @@ def turned(angle: float) -> float:
     return angle
 
 
-@register_jitable(error_model="numpy")
+@register_jitable(error_model="numpy", forceinline=True)
 def _advance(body: Any, kind: Any, dt: float) -> bool:
     """Push, damp and move a body; return whether its motion is finite."""
     vx = body.vx + dt * body.push_x / kind.mass
@@ -248,7 +251,7 @@ def _deepest(plane: Any, stones: Any, begin: Any, entries: Any, body: Any, radiu
     return (deepest if deepest > TOUCHING else 0.0), normal_x, normal_y
 
 
-@register_jitable(error_model="numpy")
+@register_jitable(error_model="numpy", forceinline=True)
 def _find_contacts(plane: Any, kinds: Any, bodies: int) -> bool:
     """Mark who overlaps what; return whether anyone does. Nothing moves."""
     state = carray(as_pointer(plane.state), (bodies,), types.float64)
@@ -275,7 +278,7 @@ def _find_contacts(plane: Any, kinds: Any, bodies: int) -> bool:
     return _touch_pairs(plane, kinds, state) or found
 
 
-@register_jitable(error_model="numpy")
+@register_jitable(error_model="numpy", forceinline=True)
 def _overlap(one: Any, two: Any, both: float) -> Any:
     """Return how deep circles are in each other, and the normal from the first to the second."""
     dx, dy = two.x - one.x, two.y - one.y
@@ -290,7 +293,7 @@ def _overlap(one: Any, two: Any, both: float) -> Any:
     return both - distance, dx / distance, dy / distance
 
 
-@register_jitable(error_model="numpy")
+@register_jitable(error_model="numpy", forceinline=True)
 def _touch_pairs(plane: Any, kinds: Any, state: Any) -> bool:
     """Mark the bodies that overlap each other; return whether any do."""
     found = False
@@ -311,7 +314,7 @@ def _touch_pairs(plane: Any, kinds: Any, state: Any) -> bool:
     return found
 
 
-@register_jitable(error_model="numpy")
+@register_jitable(error_model="numpy", forceinline=True)
 def _touch_others(
     kind: Any, slot: int, other: Any, begin: int, state: Any, first: int, second: int
 ) -> bool:

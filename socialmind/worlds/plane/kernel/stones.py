@@ -48,7 +48,7 @@ def table_of(plane: Any) -> Any:
     return begin, carray(as_pointer(plane.cell_stones), (plane.cell_room,), types.int32)
 
 
-@register_jitable(error_model="numpy")
+@register_jitable(error_model="numpy", forceinline=True)
 def candidates(plane: Any, begin: Any, x: float, y: float) -> Any:
     """Return the first and the last + 1 place of the list of the cell at (x, y).
 
