@@ -19,7 +19,8 @@ class Body(Agent):
     `angle` is its orientation in radians, counterclockwise from the x axis; `heading` the same in
     degrees clockwise from north, as everywhere else. `vx`, `vy` units a second and `spin` radians a
     second are its motion; `push_x`, `push_y` and `torque` what acts on it in the next tick.
-    `contact` is 1 while it touches a border, an obstacle or a body that collides with it.
+    `contact` is 1 while it touches a border or an obstacle, 2 while it touches nothing but bodies
+    that collide with it, else 0.
     `carrier_kind` and `carrier` say who carries it, -1 for nobody: a carried body stays just ahead
     of its carrier and touches nothing.
     """
@@ -40,7 +41,7 @@ class Robot(Body):
     """A body with sensors and actuators.
 
     `carrying` is the identity of what its claw holds, -1 for nothing; `closed` whether the claw is
-    closed; `battery` its charge, 0 … 1; `collisions` how often it has run into something;
+    closed; `battery` its charge, 0 … 1; `collisions` how often it has run into a border or an obstacle (`touching` whether it does);
     `reward` what its reward functions gave in this tick, and `score` their sum. Rules add to
     `earned` what the reward `paid` then takes. `restarted` says that its rewards start anew: they
     forget what they remember.

@@ -70,7 +70,7 @@ def _robot(model: Model, functions: Functions, stage: Stage, table: Any, slot: i
     row = table.rows[slot]
     cos, sin = math.cos(robot.angle), math.sin(robot.angle)
     if stage.name == "rewards":
-        touches = robot.contact != 0
+        touches = robot.contact == 1
         robot.collisions += int(touches and not robot.touching)
         robot.touching = touches
         robot.reward = 0.0
@@ -104,7 +104,7 @@ def _sought(
         if not table.alive[other] or (seek.same and other == slot):
             continue
         row = table.rows[other]
-        if seek.carried and row["carrier"] >= 0:
+        if seek.carried and row["carrier_kind"] >= 0:
             own = row["carrier"] == slot and row["carrier_kind"] == stage.robots.kind
             if seek.free or not own:
                 continue
@@ -145,8 +145,9 @@ def _call(
         values["bearing"] = bearing_of(dx, dy, *turned, angle) if found else 0.0
         if not found:
             values["distance"] = reach if math.isfinite(reach) else 0.0
-        if stage.seeks[call.seek].carried:
-            values["held"] = found and target.carrier >= 0
+        # Those that another robot carries are left out, so a target that is carried is held.
+        carried = stage.seeks[call.seek].carried
+        values["held"] = carried and found and target.carrier_kind >= 0
     if device.sensor is not None:
         values["reading"] = robot.readings[sensors.index(device.sensor)]
     if device.sensors:

@@ -9,12 +9,12 @@ from socialmind.worlds.plane.devices import Interruption
 
 
 def collision() -> Interruption:
-    """A robot touches a border, an obstacle or a body that it collides with."""
+    """A robot touches a border or an obstacle; to push an object is no collision."""
     return Interruption(in_contact)
 
 
 def in_contact(robot: Any) -> bool:
-    """Return whether the robot touches something."""
+    """Return whether the robot touches a border or an obstacle."""
     return robot.contact == 1
 
 

@@ -195,9 +195,7 @@ def _those_for(name: str, devices: Mapping[str, Any], robots: list[str]) -> dict
     return found
 
 
-def _check_population(
-    name: str, one: Population, populations: Mapping[str, Population]
-) -> None:
+def _check_population(name: str, one: Population, populations: Mapping[str, Population]) -> None:
     moves = issubclass(one.agent, Body)
     if moves != (one.body is not None):
         raise ModelError(

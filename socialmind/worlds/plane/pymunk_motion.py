@@ -118,7 +118,7 @@ class PymunkMotion:
         self._space = pymunk.Space()
         self._placed: list[dict[int, Placed]] = []
         self._owner: dict[pymunk.Shape, tuple[pymunk.Body, float]] = {}
-        self._touching: set[pymunk.Shape] = set()
+        self._touching: dict[pymunk.Shape, int] = {}
 
     def build(self) -> None:
         """Make the space anew from the rows of obstacles and bodies.
@@ -152,7 +152,7 @@ class PymunkMotion:
         space.step(self.dt)
         for kind, slot, body, shape in moving:
             rows = kind.table.rows
-            if touched := shape in self._touching:
+            if touched := self._touching.get(shape, 0):
                 vx, vy = body.velocity
                 rows["vx"][slot], rows["vy"][slot] = vx, vy
                 # What is left of the motion in pymunk is the correction of overlaps alone.
@@ -211,10 +211,11 @@ class PymunkMotion:
             arbiter.process_collision = False
             return
         normal, approach, share, most = arbiter.normal, 0.0, 0.0, math.inf
+        contact = 2 if all(shape in self._owner for shape in arbiter.shapes) else 1
         for shape, toward in zip(arbiter.shapes, (1.0, -1.0), strict=True):
             if shape in self._owner:
                 body, restitution = self._owner[shape]
-                self._touching.add(shape)
+                self._touching[shape] = min(contact, self._touching.get(shape, contact))
                 approach += toward * normal.dot(body.velocity)
                 share = max(share, restitution)
             else:

@@ -7,9 +7,6 @@ import math
 from numba.extending import register_jitable
 
 
-
-
-
 @register_jitable
 def mounted(x: float, cos: float, sin: float, ahead: float, aside: float) -> float:
     """Return a coordinate of a point of a body's frame: of x, or of y with `aside` and `ahead`."""

@@ -75,7 +75,7 @@ def square_of_speed(robot: Any, gain: float) -> float:
 
 
 def collision_cost(gain: float) -> Reward:
-    """−`gain` in each tick in contact with a border, an obstacle or a body."""
+    """−`gain` in each tick in contact with a border or an obstacle."""
     return Reward(cost_of_contact, settings={"gain": gain})
 
 

@@ -131,7 +131,8 @@ def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
                         same = device.of == robots
                         seeks[key] = Seek(device.of, device.free, first, same, carried)
                     place = list(seeks).index(key)
-                symbol = typed(program, device, robots, list(one.sensors))
+                what = f"the {device.word} {name!r} of {robots!r}"
+                symbol = typed(program, device, robots, list(one.sensors), what)
                 if stage == "interruptions":
                     number = shape.interruptions.index(name)
                 memory = memory_field(stage, name) if device.memory else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from socialmind.worlds.plane.stages import PLACED, Call, PlaneProgram, Seek, Stage
 
-HEAD = '''import math as _math
+HEAD = """import math as _math
 from numba import cfunc as _cfunc
 from socialmind.language.memory import call_at as _call
 from socialmind.worlds.plane import relative as _relative
@@ -17,7 +17,7 @@ _counted = _inner(_relative.counted)
 
 @_inner
 def _settings(_model):
-    return carray(_as_pointer(_model._settings), (_model._settings_0,), np.float64)'''
+    return carray(_as_pointer(_model._settings), (_model._settings_0,), np.float64)"""
 
 _NEAREST = """@_inner
 def _nearest_NAME(_model, x, y, reach, own, carrier, kind, free):
@@ -37,7 +37,7 @@ def _nearest_NAME(_model, x, y, reach, own, carrier, kind, free):
             least = away
     return nearest"""
 
-_CARRIED = """if row.carrier >= 0:
+_CARRIED = """if row.carrier_kind >= 0:
             if free or row.carrier != carrier or row.carrier_kind != kind:
                 continue
         """
@@ -88,7 +88,8 @@ def _think_NAME(_model):
 _TICK = """@_inner
 def _before_minds(_model, rng):
     if _model._outside == 0:
-        _call(_model._move, _model._plane, 0, 0)
+        if _call(_model._move, _model._plane, 0, 0) != 0:
+            raise ValueError("the motion of a body is not finite")
 STAGES
 INFORM
     return
@@ -126,7 +127,9 @@ def plane_text(plane: PlaneProgram, phases: str) -> str:
     lines += ["    if _model._over != 0:", "        return"]
     lines += [f"    _actuators_{name}(_model, rng)" for name in names]
     lines += [f"    _sensors_{name}(_model, rng)" for name in names]
-    inform = "\n".join(f"    if not _model._steered:\n        _inform_{one}(_model)" for one in minded)
+    inform = "\n".join(
+        f"    if not _model._steered:\n        _inform_{one}(_model)" for one in minded
+    )
     obey = "".join(f"    if not _model._steered:\n        _obey_{one}(_model)\n" for one in minded)
     tick = _TICK.replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
     parts.append(tick.replace("OBEY", obey).replace("PHASES", phases))
@@ -183,7 +186,7 @@ def _prelude(stage: Stage) -> list[str]:
         lines += ["cos = _math.cos(agent.angle)", "sin = _math.sin(agent.angle)"]
     if stage.name == "rewards":
         lines += [
-            "touches = agent.contact != 0",
+            "touches = agent.contact == 1",
             "if touches and not agent.touching:",
             "    agent.collisions += 1",
             "agent.touching = touches",
@@ -244,8 +247,10 @@ def _call_lines(stage: Stage, call: Call) -> list[str]:
         "distance": "distance",
         "bearing": "bearing",
     }
-    if k is not None and stage.seeks[k].carried:
-        values["held"] = f"found_{k} and target_{k}.carrier >= 0"
+    if k is not None:
+        carried = stage.seeks[k].carried
+        # Those that another robot carries are left out, so a target that is carried is held.
+        values["held"] = f"found_{k} and target_{k}.carrier_kind >= 0" if carried else "False"
     sensors = list(stage.robots.sensors)
     if device.sensor is not None:
         values["reading"] = f"agent.readings[{sensors.index(device.sensor)}]"

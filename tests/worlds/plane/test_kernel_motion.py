@@ -125,6 +125,13 @@ def test_who_does_not_live_is_not_touched():
     assert rows[0] == before and rows["x"][1] > 0 and rows["contact"][1] == 0
 
 
+def test_who_touches_a_body_and_a_border_has_run_into_the_border():
+    crowd = bodies(3)
+    crowd["x"] = [9.5, 8.0, 6.5]
+    move(plane({"crowd": (Disc(meets=("crowd",)), crowd)}, half_width=10.0))
+    assert crowd["contact"].tolist() == [1, 2, 2]
+
+
 @pytest.mark.parametrize(("restitution", "leaving"), [(0.0, 5.0), (1.0, 10.0), (1.8, 14.0)])
 def test_equal_balls_exchange_speed_by_the_larger_restitution(restitution, leaving):
     one, two = bodies(1), bodies(1)
@@ -134,7 +141,7 @@ def test_equal_balls_exchange_speed_by_the_larger_restitution(restitution, leavi
     move(plane({"one": (hitting, one), "two": (hit, two)}))
     assert two["vx"][0] == pytest.approx(leaving)
     assert one["vx"][0] == pytest.approx(10.0 - leaving)
-    assert one["contact"][0] == two["contact"][0] == 1
+    assert one["contact"][0] == two["contact"][0] == 2
     assert two["x"][0] - one["x"][0] == pytest.approx(2.0)
     # Of equal masses each gives way by half: 0.2333… units deep.
     assert two["x"][0] == pytest.approx(2.1 + (10 * DT - 0.1) / 2)

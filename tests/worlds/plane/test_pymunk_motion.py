@@ -127,7 +127,7 @@ def test_a_head_on_impact_keeps_momentum_and_bounces_by_the_larger_restitution(d
     momentum = BOUNCER.mass * ball[0]["vx"] + other.mass * target[0]["vx"]
     assert momentum.item() == pytest.approx(9.0 * BOUNCER.mass)
     assert (target[0]["vx"] - ball[0]["vx"]).item() == pytest.approx(0.8 * 9.0)
-    assert ball[0]["contact"].item() == target[0]["contact"].item() == 1
+    assert ball[0]["contact"].item() == target[0]["contact"].item() == 2
     # The overlap of 0.1 is taken out at once, shared in inverse proportion to the masses.
     assert (target[0]["x"] - ball[0]["x"]).item() == pytest.approx(2.0, abs=1e-12)
     share = BOUNCER.mass / (BOUNCER.mass + other.mass)
@@ -183,8 +183,8 @@ def test_only_kinds_that_meet_collide_and_it_is_mutual():
         ("robots", ROBOT, robots), ("objects", BALL, objects), ("ghosts", Disc(), ghosts)
     )
     motion.move()
-    assert robots[0]["contact"].tolist() == [1, 1]
-    assert objects[0]["contact"].tolist() == [1]
+    assert robots[0]["contact"].tolist() == [2, 2]
+    assert objects[0]["contact"].tolist() == [2]
     assert ghosts[0]["contact"].tolist() == [0]
     assert ghosts[0]["x"].item() == 0.2
 
@@ -367,11 +367,17 @@ def test_what_nobody_living_carries_is_put_down(carrier):
     assert ball[0]["x"].item() == pytest.approx(9.0 + 3.0 * DT)
 
 
+def test_who_touches_a_body_and_a_border_has_run_into_the_border():
+    crowd = bodies({"x": 9.5}, {"x": 8.0}, {"x": 6.5})
+    plane(("crowd", Disc(meets=("crowd",)), crowd), half_width=10.0).move()
+    assert crowd[0]["contact"].tolist() == [1, 2, 2]
+
+
 def test_rows_may_be_written_between_ticks():
     robot, ball = bodies({"x": 0.0}), bodies({"x": 1.9})
     motion = plane(("robots", ROBOT, robot), ("objects", BALL, ball), half_width=20.0)
     motion.move()
-    assert ball[0]["contact"].item() == 1
+    assert ball[0]["contact"].item() == 2
     ball[0]["x"], ball[0]["y"], ball[0]["vx"], ball[0]["vy"] = -7.0, 5.0, 0.0, 3.0
     robot[0]["angle"] = 1.0
     motion.move()
@@ -391,7 +397,7 @@ def test_the_dead_are_left_out_and_the_born_appear():
     assert robots[0]["contact"].tolist() == [0, 0, 0]
     robots[1][1] = True
     motion.move()
-    assert robots[0]["contact"].tolist() == [1, 1, 0]
+    assert robots[0]["contact"].tolist() == [2, 2, 0]
     robots[1][0] = False
     robots[0]["vx"][0] = 5.0
     before = robots[0][0].copy()

@@ -333,12 +333,19 @@ def _touch_others(
             continue
         depth, _, _ = _overlap(body, met, both)
         if depth > 0.0:
-            body.contact = 1
-            met.contact = 1
+            _touch(body)
+            _touch(met)
             state[first + slot] = MOVED
             state[second + place] = MOVED
             found = True
     return found
+
+
+@register_jitable(error_model="numpy")
+def _touch(body: Any) -> None:
+    """Note that a body touches another one, unless it touches what never moves."""
+    if body.contact == 0:
+        body.contact = 2
 
 
 @register_jitable(error_model="numpy")
