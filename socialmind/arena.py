@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from socialmind.connection import connect
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
 ENGINES = ("compiled", "pymunk")
 """What moves the bodies."""
+_MOTION = ("x", "y", "angle", "push_x", "push_y", "torque")
 
 
 class Arena:
@@ -126,8 +128,6 @@ class Arena:
 
     def build(self) -> None:
         """Look at where the obstacles are, after the setup or a restored state."""
-        from socialmind.connection import connect
-
         connect(self._model)
         self.arrays.build()
         if self._model.physics == "pymunk":
@@ -137,8 +137,55 @@ class Arena:
         """Move the bodies by one tick."""
         if self._model.physics == "pymunk":
             self.motion.move()
-        else:
-            kernel().move.ctypes(self.arrays.address, 0, 0)
+            return
+        connect(self._model)
+        fault = kernel().move.ctypes(self.arrays.address, 0, 0)
+        if fault:
+            raise self._not_finite(fault - 1)
+
+    def _not_finite(self, place: int) -> SocialmindError:
+        """Return the error for a body, by its place among the slots of all bodies."""
+        for name in self.shape.bodies:
+            table = self._model.tables[name]
+            if place < len(table.rows):
+                row = table.rows[place]
+                values = ", ".join(f"{field}={row[field].item()}" for field in _MOTION)
+                return ModelError(
+                    f"agent {row['_id']} of {name!r}, whose motion is not finite in tick "
+                    f"{self._model.tick}: {values}",
+                    "finite numbers",
+                )
+            place -= len(table.rows)
+        return SocialmindError("the motion of a body is not finite")
+
+    def steer(self, population: str, commands: ArrayLike | None) -> None:
+        """Steer robots from outside, in place of their minds; see `Model.steer`."""
+        robots = self.shape.robots
+        if population not in robots:
+            raise SocialmindError(
+                f"no robots called {population!r} in {self._model.name}; "
+                f"{nearest(population, robots)}"
+            )
+        steered = f"_{population}_steered"
+        if commands is None:
+            if not self._model.minded:
+                raise SocialmindError(
+                    f"robots of {self._model.name} without minds, which was made with "
+                    "hierarchy=False; steer them with commands"
+                )
+            self._model.context[steered] = 0
+            return
+        table, count = self._model.tables[population], len(robots[population].actuators)
+        given, slots = np.asarray(commands, np.float64), table.slots
+        if given.shape not in ((count,), (len(slots), count)):
+            raise SocialmindError(
+                f"commands of shape {given.shape}; expected {(len(slots), count)}, a row for each "
+                f"robot of {population!r} with {', '.join(robots[population].actuators) or 'none'}"
+            )
+        if not ((given >= 0.0) & (given <= 1.0)).all():
+            raise SocialmindError(f"commands {given.tolist()}; expected numbers, 0 … 1")
+        table.rows["commands"][slots, :count] = given
+        self._model.context[steered] = 1
 
     @property
     def motion(self) -> Any:
@@ -167,12 +214,21 @@ def places_of(
         ModelError: the mind reads a sensor, or commands an actuator, that the body lacks.
     """
     description = assembly.description
-    for part, own in (("sensors", robots.sensors), ("actuators", robots.actuators)):
-        for name in getattr(description, part):
-            needed = part == "actuators" or name in assembly.required
-            if needed and name not in own:
+    commanded = {
+        one.name
+        for skill in assembly.skills
+        for one in description.skills[skill].outputs
+        if one.module == "actuator"
+    }
+    used: list[tuple[str, Any, Any]] = [
+        ("sensor", assembly.required, robots.sensors),
+        ("actuator", sorted(commanded), robots.actuators),
+    ]
+    for part, needed, own in used:
+        for name in needed:
+            if name not in own:
                 raise ModelError(
-                    f"the {part[:-1]} {name!r} of the mind {description.name!r}, "
+                    f"the {part} {name!r} of the mind {description.name!r}, "
                     f"which the bodies of {robots.name!r} do not have",
                     f"one of {', '.join(own) or 'none'}",
                     nearest(name, own),

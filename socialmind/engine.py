@@ -110,14 +110,18 @@ class Engine:
 
     def _advance_outside(self, ticks: int) -> None:
         """Run a number of ticks whose motion is not compiled."""
-        arena = self.model.arena
+        model = self.model
+
+        def one() -> int:
+            # Within what is done again when it fails, so that nothing moves twice.
+            if model.arena is not None and model.over is None:
+                model.arena.move()
+            return int(self.module.advance(model.contexts, 1))
+
         for _ in range(ticks):
-            connect(self.model)
-            if arena is not None and self.model.over is None:
-                arena.move()
-            one = functools.partial(self.module.advance, self.model.contexts, 1)
-            if self._guarded(one, run_tick) < 1:
-                self._make_room()
+            self._make_room()
+            connect(model)
+            self._guarded(one, run_tick)
 
     def _make_room(self) -> None:
         for name in self.model.program.births:

@@ -131,13 +131,12 @@ def _follow(model: Model, rule: Rule, phase: Phase, agent: Any, stream: Stream) 
         else:
             who = f"agent {agent.id} of {phase.shape.population!r}"
         what = f"{type(error).__name__}: {error}"
-        raise RuleError(what, _place_of(error), model.tick, who) from error
+        raise RuleError(what, place_of(error), model.tick, who) from error
 
 
-def _place_of(error: Exception) -> str:
-    """Return the last line of the author's that an error went through."""
+def place_of(error: Exception, place: str = "in a rule") -> str:
+    """Return the last line of the author's that an error went through, or else `place`."""
     library = Path(__file__).parent
-    place = "in a rule"
     for frame in traceback.extract_tb(error.__traceback__):
         inside = library in Path(frame.filename).parents
         if not inside and "coglogo_py" not in Path(frame.filename).parts:

@@ -10,6 +10,7 @@ from socialmind.worlds.plane.interruptions import (
     over_threshold,
     under_threshold,
 )
+from socialmind.worlds.plane.measures import Measure, survived, total
 from socialmind.worlds.plane.plane import Plane
 from socialmind.worlds.plane.rewards import (
     clear,
@@ -45,6 +46,7 @@ __all__ = [
     "Body",
     "Disc",
     "Interruption",
+    "Measure",
     "Obstacle",
     "Plane",
     "RangeFinder",
@@ -80,6 +82,8 @@ __all__ = [
     "signal_orientation",
     "speed",
     "straight",
+    "survived",
+    "total",
     "under_threshold",
     "wheel",
 ]

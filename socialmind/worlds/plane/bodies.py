@@ -41,10 +41,10 @@ class Robot(Body):
     """A body with sensors and actuators.
 
     `carrying` is the identity of what its claw holds, -1 for nothing; `closed` whether the claw is
-    closed; `battery` its charge, 0 … 1; `collisions` how often it has run into a border or an obstacle (`touching` whether it does);
-    `reward` what its reward functions gave in this tick, and `score` their sum. Rules add to
-    `earned` what the reward `paid` then takes. `restarted` says that its rewards start anew: they
-    forget what they remember.
+    closed; `battery` its charge, 0 … 1; `touching` whether it touches a border or an obstacle, and
+    `collisions` how often it has run into one; `reward` what its reward functions gave in this
+    tick, and `score` their sum. Rules add to `earned` what the reward `paid` then takes.
+    `restarted` says that its rewards start anew: they forget what they remember.
     """
 
     carrying: int = -1
@@ -59,8 +59,10 @@ class Robot(Body):
 
 
 class Obstacle(Agent):
-    """What stands in the way and never moves: a square of sides 2·`half_width` turned by `angle`
-    (radians), or a cylinder of that radius where `round` is 1.
+    """What stands in the way and never moves.
+
+    It is a square of sides 2·`half_width` turned by `angle` (radians), or a cylinder of that radius
+    where `round` is 1.
     """
 
     angle: float = 0.0
@@ -114,7 +116,7 @@ class Disc:
 
     @property
     def mass(self) -> float:
-        """density · π · radius²."""
+        """The mass, density · π · radius²."""
         return self.density * math.pi * self.radius**2
 
     @property

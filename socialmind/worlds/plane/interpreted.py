@@ -6,6 +6,9 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from socialmind.errors import RuleError
+from socialmind.rows import ArrayField
+from socialmind.schedule import place_of
 from socialmind.streams import Stream
 from socialmind.worlds.plane.kernel.code import kernel
 from socialmind.worlds.plane.relative import bearing_of, bounded, counted, mounted
@@ -36,9 +39,11 @@ def before_minds(model: Model, functions: Functions) -> None:
 def think(model: Model) -> None:
     """Evaluate the hierarchies of skills, and hand their commands to the actuators."""
     arena = model.arena
-    if arena is None or model.context["_steered"]:
+    if arena is None:
         return
     for name, senses in arena.senses.items():
+        if model.context[f"_{name}_steered"]:
+            continue
         table = model.tables[name]
         minds: Any = table.minds
         for slot in range(len(table.rows)):
@@ -52,6 +57,12 @@ def think(model: Model) -> None:
             if table.alive[slot]:
                 commands = minds.state.actuators[slot, motors[known], 0]
                 table.rows["commands"][slot, : len(motors)][known] = commands
+
+
+def _heeded(model: Model, interruption: Call) -> bool:
+    """Return whether an interruption ends what goes on."""
+    ignored = int(model.context["_ignored"]) >> interruption.number & 1
+    return not model.context["_over"] and not ignored
 
 
 def _run(model: Model, functions: Functions, stage: Stage) -> None:
@@ -98,7 +109,7 @@ def _sought(
     ahead, aside, _, reach = settings[seek.settings : seek.settings + PLACED].tolist()
     x = mounted(robot.x, cos, sin, ahead, aside)
     y = mounted(robot.y, sin, -cos, ahead, aside)
-    table = model.tables[seek.of]
+    table: Any = model.tables[seek.of]
     nearest, least = -1, reach * reach
     for other in range(len(table.rows)):
         if not table.alive[other] or (seek.same and other == slot):
@@ -112,7 +123,7 @@ def _sought(
         away = dx * dx + dy * dy
         if away < least or (nearest < 0 and away <= least):
             nearest, least = other, away
-    target = table.row_class(table, max(nearest, 0))
+    target: Any = table.row_class(table, max(nearest, 0))
     return target, nearest >= 0, float(target.x) - x, float(target.y) - y
 
 
@@ -152,7 +163,8 @@ def _call(
         values["reading"] = robot.readings[sensors.index(device.sensor)]
     if device.sensors:
         first = sensors.index(device.sensors[0])
-        values["readings"] = [robot.readings[first + one] for one in range(len(device.sensors))]
+        row = model.tables[stage.robots.name].rows[slot]
+        values["readings"] = ArrayField(row["readings"][first : first + len(device.sensors)])
     if call.memory:
         values["memory"] = getattr(robot, call.memory)
     if stage.name == "actuators":
@@ -161,10 +173,16 @@ def _call(
     if "rng" in device.takes:
         values["rng"] = Stream(model.seed)
         values["rng"].begin(call.tag, robot.id, model.tick)
-    result = functions[call.symbol](*(values[one] for one in device.takes))
-    if stage.name == "sensors":
-        robot.readings[call.number] = bounded(result)
-    elif stage.name == "rewards":
-        robot.reward += counted(result)
-    elif stage.name == "interruptions" and result and not model.context["_over"]:
-        model.context["_over"] = call.number + 1
+    try:
+        result = functions[call.symbol](*(values[one] for one in device.takes))
+        if stage.name == "sensors":
+            robot.readings[call.number] = bounded(result)
+        elif stage.name == "rewards":
+            robot.reward += counted(result)
+        elif stage.name == "interruptions" and result and _heeded(model, call):
+            model.context["_over"] = call.number + 1
+    except Exception as error:
+        code = device.function.__code__
+        place = place_of(error, f"{code.co_filename}:{code.co_firstlineno}")
+        who = f"the {device.word} {call.name!r} of agent {robot.id} of {stage.robots.name!r}"
+        raise RuleError(f"{type(error).__name__}: {error}", place, model.tick, who) from error

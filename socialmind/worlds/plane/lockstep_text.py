@@ -28,7 +28,8 @@ models' records, `job` (lanes) the episode that each lane runs or -1, `individua
 `ended` (jobs), `weights` (genome_size) places in the genome of a mind, `out` (tables, 2) where the
 rows of each population of robots go and the bytes of an episode's. Of float64: `score` (jobs),
 `genomes` (individuals, genome_size). `next` is the next job to begin, `learner` the number of the
-population that learns, `failed` the job that failed or -1."""
+population that learns, `failed` the job that failed or -1. Behind the tables in `out` stands where
+the models' records go."""
 
 _TEXT = """LOCKSTEP = DTYPE
 
@@ -90,8 +91,10 @@ def _end_episode(work, lane, job):
     _model = _world(work, lane)
     total = 0.0
     robots = 0
-    out = carray(_as_pointer(work.out), (TABLES, 2), np.int64)
+    out = carray(_as_pointer(work.out), (TABLES + 1, 2), np.int64)
 SCORES
+    size = out[TABLES, 1]
+    _copy_bytes(_words(work.contexts, work.lanes)[lane], out[TABLES, 0] + job * size, size)
     _numbers(work.score, work.jobs)[job] = total / max(robots, 1)
     _words(work.ticks, work.jobs)[job] = _model._tick
     _words(work.ended, work.jobs)[job] = _model._over
@@ -143,7 +146,7 @@ THINK
 
 @_cfunc("int64(int64, int64, int64)", cache=True)
 def run_lanes(address, rounds, nothing):
-    \"\"\"Run all lanes for so many ticks; return 1 while there is more to do, 0, or -1: it failed.\"\"\"
+    \"\"\"Run all lanes for so many ticks; return 1 while there is more to do, 0, -1: failed.\"\"\"
     # One call alone: numba for Python 3.12 loses errors out of loops inside a `try`.
     try:
         result = _run_lanes(carray(_as_pointer(address), (1,), LOCKSTEP)[0], rounds)

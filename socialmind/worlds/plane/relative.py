@@ -18,8 +18,10 @@ def bearing_of(dx: float, dy: float, cos: float, sin: float, angle: float) -> fl
     """Return the direction of something, radians from -π to π, positive to the left.
 
     Args:
-        dx, dy: how far it is away.
-        cos, sin: of the body's angle.
+        dx: how far it is away in x.
+        dy: how far it is away in y.
+        cos: of the body's angle.
+        sin: of the body's angle.
         angle: where the device points, from straight ahead.
     """
     bearing = math.atan2(cos * dy - sin * dx, cos * dx + sin * dy) - angle

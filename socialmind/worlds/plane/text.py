@@ -128,12 +128,14 @@ def plane_text(plane: PlaneProgram, phases: str) -> str:
     lines += [f"    _actuators_{name}(_model, rng)" for name in names]
     lines += [f"    _sensors_{name}(_model, rng)" for name in names]
     inform = "\n".join(
-        f"    if not _model._steered:\n        _inform_{one}(_model)" for one in minded
+        f"    if not _model._{one}_steered:\n        _inform_{one}(_model)" for one in minded
     )
-    obey = "".join(f"    if not _model._steered:\n        _obey_{one}(_model)\n" for one in minded)
+    obey = "".join(
+        f"    if not _model._{one}_steered:\n        _obey_{one}(_model)\n" for one in minded
+    )
     tick = _TICK.replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
     parts.append(tick.replace("OBEY", obey).replace("PHASES", phases))
-    think = [f"    if not _model._steered:\n        _think_{one}(_model)" for one in minded]
+    think = [f"    if not _model._{one}_steered:\n        _think_{one}(_model)" for one in minded]
     parts.append("\n".join(["@_inner\ndef _think(_model):", *think, "    return"]))
     return "\n\n\n".join(parts)
 
@@ -169,8 +171,12 @@ def _stage_text(stage: Stage) -> str:
             f"    if _model._{name}_eyes != 0:",
             f"        _call(_model._look, _model._plane, _model._{name}_eyes, 0)",
         ]
-    lines += ["    for slot in range(len(rows)):", "        if not alive[slot]:", "            continue",
-              "        agent = rows[slot]"]  # fmt: skip
+    lines += [
+        "    for slot in range(len(rows)):",
+        "        if not alive[slot]:",
+        "            continue",
+        "        agent = rows[slot]",
+    ]
     lines += [f"        {line}" for line in _prelude(stage)]
     for number, seek in enumerate(stage.seeks):
         lines += [f"        {line}" for line in _seek_lines(stage, number, seek)]
@@ -212,7 +218,7 @@ def _seek_lines(stage: Stage, number: int, seek: Seek) -> list[str]:
     at, k = seek.settings, number
     kind = stage.robots.kind
     own = "slot" if seek.same else "-1"
-    lines = [
+    return [
         f"x_{k} = _mounted(agent.x, cos, sin, settings[{at}], settings[{at + 1}])",
         f"y_{k} = _mounted(agent.y, sin, -cos, settings[{at}], settings[{at + 1}])",
         f"slot_{k} = _nearest_{seek.of}(_model, x_{k}, y_{k}, settings[{at + 3}], {own}, slot, "
@@ -222,7 +228,6 @@ def _seek_lines(stage: Stage, number: int, seek: Seek) -> list[str]:
         f"dx_{k} = target_{k}.x - x_{k}",
         f"dy_{k} = target_{k}.y - y_{k}",
     ]
-    return lines
 
 
 def _call_lines(stage: Stage, call: Call) -> list[str]:
@@ -280,7 +285,11 @@ def _call_lines(stage: Stage, call: Call) -> list[str]:
     elif stage.name == "rewards":
         lines.append(f"agent.reward += _counted({called})")
     elif stage.name == "interruptions":
-        lines += [f"if {called} and _model._over == 0:", f"    _model._over = {call.number + 1}"]
+        heeded = f"(_model._ignored >> {call.number}) & 1 == 0"
+        lines += [
+            f"if {called} and _model._over == 0 and {heeded}:",
+            f"    _model._over = {call.number + 1}",
+        ]
     else:
         lines.append(called)
     return lines
