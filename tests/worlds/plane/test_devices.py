@@ -94,7 +94,7 @@ class Ground(Model):
     """A plane on which robots have every sensor, actuator and reward."""
 
     ticks = 200
-    world = Plane(14.0)
+    world = Plane(10.0)
     zones = Population(Zone, 2)
     stones = Population(Obstacle, 4)
     objects = Population(Body, 6, body=BALL)
