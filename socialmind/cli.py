@@ -1,4 +1,4 @@
-"""The command line: `socialmind list, run, plot, render, replay, check, explain, reproduce, new`.
+"""The command line: `socialmind list, run, learn, score, plot, render, replay, check, explain, …`.
 
 This file says what the commands take; `socialmind.commands` does the work and is imported by the
 command that needs it, so that a run starts fast. What the user can put right goes to stderr in
@@ -228,6 +228,46 @@ def learn(
             resume, quiet, attempts=attempts, cycles=cycles, workers=workers, cluster=cluster
         )
     typer.echo(folder)
+
+
+@command
+def score(
+    model: Annotated[str, typer.Argument(metavar="MODEL", help="A model's name, or its folder.")],
+    mind: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="[POPULATION=]DIR", help="Hierarchy of skills in place of the model's."
+        ),
+    ] = None,
+    episodes: Annotated[int, typer.Option(help="How many, each in its own world.", min=1)] = 100,
+    seed: Annotated[int, typer.Option(help="Seed of the worlds.", min=0)] = 0,
+    engine: Annotated[
+        str, typer.Option(metavar="ENGINE", help="compiled or pymunk, the reference.")
+    ] = "compiled",
+    on_collision: Annotated[
+        str | None,
+        typer.Option(metavar="end|continue", help="Whether a collision ends a run (the model's)."),
+    ] = None,
+    ticks: Annotated[
+        int | None, typer.Option(help="Limit of an episode (the model's).", min=1)
+    ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help="Value of a parameter; may be repeated."),
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="How many work side by side (one a core).", min=1)
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
+    quiet: Quiet = False,
+) -> None:
+    """Measure a model's minds in worlds that no training has seen, with intervals of 95 %."""
+    from socialmind.commands import scoring
+
+    scoring.print_score(
+        model, mind or [], settings or [], json, quiet, episodes=episodes, seed=seed,
+        engine=engine, on_collision=on_collision, ticks=ticks, workers=workers,
+    )  # fmt: skip
 
 
 @command

@@ -16,6 +16,7 @@ from socialmind.rows import ArrayField
 from socialmind.schedule import PhaseDeclaration
 from socialmind.worlds.grid import Torus
 from socialmind.worlds.plane.devices import Interruption, Reward
+from socialmind.worlds.plane.measures import RESERVED, Measure
 from socialmind.worlds.plane.plane import Plane
 
 OWN_NAMES = frozenset(
@@ -33,7 +34,7 @@ OWN_NAMES = frozenset(
         "steerings",
         "physics",
         "over",
-        "steered",
+        "minded",
         "names",
         "program",
         "scheme",
@@ -44,6 +45,7 @@ OWN_NAMES = frozenset(
         "tables",
         "watch",
         "watched",
+        "without",
         "world",
     )
 )
@@ -55,6 +57,7 @@ SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "schedule": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "rewards": ((dict,), "rewards by name, on a plane"),
     "interruptions": ((dict,), "interruptions by name, on a plane"),
+    "measures": ((dict,), "measures by name, on a plane"),
 }
 """The class attributes of `Model` that a modeller sets, and what they are."""
 
@@ -91,6 +94,7 @@ class Declaration(NamedTuple):
     plane: Plane | None
     rewards: dict[str, Reward]
     interruptions: dict[str, Interruption]
+    measures: dict[str, Measure]
 
 
 def declaration_of(cls: type, model: type) -> Declaration:
@@ -128,6 +132,7 @@ def declaration_of(cls: type, model: type) -> Declaration:
         world if isinstance(world, Plane) else None,
         dict(own.get("rewards", {})),
         dict(own.get("interruptions", {})),
+        dict(own.get("measures", {})),
     )
     _check_sizes(cls, found)
     _check_plane(cls, found)
@@ -213,12 +218,16 @@ def _check_sizes(cls: type, found: Declaration) -> None:
 
 def _check_plane(cls: type, found: Declaration) -> None:
     """Refuse what belongs to a plane where there is none, and a half-width that is no parameter."""
-    for name, kind in (("rewards", Reward), ("interruptions", Interruption)):
+    kinds = {"rewards": Reward, "interruptions": Interruption, "measures": Measure}
+    for name, kind in kinds.items():
         for key, device in getattr(found, name).items():
             if not isinstance(device, kind):
                 _refuse(cls, name, f"{device!r} as {key!r}", f"one of the {name} of socialmind")
             if found.plane is None:
                 _refuse(cls, name, f"{name} without a plane", None, "write world = Plane(…)")
+    for key in found.measures:
+        if key in RESERVED:
+            _refuse(cls, "measures", f"a measure called {key!r}", "another name: a score has it")
     if found.plane is None:
         for name, one in found.populations.items():
             if one.body is not None or one.sensors or one.actuators:

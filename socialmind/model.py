@@ -13,14 +13,14 @@ from __future__ import annotations
 import inspect
 import re
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.society import Society
@@ -47,8 +47,10 @@ if TYPE_CHECKING:
     from socialmind.mind.inhabitants import Steering
     from socialmind.mind.population_minds import PopulationMinds
 
-_KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick", "_over", "_steered")
-"""Columns of the record with a leading underscore that are state, not addresses and sizes."""
+_KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick", "_over", "_ignored")
+_KEPT_OF_POPULATIONS = ("_steered",)
+"""Columns of the record with a leading underscore that are state, not addresses and sizes: their
+names, and how the names of those of a population end."""
 
 Loaded = TypeVar("Loaded", bound="Model")
 
@@ -82,8 +84,10 @@ class Model:
         scheme: a scheme to use instead of the model's own: a file, or a `CognitiveScheme`; with
             several populations that have minds, a mapping from their names.
         hierarchy: a hierarchy of skills to use instead of the model's own: a mind's folder or YAML
-            file, or a `MindDescription`; with several populations that have one, a mapping.
+            file, or a `MindDescription`; with several populations that have one, a mapping; or
+            False for none: robots stand still until somebody steers them with `steer`.
         physics: on a plane, what moves the bodies: "compiled", or "pymunk", the reference.
+        without: on a plane, names of interruptions that are not heeded.
         parameters: values of parameters that differ from the defaults.
 
     Raises:
@@ -102,6 +106,7 @@ class Model:
     plane: ClassVar[Plane | None] = None
     rewards: ClassVar[dict[str, Any]] = {}
     interruptions: ClassVar[dict[str, Any]] = {}
+    measures: ClassVar[dict[str, Any]] = {}
     shape: ClassVar[ModelShape]
 
     def __init_subclass__(cls, **keywords: Any) -> None:
@@ -109,6 +114,7 @@ class Model:
         found = declaration_of(cls, Model)
         cls.parameters, cls.variables, cls.populations, cls.torus, cls.plane = found[:5]
         cls.rewards, cls.interruptions = found.rewards, found.interruptions
+        cls.measures = found.measures
         cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
         cls.shape = cls._shape()
         cls._programs = {}
@@ -184,6 +190,7 @@ class Model:
         scheme: str | Path | CognitiveScheme | Mapping[str, Any] | None = None,
         hierarchy: Any = None,
         physics: str = "compiled",
+        without: Sequence[str] = (),
         **parameters: Any,
     ) -> None:
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**64:
@@ -193,6 +200,7 @@ class Model:
         self._scheme = scheme
         self._hierarchy = hierarchy
         self.physics = physics
+        self.without = (without,) if isinstance(without, str) else tuple(without)
         self.watch: tuple[str, int] | None = None
         self.watched: Receipt | None = None
         self._steerings = self.steerings(hierarchy)
@@ -201,18 +209,25 @@ class Model:
         self.contexts = np.zeros(1, model_dtype(self.shape))
         self.context: Any = self.contexts[0]
         self._set_values(parameters)
+        self._set_ignored()
         torus = type(self).torus
         self.grid = None if torus is None else Grid(torus.fields, self._size(torus.size, 1))
         self.schemes = self._schemes()
         self.tables = self._tables()
         self.arena = None if self.shape.plane is None else Arena(self)
+        if self.arena is not None and not self.minded:
+            for name in self.arena.shape.robots:
+                self.context[f"_{name}_steered"] = 1
         self.stream = np.zeros(1, STREAM)
         self.stream["key_0"], self.stream["key_1"] = seed & 0xFFFFFFFF, seed >> 32
         self.connected: list[NDArray[Any]] = []
         self._addresses = [
             name
             for name in self.contexts.dtype.names or ()
-            if name.startswith("_") and name not in _KEPT and not name.startswith("_has_")
+            if name.startswith("_")
+            and name not in _KEPT
+            and not name.startswith("_has_")
+            and not name.endswith(_KEPT_OF_POPULATIONS)
         ]
         self.names = {
             name: np.array(
@@ -242,6 +257,16 @@ class Model:
             if field.optional:
                 self.context[presence(field.name)] = default is not None
             self.context[field.name] = 0 if default is None else default
+
+    def _set_ignored(self) -> None:
+        """Note which interruptions are not heeded, as bits."""
+        names = list(self.interruptions)
+        for name in self.without:
+            if name not in names:
+                raise SocialmindError(
+                    f"no interruption called {name!r} in {self.name}; {nearest(name, names)}"
+                )
+            self.context["_ignored"] |= 1 << names.index(name)
 
     def _size(self, size: int | str, least: int) -> int:
         if isinstance(size, str):
@@ -353,6 +378,28 @@ class Model:
         number = int(self.context["_over"]) if self.shape.plane is not None else 0
         return list(self.interruptions)[number - 1] if number else None
 
+    @property
+    def minded(self) -> bool:
+        """Whether robots have minds: not in a model made with `hierarchy=False`."""
+        return self._hierarchy is not False
+
+    def steer(self, population: str, commands: ArrayLike | None) -> None:
+        """Steer robots from outside, in place of their minds.
+
+        Actuators carry commands out from the next tick on, until others are given.
+
+        Args:
+            population: the robots' population.
+            commands: 0 … 1, (robots, actuators) in the order of the living and of the body's
+                actuators, or (actuators,) for all of them; None gives them back to their minds.
+
+        Raises:
+            SocialmindError: no plane, no such robots, or wrong commands.
+        """
+        if self.arena is None:
+            raise SocialmindError(f"{self.name} has no plane with robots to steer")
+        self.arena.steer(population, commands)
+
     # Observing --------------------------------------------------------------------------------
 
     def series(self) -> dict[str, Any]:
@@ -415,6 +462,7 @@ class Model:
             self._scheme,
             self._hierarchy,
             self.physics,
+            self.without,
             **self.parameter_values(),
         )
 

@@ -3,7 +3,8 @@
 - `run`, `resume`: run a model into a folder, go on with one;
 - `replay`: run a capsule again and compare;
 - `Run`: read a capsule's tables, parameters and scheme;
-- `draw_figures`: draw a run's figures into its folder.
+- `draw_figures`: draw a run's figures into its folder;
+- `score`: measure minds on a plane in many worlds.
 """
 
 from __future__ import annotations
@@ -14,18 +15,31 @@ if TYPE_CHECKING:
     from socialmind.experiments.execution import Interrupted, resume, run
     from socialmind.experiments.figures import draw_figures
     from socialmind.experiments.result import Run
+    from socialmind.experiments.score import Score, score
     from socialmind.experiments.verification import Replay, replay
 
-__all__ = ["Interrupted", "Replay", "Run", "draw_figures", "replay", "resume", "run"]
+__all__ = [
+    "Interrupted",
+    "Replay",
+    "Run",
+    "Score",
+    "draw_figures",
+    "replay",
+    "resume",
+    "run",
+    "score",
+]
 
 _HOME = {
     "Interrupted": "execution",
     "Replay": "verification",
     "Run": "result",
+    "Score": "score",
     "draw_figures": "figures",
     "replay": "verification",
     "resume": "execution",
     "run": "execution",
+    "score": "score",
 }
 
 

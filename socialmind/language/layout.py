@@ -93,10 +93,10 @@ def model_dtype(shape: ModelShape) -> np.dtype[Any]:
     plain = "tick stream idle idle_agent idle_tick world_size world_low world_high patches"
     columns += [(f"_{name}", "i8") for name in plain.split()]
     if shape.plane is not None:
-        of_plane = "over outside steered plane build move look settings settings_0"
+        of_plane = "over ignored outside plane build move look settings settings_0"
         columns += [(f"_{name}", "i8") for name in of_plane.split()]
         for name in shape.plane.robots:
-            parts = "eyes first senses senses_0 motors motors_0"
+            parts = "steered eyes first senses senses_0 motors motors_0"
             columns += [(f"_{name}_{part}", "i8") for part in parts.split()]
     for population in shape.populations.values():
         name = population.name

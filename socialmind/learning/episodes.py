@@ -39,7 +39,8 @@ class Outcome:
         score: the sum of the rewards, the mean of the robots.
         ticks: how long each lasted.
         ended: 0 at the limit of ticks, else 1 and the number of the interruption.
-        fields: by name, fields of the robots at the end, (individuals, repetitions, robots).
+        fields: what was recorded at the end, by name: of robots' fields (individuals, repetitions,
+            robots), of the model's variables (individuals, repetitions).
     """
 
     score: NDArray[np.float64]
@@ -63,7 +64,9 @@ class Episodes:
         population: whose minds these are; the first one with a hierarchy by default.
         lanes: how many worlds run in lockstep.
         physics: "compiled", or "pymunk", which runs one world after another.
-        record: fields of the robots to give back.
+        record: what to give back: fields of the robots that the minds steer, variables of the
+            model, or "population.field" for other robots.
+        without: names of interruptions that are not heeded.
 
     Raises:
         ModelError: no plane, no such skill or field, or a mind that does not fit the bodies.
@@ -82,6 +85,7 @@ class Episodes:
         lanes: int = LANES,
         physics: str = "compiled",
         record: Sequence[str] = (),
+        without: Sequence[str] = (),
     ) -> None:
         if model_class.shape.plane is None:
             raise ModelError(f"episodes of {model_class.name!r}", "a model on a plane")
@@ -93,6 +97,7 @@ class Episodes:
         self.lanes = lanes
         self.physics = physics
         self.record = tuple(record)
+        self.without = tuple(without)
         self.skills = (skill,) if isinstance(skill, str) else tuple(skill or ())
         minded = [n for n, one in model_class.shape.plane.robots.items() if one.hierarchy]
         self.population = population or (minded[0] if minded else "")
@@ -101,10 +106,7 @@ class Episodes:
             raise ModelError(f"the population {self.population!r} of {model_class.name!r}",
                              "one with a hierarchy", hint)  # fmt: skip
         self._robots = model_class.shape.plane.robots
-        for name in self.record:
-            if name not in model_class.shape.populations[self.population].fields:
-                known = list(model_class.shape.populations[self.population].fields)
-                raise ModelError(f"the field {name!r} to record", None, nearest(name, known))
+        self._recorded = {name: self._place(name) for name in self.record}
         given = hierarchy
         if hierarchy is not None and not isinstance(hierarchy, Mapping):
             given = {self.population: hierarchy}
@@ -117,6 +119,18 @@ class Episodes:
         )
         self.genome_size = sum(mine.skills[name].genome_size for name in self.skills)
         self._batch: _Batch | None = None
+
+    def _place(self, name: str) -> tuple[str | None, str]:
+        """Return where something to record stands: a population, or None for the model's own."""
+        shape = self.model_class.shape
+        population, _, field = name.rpartition(".")
+        population = population or self.population
+        if population in self._robots and field in shape.populations[population].fields:
+            return population, field
+        if name in shape.variables:
+            return None, name
+        known = [*shape.populations[self.population].fields, *shape.variables]
+        raise ModelError(f"{name!r} to record", "a field or a variable", nearest(name, known))
 
     @property
     def description(self) -> MindDescription:
@@ -166,7 +180,11 @@ class Episodes:
             mind = with_genomes(self.description, self.skills, rows[0])
             steerings[self.population] = replace(steerings[self.population], mind=mind)
         return self.model_class(
-            seed=int(seed), hierarchy=steerings, physics=self.physics, **self.parameters
+            seed=int(seed),
+            hierarchy=steerings,
+            physics=self.physics,
+            without=self.without,
+            **self.parameters,
         )
 
     def _rows(self, genomes: ArrayLike | None) -> NDArray[np.float64]:
@@ -200,8 +218,11 @@ class Episodes:
             score[job] = float(np.concatenate(scores).mean()) if sum(map(len, scores)) else 0.0
             ticks[job], ended[job] = model.tick, int(model.context["_over"])
             for name, values in fields.items():
-                values.append(model.tables[self.population].rows[name].copy())
-        found = {name: np.array(v).reshape(*shape, -1) for name, v in fields.items()}
+                population, field = self._recorded[name]
+                own = model.context if population is None else model.tables[population].rows
+                values.append(np.copy(own[field]))
+        stacked = {name: np.array(values) for name, values in fields.items()}
+        found = {name: a.reshape(*shape, *a.shape[1:]) for name, a in stacked.items()}
         return Outcome(score.reshape(shape), ticks.reshape(shape), ended.reshape(shape), found)
 
 
@@ -212,7 +233,9 @@ class _Batch:
         self.episodes = episodes
         make = episodes.model_class
         self.models = [
-            make.before_setup(hierarchy=episodes.steerings, **episodes.parameters)
+            make.before_setup(
+                hierarchy=episodes.steerings, without=episodes.without, **episodes.parameters
+            )
             for _ in range(lanes)
         ]
         self.minds: dict[str, Minds] = {}
@@ -275,8 +298,13 @@ class _Batch:
         minds = self.minds[episodes.population]
         weights = np.array([n for s in episodes.skills for n in _places(minds, s)], np.int64)
         tables = [self.models[0].tables[name] for name in episodes._robots]
-        rows = [np.zeros((jobs, len(table.rows)), table.dtype) for table in tables]
-        out = np.array([(_address(a), t.rows.nbytes) for a, t in zip(rows, tables, strict=True)])
+        rows: dict[str | None, NDArray[Any]] = {
+            name: np.zeros((jobs, len(table.rows)), table.dtype)
+            for name, table in zip(episodes._robots, tables, strict=True)
+        }
+        wanted = any(population is None for population, _ in episodes._recorded.values())
+        rows[None] = np.zeros((jobs, 1) if wanted else (jobs, 0), self.models[0].contexts.dtype)
+        out = np.array([(_address(one), one.nbytes // jobs) for one in rows.values()], np.int64)
         self.job[:] = -1
         work["lanes"], work["jobs"], work["next"] = len(self.models), jobs, 0
         work["limit"], work["failed"] = episodes.ticks, -1
@@ -297,11 +325,11 @@ class _Batch:
             pass
         if status < 0:
             self._fail(genomes, individual, keys)
-        place = list(episodes._robots).index(episodes.population)
-        fields = {
-            name: rows[place][name].reshape(*shape, *rows[place][name].shape[1:])
-            for name in episodes.record
-        }
+        fields = {}
+        for name, (population, field) in episodes._recorded.items():
+            values = rows[population][field]
+            values = values[:, 0] if population is None else values
+            fields[name] = values.reshape(*shape, *values.shape[1:])
         return Outcome(
             score.reshape(shape),
             words["ticks"].reshape(shape),

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import SocialmindError
 from socialmind.mind.arrays import Assembly, assemble, master_of
 from socialmind.mind.description import MindDescription
+from socialmind.mind.functions.perceptron import Perceptron
+from socialmind.mind.modules import Skill
 
 if TYPE_CHECKING:
     from socialmind.population import Population
@@ -44,6 +46,19 @@ class Steering:
         return assemble(self.mind, master_of(self.mind, self.master), self.drive is not None)
 
 
+def _idle(name: str, population: Population) -> MindDescription:
+    """Return a mind that reads nothing and commands 0.5."""
+    if population.body is None:
+        raise SocialmindError(
+            f"no hierarchies for {name!r}, whose agents are no robots; only those are steered "
+            "from outside"
+        )
+    actuators = list(population.actuators)
+    outputs = [f"MO:{one}" for one in actuators]
+    idle = Skill("Idle", [], outputs, Perceptron(layers=0), [0.5] * len(outputs))
+    return MindDescription("idle", [], actuators, skills=[idle])
+
+
 def steerings_of(
     populations: Mapping[str, Population], folder: Path, given: Any, name: str
 ) -> dict[str, Steering]:
@@ -53,7 +68,8 @@ def steerings_of(
         populations: the model's.
         folder: the model's, which names of files are relative to.
         given: a mind in place of the model's own: a folder, a YAML file, a `MindDescription`, a
-            `Steering`; or a mapping from populations to these.
+            `Steering`; or a mapping from populations to these; or False for robots that are
+            steered from outside, whose minds do nothing.
         name: the model's name, for errors.
 
     Raises:
@@ -61,6 +77,8 @@ def steerings_of(
         ModelError: a mind's files are wrong.
     """
     minded = {key: one for key, one in populations.items() if one.hierarchy is not None}
+    if given is False:
+        return {key: Steering(_idle(key, one)) for key, one in minded.items()}
     if given is not None and not isinstance(given, Mapping):
         if len(minded) != 1:
             raise SocialmindError(

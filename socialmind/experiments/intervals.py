@@ -1,0 +1,108 @@
+"""How far the mean of a few measured numbers can be trusted: its interval by the bootstrap.
+
+Counts and shares over episodes are skewed and bounded: most robots survive to the end, a few do
+not. The usual interval, mean ± t · s/√n, then reaches past what there can be. The bias-corrected
+and accelerated bootstrap (BCa: Efron, 1987) stays within what was seen. For small samples its
+levels are widened as Hesterberg (2015, section 5) does, with Student's t in place of the normal
+distribution and √(n / (n − 1)).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from statistics import NormalDist
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+LEVEL = 0.95
+"""How often such an interval holds the mean of all that could have been measured."""
+RESAMPLES = 10_000
+"""How often the sample is drawn from itself."""
+_AT_ONCE = 4_000_000
+_NORMAL = NormalDist()
+
+
+@dataclass(frozen=True)
+class Interval:
+    """The mean of a sample and its interval of 95 %.
+
+    Attributes:
+        mean: of the sample.
+        low, high: the bounds; NaN where there is one number alone.
+    """
+
+    mean: float
+    low: float
+    high: float
+
+    def record(self) -> dict[str, float | None]:
+        """Return the interval as JSON has it, with null for a bound that nobody knows.
+
+        >>> Interval(2.0, math.nan, math.nan).record()
+        {'mean': 2.0, 'low': None, 'high': None}
+        """
+        found = {"mean": self.mean, "low": self.low, "high": self.high}
+        return {name: one if math.isfinite(one) else None for name, one in found.items()}
+
+
+def interval_of(values: ArrayLike, level: float = LEVEL) -> Interval:
+    """Return the mean of a sample with its interval.
+
+    The same sample always gives the same interval. Of a sample of equal numbers it is that number:
+    nothing is known of how far others would lie.
+
+    Args:
+        values: (n,), finite, at least one.
+        level: above 0 and below 1.
+
+    >>> interval_of([3.0, 3.0, 3.0])
+    Interval(mean=3.0, low=3.0, high=3.0)
+    >>> found = interval_of([0, 1, 1, 1, 1, 1, 1, 1, 1, 1])
+    >>> found.mean, found.low < 0.8, found.high <= 1.0
+    (0.9, True, True)
+    """
+    sample = np.asarray(values, np.float64)
+    mean = float(sample.mean())
+    if len(sample) < 2:
+        return Interval(mean, math.nan, math.nan)
+    if (sample == sample[0]).all():
+        value = float(sample[0])
+        return Interval(value, value, value)
+    means = _means_of_resamples(sample)
+    # Means of counts are tied with that of the sample; half of those count as below it.
+    below = float((means < mean).mean() + (means == mean).mean() / 2)
+    bias = _NORMAL.inv_cdf(min(max(below, 1 / RESAMPLES), 1 - 1 / RESAMPLES))
+    deviation = sample - mean
+    squares = float((deviation**2).sum())
+    acceleration = float((deviation**3).sum()) / (6 * squares**1.5)
+    wide = _wide(level, len(sample))
+    ends = (bias - wide, bias + wide)
+    bounds = [_NORMAL.cdf(bias + z / (1 - acceleration * z)) for z in ends]
+    low, high = np.quantile(means, bounds).tolist()
+    return Interval(mean, low, high)
+
+
+def _means_of_resamples(sample: NDArray[Any]) -> NDArray[np.float64]:
+    n = len(sample)
+    rng = np.random.default_rng(n)
+    each = max(1, _AT_ONCE // n)
+    parts = []
+    for begin in range(0, RESAMPLES, each):
+        count = min(each, RESAMPLES - begin)
+        parts.append(sample[rng.integers(0, n, (count, n))].mean(axis=1))
+    return np.concatenate(parts)
+
+
+def _wide(level: float, n: int) -> float:
+    """Return how many standard errors an interval reaches to either side.
+
+    >>> round(_wide(0.95, 21), 3)  # t = 2.086 of 20 degrees of freedom, and √(21 / 20)
+    2.137
+    """
+    z, free = _NORMAL.inv_cdf((1 + level) / 2), n - 1
+    # Cornish and Fisher's expansion of Student's quantile, good to 1 % from five numbers on.
+    t = z + (z**3 + z) / (4 * free) + (5 * z**5 + 16 * z**3 + 3 * z) / (96 * free**2)
+    return t * math.sqrt(n / free)

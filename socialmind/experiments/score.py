@@ -1,0 +1,340 @@
+"""How well the minds of a model do: its measures in many worlds that no training has seen."""
+
+from __future__ import annotations
+
+import pickle
+import signal
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from socialmind.arena import ENGINES
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.experiments.intervals import Interval, interval_of
+from socialmind.language.nodes import nearest
+from socialmind.learning.episodes import Episodes
+from socialmind.learning.ground import files_of
+from socialmind.learning.keys import seeds_for
+from socialmind.learning.reference import found, referred
+from socialmind.learning.workers import cores
+from socialmind.mind.description import MindDescription
+from socialmind.worlds.plane.measures import Measure, survived, total
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from socialmind.model import Model
+
+SCORE = "score"
+"""What these worlds' seeds are for. Learning draws its own for other words, so none is the same."""
+COLLISION = "collision"
+"""The interruption that `on_collision` is about."""
+ENDS = ("end", "continue")
+"""What a collision can do."""
+PIECES = {"compiled": 128, "pymunk": 5}
+"""How many episodes a worker takes at once at most: the compiled engine runs 64 side by side."""
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class Score:
+    """What minds came to in many worlds.
+
+    Attributes:
+        model: the model's name.
+        ticks: how long all episodes lasted together.
+        intervals: by measure, its mean over the episodes with its interval of 95 %.
+        frame: a row for each episode: `world`, the seed of `Model(seed=…)`; `ticks`; `over`, the
+            interruption that ended it, or None; and the measures.
+    """
+
+    model: str
+    ticks: int
+    intervals: Mapping[str, Interval]
+    frame: pd.DataFrame
+
+    @property
+    def episodes(self) -> int:
+        """How many episodes there were."""
+        return len(self.frame)
+
+    def record(self) -> dict[str, Any]:
+        """Return the score as JSON has it."""
+        intervals = {name: one.record() for name, one in self.intervals.items()}
+        return {"episodes": self.episodes, "ticks": self.ticks, **intervals}
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What episodes are run with."""
+
+    model_class: type[Model]
+    mind: Any
+    options: Mapping[str, Any]
+
+    def episodes(self) -> Episodes:
+        return Episodes(self.model_class, hierarchy=self.mind, **self.options)
+
+
+def score(
+    model_class: type[Model],
+    mind: Any = None,
+    episodes: int = 100,
+    seed: int = 0,
+    engine: str = "compiled",
+    on_collision: str | None = None,
+    ticks: int | None = None,
+    parameters: Mapping[str, Any] | None = None,
+    workers: int | None = None,
+    on_progress: Progress | None = None,
+) -> Score:
+    """Measure minds in the worlds of a model.
+
+    The worlds hang on the seed alone: other minds, models and engines meet the same ones. The score
+    does not depend on how many work side by side.
+
+    >>> found = score(Collect, "trainings/collect-001/mind-attempt-1")      # doctest: +SKIP
+    >>> found.intervals["objects"]                                          # doctest: +SKIP
+    Interval(mean=8.1, low=7.6, high=8.6)
+
+    Args:
+        model_class: a model on a plane.
+        mind: the mind in place of the model's own: a folder, a YAML file or a `MindDescription`;
+            for several populations a mapping.
+        episodes: how many, each in a world of its own, 1 or more.
+        seed: of the worlds, 0 or more.
+        engine: "compiled", or "pymunk", the reference.
+        on_collision: "end", or "continue": whether the interruption called "collision" is heeded;
+            by default as the model has it.
+        ticks: the limit of an episode; the model's own by default.
+        parameters: values of the model's parameters that differ from the defaults.
+        workers: how many work side by side; one for each processor by default.
+        on_progress: called with the episodes done and their number.
+
+    Raises:
+        SocialmindError: a model without a plane, or an argument out of range.
+        ModelError: a mind that does not fit, or measures of what there is not.
+    """
+    if model_class.shape.plane is None:
+        raise SocialmindError(
+            f"the model {model_class.name} has no plane, so there are no episodes to score; "
+            "expected one that declares world = Plane(…)"
+        )
+    if engine not in ENGINES:
+        raise SocialmindError(f"engine {engine!r}; {nearest(engine, ENGINES)}")
+    for name, number, least in (("episodes", episodes, 1), ("seed", seed, 0)):
+        if number < least:
+            raise SocialmindError(f"{name} {number}; expected a whole number, {least} or more")
+    if workers is not None and workers < 1:
+        raise SocialmindError(f"{workers} workers; expected 1 or more")
+    measures = measures_of(model_class)
+    options = {
+        "parameters": dict(parameters or {}),
+        "ticks": ticks,
+        "physics": engine,
+        "record": tuple(dict.fromkeys(name for one in measures.values() for name in one.records)),
+        "without": _without(model_class, on_collision),
+    }
+    task = _Task(model_class, mind, options)
+    worlds = seeds_for(episodes, SCORE, seed)
+    columns = _run(task, worlds, workers or cores(), on_progress)
+    return _score(model_class, measures, worlds, columns, task)
+
+
+def measures_of(model_class: type[Model]) -> dict[str, Measure]:
+    """Return the measures that a model declares, or those that robots have anyway.
+
+    Those are the objects `delivered`, where robots have such a field, the share of the run
+    survived, and the collisions.
+    """
+    if model_class.measures:
+        return dict(model_class.measures)
+    plane = model_class.shape.plane
+    robots = next((n for n, one in plane.robots.items() if one.hierarchy), "") if plane else ""
+    fields = model_class.shape.populations[robots].fields if robots else {}
+    objects = {"objects": total("delivered")} if "delivered" in fields else {}
+    return {**objects, "survived": survived(), "collisions": total("collisions")}
+
+
+def _without(model_class: type[Model], on_collision: str | None) -> tuple[str, ...]:
+    """Return the interruptions that are not heeded."""
+    if on_collision is None:
+        return ()
+    if on_collision not in ENDS:
+        raise SocialmindError(f"on a collision {on_collision!r}; {nearest(on_collision, ENDS)}")
+    if COLLISION in model_class.interruptions:
+        return (COLLISION,) if on_collision == "continue" else ()
+    if on_collision == "end":
+        raise SocialmindError(
+            f"{model_class.name} has no interruption called {COLLISION!r} that could end a run; "
+            f'give it interruptions = {{"{COLLISION}": collision()}}'
+        )
+    return ()
+
+
+# Running ------------------------------------------------------------------------------------------
+
+Columns = dict[str, np.ndarray[Any, Any]]
+
+
+def _run(task: _Task, worlds: Sequence[int], workers: int, on_progress: Progress | None) -> Columns:
+    """Run the episodes of all worlds, some side by side."""
+    standing = task.episodes()  # also says here what is wrong with the mind
+    step = max(1, min(PIECES[standing.physics], -(-len(worlds) // workers)))
+    pieces = [worlds[begin : begin + step] for begin in range(0, len(worlds), step)]
+    done: list[Columns] = []
+
+    def count(columns: Columns) -> None:
+        done.append(columns)
+        if on_progress is not None:
+            on_progress(sum(len(one["ticks"]) for one in done), len(worlds))
+
+    if workers == 1 or len(pieces) == 1:
+        for piece in pieces:
+            count(_columns(standing, piece))
+    else:
+        with _hired(task, standing, min(workers, len(pieces))) as (executor, run):
+            futures: list[Future[Columns]] = [executor.submit(run, piece) for piece in pieces]
+            for future in futures:
+                count(future.result())
+    return {name: np.concatenate([one[name] for one in done]) for name in done[0]}
+
+
+def _columns(episodes: Episodes, worlds: Sequence[int]) -> Columns:
+    outcome = episodes.run(None, worlds)
+    fields = {f"field {name}": values[0] for name, values in outcome.fields.items()}
+    return {"ticks": outcome.ticks[0], "ended": outcome.ended[0], **fields}
+
+
+@contextmanager
+def _hired(
+    task: _Task, standing: Episodes, workers: int
+) -> Iterator[tuple[Executor, Callable[[Sequence[int]], Columns]]]:
+    """Give workers, and what each of them calls: threads for compiled code, else processes."""
+    executor: Executor
+    run: Callable[[Sequence[int]], Columns]
+    if standing.physics == "compiled":
+        executor, run = ThreadPoolExecutor(workers), _Crew(task, standing).run
+    else:
+        context, packed = get_context("spawn"), (_packed(task),)
+        executor = ProcessPoolExecutor(workers, context, initializer=_stand, initargs=packed)
+        run = _run_elsewhere
+    try:
+        yield executor, run
+    finally:
+        executor.shutdown(cancel_futures=True)
+
+
+class _Crew:
+    """Episodes for threads, each of which needs its own."""
+
+    def __init__(self, task: _Task, first: Episodes) -> None:
+        self._task = task
+        self._free = [first]
+
+    def run(self, worlds: Sequence[int]) -> Columns:
+        try:
+            episodes = self._free.pop()
+        except IndexError:
+            episodes = self._task.episodes()
+        try:
+            return _columns(episodes, worlds)
+        finally:
+            self._free.append(episodes)
+
+
+_standing: dict[str, Any] = {}
+"""What a worker in another process keeps from one piece to the next."""
+
+
+def _stand(packed: bytes) -> None:
+    """Make the episodes of a worker in another process; Ctrl-C is for who gives out the work."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    reference, minds, options = pickle.loads(packed)
+    _standing["folder"] = tempfile.TemporaryDirectory()
+    mind = {}
+    for name, one in minds.items():
+        mind[name] = one
+        if isinstance(one, dict):
+            mind[name] = Path(_standing["folder"].name) / name
+            for place, content in one.items():
+                file = mind[name] / place
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_bytes(content)
+    _standing["episodes"] = _Task(found(reference), mind.get("", mind) or None, options).episodes()
+
+
+def _run_elsewhere(worlds: Sequence[int]) -> Columns:
+    return _columns(_standing["episodes"], worlds)
+
+
+def _packed(task: _Task) -> bytes:
+    """Return a task as it goes to another process.
+
+    Raises:
+        ModelError: another process cannot find the model.
+    """
+    given = task.mind if isinstance(task.mind, Mapping) else {"": task.mind}
+    minds = {
+        name: files_of(one) if isinstance(one, MindDescription) else one
+        for name, one in given.items()
+        if one is not None
+    }
+    try:
+        return pickle.dumps((referred(task.model_class), minds, dict(task.options)))
+    except (pickle.PicklingError, AttributeError, TypeError) as error:
+        raise ModelError(
+            f"a model that other processes cannot load ({error})",
+            "a model in a folder, or a class in a file",
+            "write it into a model.py, or use one worker",
+        ) from None
+
+
+# Measuring ----------------------------------------------------------------------------------------
+
+
+def _score(
+    model_class: type[Model],
+    measures: Mapping[str, Measure],
+    worlds: Sequence[int],
+    columns: Columns,
+    task: _Task,
+) -> Score:
+    import pandas as pd
+
+    names = [None, *model_class.interruptions]
+    over = [names[number] for number in columns["ended"].tolist()]
+    limit = task.options["ticks"] or model_class.ticks
+    rows = []
+    for place, ticks in enumerate(columns["ticks"].tolist()):
+        values = {"ticks": ticks, "limit": limit, "over": over[place]}
+        for name in task.options["record"]:
+            values[name] = columns[f"field {name}"][place]
+        rows.append({name: _measured(name, one, values) for name, one in measures.items()})
+    ended = pd.Series(over, dtype=object)  # None stays None
+    frame = pd.DataFrame({"world": worlds, "ticks": columns["ticks"], "over": ended})
+    frame = pd.concat([frame, pd.DataFrame(rows)], axis=1)
+    intervals = {name: interval_of(frame[name].to_numpy()) for name in measures}
+    return Score(model_class.name, int(columns["ticks"].sum()), intervals, frame)
+
+
+def _measured(name: str, measure: Measure, values: Mapping[str, Any]) -> float:
+    try:
+        return measure.of(values)
+    except (TypeError, ValueError, ArithmeticError) as error:
+        code = getattr(measure.function, "__code__", None)
+        raise ModelError(
+            f"the measure {name!r}, which stopped with {type(error).__name__}: {error}",
+            "a number",
+            None,
+            code and code.co_filename,
+            code and code.co_firstlineno,
+        ) from error
