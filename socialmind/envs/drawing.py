@@ -1,0 +1,66 @@
+"""Pictures of a running model on a plane, as pixels."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from socialmind.experiments import paper
+from socialmind.worlds.plane.look import LOOKS
+from socialmind.worlds.plane.picture import FOOT, Picture
+from socialmind.worlds.plane.scene import scene_of
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
+
+SIDE = 480
+"""Pixels of the arena's side."""
+DOTS = 120
+"""Dots an inch."""
+GAP = 6.0
+"""Points around the arena."""
+
+
+class Drawing:
+    """The picture of a world, with the path of its robot.
+
+    Args:
+        robots: the robot's population.
+    """
+
+    def __init__(self, robots: str) -> None:
+        self._robots = robots
+        self._path: list[tuple[float, float]] = []
+        self._picture: Picture | None = None
+        self._canvas: Any = None
+
+    def note(self, model: Model) -> None:
+        """Note where the robot is."""
+        row = model.tables[self._robots].rows[0]
+        self._path.append((float(row["x"]), float(row["y"])))
+
+    def pixels(self, model: Model) -> NDArray[np.uint8]:
+        """Return the moment that the model is at, (height, width, 3)."""
+        scene = scene_of(model)
+        with paper.style():
+            if self._picture is None:
+                self._picture = self._begun(scene)
+            robot = scene.robot(team=self._robots)
+            key = (self._robots, 0 if robot is None else robot.identity)
+            self._picture.show(scene, {key: np.array(self._path)})
+            self._canvas.draw()
+        return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
+
+    def _begun(self, scene: Any) -> Picture:
+        look = LOOKS["thesis"]
+        side = SIDE / DOTS * 72
+        width, height = side + 2 * GAP, side + 2 * GAP + FOOT
+        figure = Figure(figsize=(width / 72, height / 72), dpi=DOTS, facecolor=look.page)
+        self._canvas = FigureCanvasAgg(figure)
+        place = (GAP / width, (GAP + FOOT) / height, side / width, side / height)
+        axes = figure.add_axes(place)
+        return Picture(axes, scene, look)
