@@ -50,6 +50,7 @@ class Arena:
         wide = self.shape.half_width
         self.half_width = float(model.context[wide]) if isinstance(wide, str) else float(wide)
         self.settings = model.program.plane.settings  # type: ignore[union-attr]  # it has a plane
+        self.shifting: bool = model.program.plane.shifting  # type: ignore[union-attr]  # likewise
         self.senses: dict[str, NDArray[np.int64]] = {}
         self.motors: dict[str, NDArray[np.int64]] = {}
         for name, robots in self.shape.robots.items():

@@ -122,6 +122,8 @@ class Engine:
             self._make_room()
             connect(model)
             self._guarded(one, run_tick)
+            if model.arena is not None and model.arena.shifting:
+                model.arena.build()
 
     def _make_room(self) -> None:
         for name in self.model.program.births:

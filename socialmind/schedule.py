@@ -100,6 +100,8 @@ def _run_plane(model: Model, functions: dict[str, Rule]) -> None:
     if model.over is None:
         think(model)
         _run_schedule(model, functions)
+        if model.arena is not None and model.arena.shifting:
+            model.arena.build()
 
 
 def _run(model: Model, functions: dict[str, Rule], phase: Phase) -> None:

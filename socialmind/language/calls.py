@@ -267,6 +267,8 @@ def _agent(
     typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: RowType, name: str
 ) -> Typed:
     population = kind.population
+    if name in ("die", "hatch"):
+        typer.program.changes(population)
     if name == "die":
         fitted(typer, node, "die", Signature((), NONE))
         without_keywords(typer, node, "die")
@@ -312,6 +314,7 @@ def _population(
     if name == "create":
         without_keywords(typer, node, "create")
         typer.program.bears(kind.population)
+        typer.program.changes(kind.population)
         fitted(typer, node, "create", Signature((), NONE))
         return _made(node, base, name, [], ("create", kind.population)), row
     if name == "one_of":

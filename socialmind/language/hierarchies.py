@@ -21,6 +21,13 @@ def hierarchy_call(
     known = [one for one in HIERARCHY if not (kind.driven and one in BETWEEN_EVALUATIONS)]
     if name not in known:
         typer.refuse(node, f"the {called}'s {name}()", nearest(name, known))
+    plane = typer.program.shape.plane
+    if name == "evaluate" and plane is not None and kind.population in plane.robots:
+        typer.refuse(
+            node,
+            f"evaluate() of {kind.population!r}, whose hierarchies the plane evaluates",
+            "leave it out: each tick evaluates them once, after the sensors",
+        )
     if node.keywords:
         typer.refuse(
             node, f"{name}() with {node.keywords[0].arg}=", f"write {name}() without the name"

@@ -34,7 +34,10 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     if minded:
         from socialmind.mind.kernel import text as minds
 
-        parts += [minds.HEAD, *(minds.population_text(name, shape.plane is not None) for name in minded)]
+        parts += [
+            minds.HEAD,
+            *(minds.population_text(name, shape.plane is not None) for name in minded),
+        ]
     for function in program.functions.values():
         parts.append(f"@_inner\n{lowered(function)}")
     for name, plans in program.plans.items():
@@ -49,7 +52,8 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         from socialmind.worlds.plane.lockstep_text import lockstep_text
 
         setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
-        parts.append(lockstep_text(program.plane, setup))
+        deciding = [name for name, one in shape.populations.items() if one.minded]
+        parts.append(lockstep_text(program.plane, setup, deciding))
     return "\n\n\n".join(parts) + "\n"
 
 

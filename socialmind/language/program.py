@@ -88,7 +88,8 @@ class Program:
         self._sources: dict[Callable[..., Any], RuleSource] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
         self._open: list[Callable[..., Any]] = []
-        # The populations whose plans a function carries out, by itself or through others.
+        # The populations whose plans a function carries out, and those whose agents it changes
+        # ("changes humans"), by itself or through others.
         self._calls: list[set[str]] = []
         self._reached: dict[str, set[str]] = {}
         self.setup = self._phases(shape.setup, SETUP_TAG)
@@ -185,6 +186,15 @@ class Program:
         """Note that rules bring new agents into a population."""
         if population not in self.births:
             self.births.append(population)
+
+    def changes(self, population: str) -> None:
+        """Note that a function writes fields of a population, or brings births or deaths."""
+        for calls in self._calls:
+            calls.add(f"changes {population}")
+
+    def changed_by(self, symbol: str, population: str) -> bool:
+        """Return whether a function changes agents of a population, or calls one that does."""
+        return f"changes {population}" in self._reached[symbol]
 
     def name(self, population: str, part: str, keys: tuple[str, ...], file: str, line: int) -> int:
         """Return the place of a written name in the population's table of names."""

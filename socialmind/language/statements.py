@@ -262,7 +262,7 @@ class FunctionTyper:
             self.typer.refuse_syntax(target)
         reading, kind = self.typer.expression(target)
         if isinstance(reading, ast.Attribute):
-            mark = getattr(reading, "mark", ("other",))
+            mark: tuple[str, ...] = getattr(reading, "mark", ("other",))
             if mark[0] == "model" and reading.attr in self.program.shape.parameters:
                 self.typer.refuse(
                     target,
@@ -277,6 +277,8 @@ class FunctionTyper:
                     f"a new value for the whole array {reading.attr!r}",
                     "set its places one by one",
                 )
+            if mark[0] == "agent":
+                self.program.changes(mark[1])
             reading.ctx = ast.Store()
             return reading, kind, f"the field {reading.attr!r}"
         if not isinstance(reading, ast.Subscript) or isinstance(kind, RowType):

@@ -7,6 +7,7 @@ what comes out does not depend on how many lanes there are, or in what order epi
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -27,8 +28,8 @@ if TYPE_CHECKING:
 
 LANES = 64
 """How many worlds run in lockstep: their minds' arrays fit into a core's own cache."""
-ROUNDS = 2000
-"""Ticks of all lanes between two looks at Ctrl-C."""
+STRETCH = 0.2
+"""Seconds, about, between two looks at Ctrl-C."""
 
 
 @dataclass(frozen=True)
@@ -119,6 +120,7 @@ class Episodes:
         )
         self.genome_size = sum(mine.skills[name].genome_size for name in self.skills)
         self._batch: _Batch | None = None
+        self._room: dict[str, int] = {}
 
     def _place(self, name: str) -> tuple[str | None, str]:
         """Return where something to record stands: a population, or None for the model's own."""
@@ -161,11 +163,14 @@ class Episodes:
         keys = np.tile(np.array(list(seeds), np.uint64), individuals)
         if self.physics != "compiled":
             return self._one_by_one(rows, individual, keys, shape)
-        if self._batch is None:
-            self._batch = _Batch(self, min(self.lanes, len(keys)))
-        elif len(self._batch.models) < min(self.lanes, len(keys)):
-            self._batch = _Batch(self, min(self.lanes, len(keys)))
-        return self._batch.run(rows, individual, keys, shape)
+        lanes = min(self.lanes, len(keys))
+        while True:
+            if self._batch is None or len(self._batch.models) < lanes:
+                self._batch = _Batch(self, lanes, self._room)
+            try:
+                return self._batch.run(rows, individual, keys, shape)
+            except _Crowded as crowded:
+                self._room, self._batch = crowded.room, None
 
     def model(self, seed: int, genome: ArrayLike | None = None) -> Model:
         """Return the model of one episode, before its first tick, to look at or to go on with.
@@ -208,29 +213,50 @@ class Episodes:
         shape: tuple[int, int],
     ) -> Outcome:
         """Run one world after another."""
-        score, ticks, ended = np.zeros(len(keys)), np.zeros(len(keys), int), np.zeros(len(keys), int)
+        score, ticks, ended = (
+            np.zeros(len(keys)),
+            np.zeros(len(keys), int),
+            np.zeros(len(keys), int),
+        )
         fields: dict[str, list[Any]] = {name: [] for name in self.record}
         for job, (one, key) in enumerate(zip(individual.tolist(), keys.tolist(), strict=True)):
             model = self.model(key, rows[one] if len(rows) else None)
             while model.over is None and model.tick < self.ticks:
                 model.advance(1)
-            scores = [model.tables[name].score for name in self._robots]
-            score[job] = float(np.concatenate(scores).mean()) if sum(map(len, scores)) else 0.0
+            tables = [model.tables[name] for name in self._robots]
+            scores = [one for table in tables for one in table.rows["score"][table.alive].tolist()]
+            score[job] = sum(scores) / max(len(scores), 1)
             ticks[job], ended[job] = model.tick, int(model.context["_over"])
             for name, values in fields.items():
                 population, field = self._recorded[name]
-                own = model.context if population is None else model.tables[population].rows
-                values.append(np.copy(own[field]))
+                if population is None:
+                    values.append(np.copy(model.context[field]))
+                    continue
+                founders = max(model._size(model.populations[population].size, 0), 1)
+                values.append(model.tables[population].rows[field][:founders].copy())
         stacked = {name: np.array(values) for name, values in fields.items()}
         found = {name: a.reshape(*shape, *a.shape[1:]) for name, a in stacked.items()}
         return Outcome(score.reshape(shape), ticks.reshape(shape), ended.reshape(shape), found)
 
 
+class _Crowded(Exception):  # noqa: N818  # nobody outside sees it
+    """Births found no room.
+
+    Args:
+        room: how many slots each population needs.
+    """
+
+    def __init__(self, room: dict[str, int]) -> None:
+        super().__init__(room)
+        self.room = room
+
+
 class _Batch:
     """The worlds of all lanes, their minds, and where compiled code finds them."""
 
-    def __init__(self, episodes: Episodes, lanes: int) -> None:
+    def __init__(self, episodes: Episodes, lanes: int, room: Mapping[str, int]) -> None:
         self.episodes = episodes
+        self.rounds = 1
         make = episodes.model_class
         self.models = [
             make.before_setup(
@@ -238,6 +264,11 @@ class _Batch:
             )
             for _ in range(lanes)
         ]
+        self.founders = {name: len(table.rows) for name, table in self.models[0].tables.items()}
+        for model in self.models:
+            for name, slots in room.items():
+                while len(model.tables[name].rows) < slots:
+                    model.tables[name].grow()
         self.minds: dict[str, Minds] = {}
         for name, robots in episodes._robots.items():
             if robots.hierarchy:
@@ -269,15 +300,17 @@ class _Batch:
         robots = len(self.models[0].tables[name].rows)
         led = episodes.steerings[name]
         mind: Any = led.mind
-        return Minds(
+        minds = Minds(
             mind,
             led.master,
             lanes * robots,
             own_genomes=mine and bool(episodes.skills),
             drive=led.drive,
-            instances=own.instances,
+            instances=lanes * own.instances,
             lanes=min(lanes * robots, LANES),
         )
+        minds.divide(lanes, name)
+        return minds
 
     def run(
         self,
@@ -289,9 +322,7 @@ class _Batch:
         """Run all episodes."""
         episodes, jobs, work = self.episodes, len(keys), self.work[0]
         score = np.zeros(jobs)
-        words = {
-            name: np.zeros(jobs, np.int64) for name in ("individual", "ticks", "ended")
-        }
+        words = {name: np.zeros(jobs, np.int64) for name in ("individual", "ticks", "ended")}
         words["individual"][:] = individual
         words["seed_0"] = (keys & np.uint64(0xFFFFFFFF)).astype(np.int64)
         words["seed_1"] = (keys >> np.uint64(32)).astype(np.int64)
@@ -321,14 +352,18 @@ class _Batch:
             for name in episodes.skills:
                 minds.set_genome(name, episodes.description.skills[name].genome)
         call, address = self.module.run_lanes.ctypes, _address(self.work)
-        while (status := call(address, ROUNDS, 0)) > 0:
-            pass
+        status = 1
+        while status > 0:
+            begin = time.perf_counter()
+            status = call(address, self.rounds, 0)
+            took = time.perf_counter() - begin
+            self.rounds = max(1, min(2 * self.rounds, int(self.rounds * STRETCH / (took + 1e-9))))
         if status < 0:
             self._fail(genomes, individual, keys)
         fields = {}
         for name, (population, field) in episodes._recorded.items():
             values = rows[population][field]
-            values = values[:, 0] if population is None else values
+            values = values[:, 0] if population is None else values[:, : self.founders[population]]
             fields[name] = values.reshape(*shape, *values.shape[1:])
         return Outcome(
             score.reshape(shape),
@@ -343,14 +378,28 @@ class _Batch:
         individual: NDArray[np.int64],
         keys: NDArray[np.uint64],
     ) -> None:
-        """Run the episode that failed once more, interpreted, which says where and why."""
-        job = int(self.work["failed"][0])
-        if job < 0:
-            raise SocialmindError("the minds of the episodes could not be evaluated")
-        genome = genomes[individual[job]] if len(genomes) else None
-        model = self.episodes.model(int(keys[job]), genome)
-        model.advance(self.episodes.ticks)
-        raise SocialmindError(f"the episode of the world {int(keys[job])} failed")
+        """Run the episode that failed once more, alone, which says where and why.
+
+        Raises:
+            RuleError: what failed.
+            _Crowded: nothing but the room for births, which a world alone makes as it goes.
+        """
+        job, known = int(self.work["failed"][0]), None
+        for name, minds in self.minds.items():
+            if job < 0 and minds.failed_agent >= 0:
+                known = minds.failure()
+                job = int(self.job[minds.failed_agent // len(self.models[0].tables[name].rows)])
+        if job >= 0:
+            genome = genomes[individual[job]] if len(genomes) else None
+            alone = self.episodes.model(int(keys[job]), genome)
+            while alone.over is None and alone.tick < self.episodes.ticks:
+                alone.advance(1)
+            here = self.models[0].tables
+            room = {name: len(table.rows) for name, table in alone.tables.items()}
+            if any(slots > len(here[name].rows) for name, slots in room.items()):
+                raise _Crowded({n: max(room[n], len(here[n].rows)) for n in room})
+        where = f"the episode of the world {int(keys[job])}" if job >= 0 else "an episode"
+        raise known or SocialmindError(f"{where} failed")
 
 
 def _filled(description: MindDescription, skills: Sequence[str]) -> MindDescription:

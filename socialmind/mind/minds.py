@@ -133,11 +133,16 @@ class Minds:
         if self._evaluate is None:
             self._evaluate = self._code.module.evaluate.ctypes
         if self._evaluate(self._record.address, 0, blocks) != 0:
-            raise self._failure()
+            raise self.failure()
         self.state_arrays.now[0] += 1
 
-    def _failure(self) -> ModelError:
-        """Return the error that names what failed in an evaluation, and the agent."""
+    @property
+    def failed_agent(self) -> int:
+        """The agent whose program failed in the last evaluation, -1 for none."""
+        return self._record.failed_agent
+
+    def failure(self) -> ModelError:
+        """Return the error that names what failed in the last evaluation, and the agent."""
         for name in self.description.sensors:
             values = self.sensor(name)
             bad = np.flatnonzero(~((values >= 0) & (values <= 1)))
@@ -257,6 +262,24 @@ class Minds:
     def _genome_of(self, skill: str) -> slice:
         _place(dict.fromkeys(self.assembly.skills), skill, "skill")
         return self.assembly.genome_of(skill)
+
+    # Worlds -----------------------------------------------------------------------------------
+
+    def divide(self, worlds: int, population: str) -> None:
+        """Let the agents be a population's of several worlds, those of one after another's.
+
+        Cogniton schemes then draw as in each world alone, by its own key, which compiled code
+        writes; and each world has its own instances of groups.
+
+        Args:
+            worlds: how many; agents and instances are shared out among them evenly.
+            population: the population's name, as in a model.
+        """
+        self.societies = societies_of(self.assembly, self.seed, self.agents, population)
+        for society in self.societies:
+            society.minds.mind_id[: self.agents] = np.arange(self.agents) % (self.agents // worlds)
+        self._record.divide(worlds, np.zeros((self.agents, 2), np.int64))
+        self._record.connect(self.agents, self.state_arrays, self.societies)
 
     # Groups -----------------------------------------------------------------------------------
 

@@ -105,6 +105,7 @@ class PopulationMinds:
         if self.own_genomes:
             state.genome[slot] = state.first_genome[0]
         self.stepping.restart(slot)
+        self._draw_anew(slot)
 
     def copy(self, parent: int, child: int) -> None:
         """Make the agent in a slot its parent's copy; it is in no group."""
@@ -118,6 +119,13 @@ class PopulationMinds:
         for society in self.societies:
             society.mind_in(child).leave_all_groups()
             society.minds.values[child] = society.minds.values[parent]
+        self._draw_anew(child)
+
+    def _draw_anew(self, slot: int) -> None:
+        """Let who is born in a slot have draws of its own, whoever was there before."""
+        for society in self.societies:
+            draws = society.minds.draws
+            draws[slot] = ((draws[slot] >> 32) + 1) << 32
 
     def grow(self, capacity: int) -> None:
         """Make room for more agents."""

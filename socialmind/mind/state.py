@@ -134,8 +134,10 @@ class Record:
         self.assembly = assembly
         self.names = names
         self.record = np.zeros(1, mind_dtype(len(assembly.schemes)))
+        self.record["worlds"] = 1
         self.address = _address(self.record)
         self.kept: list[NDArray[Any]] = []
+        self.keys: NDArray[np.int64] | None = None
         self.scheme_lists = [_scheme_lists(assembly, name) for name in assembly.schemes]
 
     @property
@@ -152,6 +154,16 @@ class Record:
         """Write where the compiled evaluation and the compiled births are."""
         self.record["evaluate"] = evaluate
         self.record["renew"] = renew
+
+    def divide(self, worlds: int, keys: NDArray[np.int64]) -> None:
+        """Let the agents be in several worlds, one after another.
+
+        Args:
+            worlds: how many, of as many agents and instances of groups each.
+            keys: (agents, 2), the words of the key of the draws of each agent's world.
+        """
+        self.record["worlds"], self.record["keys"] = worlds, _address(keys)
+        self.keys = keys
 
     def connect(self, agents: int, state: State, societies: tuple[Society, ...]) -> None:
         """Write where the arrays are; they are kept alive until the next time."""

@@ -12,6 +12,12 @@ from socialmind.mind.kernel.layout import (
     MASTER,
     OBSERVED,
     SENSORS,
+    SHARED_COM,
+    SHARED_COMMAND,
+    SHARED_MEMORY,
+    SHARED_TICK,
+    SHARED_VALUE,
+    SHARED_WEIGHT,
     SKILLS,
     VARIABLES,
 )
@@ -123,20 +129,47 @@ def start_lane(structure: Any, state: Any, block: int, lane: int) -> None:
 
 
 @register_jitable
-def born_lane(structure: Any, state: Any, agent: int) -> None:
-    """Begin a new agent's life, in blocks of one lane; what it had of an earlier one is gone."""
-    start_lane(structure, state, agent, 0)
+def born_lane(structure: Any, state: Any, agent: int, inherits: bool) -> None:
+    """Begin a new agent's life; what it had of an earlier one is gone.
+
+    Args:
+        structure: the hierarchy's arrays.
+        state: the agents' arrays.
+        agent: its number.
+        inherits: whether its own genome, if it has one, is that of first agents; else it stays.
+    """
+    lanes = state.fresh.shape[1]
+    block, lane = agent // lanes, agent % lanes
+    start_lane(structure, state, block, lane)
     for number in range(state.group.shape[1]):
-        state.group[agent, number, 0] = -1
-        state.participation[agent, number, 0] = 1.0
-    if state.genome.shape[0] > 1:
+        state.group[block, number, lane] = -1
+        state.participation[block, number, lane] = 1.0
+    if inherits and state.genome.shape[0] > 1:
         for weight in range(state.genome.shape[1]):
-            state.genome[agent, weight, 0] = state.first_genome[0, weight, 0]
+            state.genome[block, weight, lane] = state.first_genome[0, weight, 0]
+
+
+@register_jitable
+def start_instances(structure: Any, state: Any, world: int, worlds: int) -> None:
+    """Put the instances of groups of one of several worlds back to before its first tick."""
+    each = state.instances.shape[0] // worlds
+    for variable in range(structure.sizes[VARIABLES]):
+        number = structure.shared[variable]
+        if number < 0:
+            continue
+        for place in range(world * each, (world + 1) * each):
+            instance = state.instances[place, number]
+            instance[SHARED_VALUE] = structure.start[variable, 0]
+            instance[SHARED_MEMORY] = structure.start[variable, 1]
+            instance[SHARED_COMMAND] = math.nan
+            instance[SHARED_COM] = 0.0
+            instance[SHARED_WEIGHT] = 0.0
+            instance[SHARED_TICK] = -1.0
 
 
 @register_jitable
 def copy_lane(state: Any, parent: int, child: int) -> None:
-    """Make an agent its parent's copy, in blocks of one lane; it is in no group."""
+    """Make an agent its parent's copy; it is in no group."""
     _copy_rows(state.sensors, parent, child)
     _copy_rows(state.signals, parent, child)
     _copy_rows(state.past, parent, child)
@@ -152,17 +185,21 @@ def copy_lane(state: Any, parent: int, child: int) -> None:
     _copy_rows(state.drive_weight, parent, child)
     _copy_rows(state.actuators, parent, child)
     _copy_rows(state.remembered, parent, child)
-    state.fresh[child, 0] = state.fresh[parent, 0]
-    state.clock[child] = state.clock[parent]
+    lanes = state.fresh.shape[1]
+    block, lane = child // lanes, child % lanes
+    state.fresh[block, lane] = state.fresh[parent // lanes, parent % lanes]
+    state.clock[block] = state.clock[parent // lanes]
     for number in range(state.group.shape[1]):
-        state.group[child, number, 0] = -1
-        state.participation[child, number, 0] = 1.0
-    if state.genome.shape[0] > 1:
-        for weight in range(state.genome.shape[1]):
-            state.genome[child, weight, 0] = state.genome[parent, weight, 0]
+        state.group[block, number, lane] = -1
+        state.participation[block, number, lane] = 1.0
+    if state.genome.shape[0] > 1 or state.genome.shape[2] > 1:
+        _copy_rows(state.genome, parent, child)
 
 
 @register_jitable
 def _copy_rows(array: Any, parent: int, child: int) -> None:
+    lanes = array.shape[2]
+    from_block, from_lane = parent // lanes, parent % lanes
+    block, lane = child // lanes, child % lanes
     for row in range(array.shape[1]):
-        array[child, row, 0] = array[parent, row, 0]
+        array[block, row, lane] = array[from_block, row, from_lane]

@@ -65,7 +65,8 @@ METHODS: dict[str, tuple[str, str]] = {
     ),
     "join_group": (
         "group, instance, part",
-        "_reach.join(structure, state, block, lane, group, instance, part)",
+        "own = _reach.instance_of(state, number, instance, mind.agents, mind.worlds)\n"
+        "    _reach.join(structure, state, block, lane, group, own, part)",
     ),
     "leave_group": ("group", "_reach.join(structure, state, block, lane, group, -1, 1.0)"),
 }

@@ -86,6 +86,25 @@ def join(
 
 
 @register_jitable
+def instance_of(state: Any, number: int, instance: int, agents: int, worlds: int) -> int:
+    """Return which instance an agent means, in a world of its own among several.
+
+    Args:
+        state: the agents' arrays.
+        number: the agent's.
+        instance: as its world counts them, -1 for none.
+        agents: how many there are in all worlds.
+        worlds: how many worlds there are, of as many agents and instances each.
+    """
+    each = state.instances.shape[0] // worlds
+    if instance < 0:
+        return instance
+    if instance >= each:
+        return state.instances.shape[0]  # there is none
+    return number // (agents // worlds) * each + instance
+
+
+@register_jitable
 def set_sensor(state: Any, block: int, lane: int, sensor: int, value: float) -> None:
     """Set a sensor; what lies beyond [0, 1] by no more than rounding counts as 0 or 1.
 

@@ -43,12 +43,17 @@ RECORD = (
     "failed_agent",
     "names",
     "names_0",
+    "worlds",
+    "keys",
 )
 """What the record of a mind holds beside the arrays: its own address, how many agents, where the
-compiled evaluation and births are, which program of which agent runs, and the drive's names."""
+compiled evaluation and births are, which program of which agent runs, and the drive's names; how
+many worlds the agents are in, as many in each, one after another; and where the keys of the draws
+of each agent's world are, two words each, 0 where all agents have one key."""
 
-RESTARTED, NEW_BORN = -2, -1
-"""Instead of a parent, in `renew`: an agent begins anew, or a new one begins."""
+NEW_WORLD, RESTARTED, NEW_BORN = -3, -2, -1
+"""Instead of a parent, in `renew`: an agent's world begins, an agent begins anew, or a new one
+begins."""
 NO_SKILL, A_REGULATION = -1, -2
 """Instead of a skill, in `failed_skill`: none, or this less the variable whose regulation runs."""
 

@@ -33,7 +33,7 @@ from socialmind.mind.kernel.record import state_at as _state_at
 from socialmind.mind.kernel.record import structure_at as _structure_at
 from socialmind.mind.regulation import REGULATED as _REGULATED
 
-RESTARTED, NEW_BORN = -2, -1
+NEW_WORLD, RESTARTED, NEW_BORN = -3, -2, -1
 NO_SKILL, A_REGULATION = -1, -2
 
 
@@ -43,7 +43,12 @@ def _held(value):
     number = 1.0 * value  # also of what is true or false
     if _math.isnan(number):
         raise ValueError("a function of the mind gave a value that is not a number")
-    return min(max(number, 0.0), 1.0)'''
+    return min(max(number, 0.0), 1.0)
+
+
+@_inner
+def _keys(mind):
+    return carray(_as_pointer(mind.keys), (mind.agents, 2), np.int64)'''
 
 # Entries are called through their addresses, by Python and by compiled models alike, so that the
 # evaluation is compiled once. No error can pass such a call: 1 says that there was one.
@@ -96,8 +101,8 @@ def renew(address, agent, parent):
     if parent == RESTARTED:
         lanes = state.fresh.shape[1]
         _flow.start_lane(structure, state, agent // lanes, agent % lanes)
-    elif parent == NEW_BORN:
-        _flow.born_lane(structure, state, agent)
+    elif parent < 0:
+        _flow.born_lane(structure, state, agent, mind.worlds == 1)
     else:
         _flow.copy_lane(state, parent, agent)
     SCHEMES
@@ -142,6 +147,9 @@ BRANCHES"""
 _ONE_SCHEME = """        if number == NUMBER:
             scheme, minds = _scheme_NAME_NUMBER(mind), _minds_NAME_NUMBER(mind)
             cogniton, plan_output = _cogniton_NAME_NUMBER(mind), _plan_output_NAME_NUMBER(mind)
+            if mind.keys != 0:  # the schemes of many worlds share arrays, but not their luck
+                minds.counters[_kernel.SEED_LOW] = _keys(mind)[slot, 0]
+                minds.counters[_kernel.SEED_HIGH] = _keys(mind)[slot, 1]
             for i in range(inputs):
                 _kernel.set_cogniton_value(minds, slot, cogniton[i], nodes[i, lane])
             plan = _kernel.choose_next_plan(
@@ -151,14 +159,19 @@ _ONE_SCHEME = """        if number == NUMBER:
                 nodes[first + plan_output[plan], lane] = 1.0
 """
 
-# The next decisions draw new numbers: an agent put back does not live through its luck again.
+# The next decisions draw new numbers: an agent put back does not live through its luck again, and
+# each that is born in a place has 2³² numbers of its own, whatever was evaluated there before.
 _SCHEME_RENEW = """minds_NUMBER = _minds_NAME_NUMBER(mind)
     _kernel.leave_all_groups(minds_NUMBER, agent)
     for i in range(minds_NUMBER.values.shape[1]):
         if parent >= 0:
             minds_NUMBER.values[agent, i] = minds_NUMBER.values[parent, i]
         else:
-            minds_NUMBER.values[agent, i] = _scheme_NAME_NUMBER(mind).start[i]"""
+            minds_NUMBER.values[agent, i] = _scheme_NAME_NUMBER(mind).start[i]
+    if parent == NEW_WORLD:
+        minds_NUMBER.draws[agent] = 0
+    elif parent != RESTARTED:
+        minds_NUMBER.draws[agent] = ((minds_NUMBER.draws[agent] >> 32) + 1) << 32"""
 
 
 def record_text(name: str, schemes: int) -> str:

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from socialmind.errors import RuleError
 from socialmind.rows import ArrayField
 from socialmind.schedule import place_of
@@ -46,17 +48,29 @@ def think(model: Model) -> None:
             continue
         table = model.tables[name]
         minds: Any = table.minds
-        for slot in range(len(table.rows)):
-            if table.alive[slot]:
-                minds.state.sensors[slot, :, 0] = table.rows["readings"][slot][senses]
-        for slot in range(len(table.rows)):
-            minds.stepping.evaluate(slot)
+        living = np.flatnonzero(table.alive).tolist()
+        minds.state.group[~table.alive] = -1  # the dead are in no group
+        for slot in living:
+            minds.state.sensors[slot, :, 0] = table.rows["readings"][slot][senses]
+        for slot in living:
+            _evaluate(model, name, slot)
         motors = arena.motors[name]
         known = motors >= 0
-        for slot in range(len(table.rows)):
-            if table.alive[slot]:
-                commands = minds.state.actuators[slot, motors[known], 0]
-                table.rows["commands"][slot, : len(motors)][known] = commands
+        for slot in living:
+            commands = minds.state.actuators[slot, motors[known], 0]
+            table.rows["commands"][slot, : len(motors)][known] = commands
+
+
+def _evaluate(model: Model, population: str, slot: int) -> None:
+    """Evaluate one hierarchy; what fails is said with its place."""
+    minds: Any = model.tables[population].minds
+    try:
+        minds.stepping.evaluate(slot)
+    except Exception as error:
+        identity = model.tables[population].rows["_id"].item(slot)
+        who = f"the hierarchy of agent {identity} of {population!r}"
+        what = f"{type(error).__name__}: {error}"
+        raise RuleError(what, place_of(error, "in a hierarchy"), model.tick, who) from error
 
 
 def _heeded(model: Model, interruption: Call) -> bool:

@@ -7,10 +7,13 @@ schedule the minds of all lanes are evaluated together.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 
 from socialmind.language.layout import dtype_text
 from socialmind.worlds.plane.stages import PlaneProgram
+from socialmind.worlds.plane.text import BUILD
 
 LOCKSTEP = np.dtype(
     [
@@ -68,12 +71,11 @@ def _begin_episode(work, lane, job):
     rng.key_0 = _words(work.seed_0, work.jobs)[job]
     rng.key_1 = _words(work.seed_1, work.jobs)[job]
     individual = _words(work.individual, work.jobs)[job]
+SEEDS
 RENEW
 SETUP
     _end_tick(_model)
-    if _call(_model._build, _model._plane, 0, 0) != 0:
-        raise ValueError("no room for the obstacles")
-
+BUILD
 
 @_inner
 def _learn_weights(work, state, first, count, individual):
@@ -154,12 +156,20 @@ def run_lanes(address, rounds, nothing):
         return -1
     return result"""
 
+_SEED = """    _minds_NAME(_model).counters[_kernel.SEED_LOW] = rng.key_0
+    _minds_NAME(_model).counters[_kernel.SEED_HIGH] = rng.key_1"""
+
 _RENEW = """    mind = _record_NAME(_model)
-    for slot in range(len(_rows_NAME(_model))):
-        _call(mind.renew, _model._NAME_hierarchy, _model._NAME_first + slot, RESTARTED)
+    first = _model._NAME_first
+    count = len(_rows_NAME(_model))
+    for number in range(first, first + count):
+        _keys(mind)[number, 0] = rng.key_0
+        _keys(mind)[number, 1] = rng.key_1
+        _call(mind.renew, _model._NAME_hierarchy, number, NEW_WORLD)
+    _flow.start_instances(_structure_NAME(mind), _state_NAME(mind), first // count, mind.worlds)
     if work.learner == NUMBER and work.genome_size > 0:
         _learn_weights(
-            work, _state_NAME(mind), _model._NAME_first, len(_rows_NAME(_model)), individual
+            work, _state_NAME(mind), first, count, individual
         )"""
 
 _SCORE = """    rows = _rows_NAME(_model)
@@ -177,24 +187,28 @@ _THINK = """    mind = _record_NAME(_model)
         raise ValueError("a hierarchy could not be evaluated")"""
 
 
-def lockstep_text(plane: PlaneProgram, setup: str) -> str:
+def lockstep_text(plane: PlaneProgram, setup: str, deciding: Sequence[str]) -> str:
     """Return the functions that run many worlds.
 
     Args:
         plane: the typed devices.
         setup: the calls of the phases of the setup, indented.
+        deciding: the populations with cogniton minds.
     """
-    robots = list(plane.shape.robots)
-    minded = [name for name in robots if plane.shape.robots[name].hierarchy]
+    robots = dict(enumerate(plane.shape.robots))
+    minded = {n: name for n, name in robots.items() if plane.shape.robots[name].hierarchy}
 
-    def each(text: str, names: list[str]) -> str:
+    def each(text: str, names: Mapping[int, str]) -> str:
         parts = [
-            text.replace("NAME", name).replace("NUMBER", str(robots.index(name))) for name in names
+            text.replace("NAME", name).replace("NUMBER", str(number))
+            for number, name in names.items()
         ]
         return "\n".join(parts) or "    pass"
 
     fills = {
         "DTYPE": dtype_text(LOCKSTEP),
+        "BUILD": BUILD,
+        "SEEDS": each(_SEED, dict(enumerate(deciding))),
         "RENEW": each(_RENEW, minded),
         "SETUP": setup or "    pass",
         "TABLES": str(len(robots)),

@@ -90,11 +90,13 @@ class PlaneProgram:
         shape: the plane.
         stages: by the robots' population, then the stage's name.
         settings: the numbers of all devices.
+        shifting: whether obstacles may change in a tick, so that they are looked at anew.
     """
 
     shape: PlaneShape
     stages: Mapping[str, Mapping[str, Stage]]
     settings: NDArray[np.float64]
+    shifting: bool
 
 
 def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
@@ -139,4 +141,11 @@ def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
                 tag = tag_of[robots, stage, name]
                 calls.append(Call(name, number, device, symbol, place, first, memory, tag))
             stages[robots][stage] = Stage(one, stage, tuple(seeks.values()), tuple(calls))
-    return PlaneProgram(shape, stages, np.array([*settings, 0.0]))
+    symbols = [phase.symbol for phase in program.schedule]
+    symbols += [symbol for plans in program.plans.values() for symbol, _ in plans.values()]
+    symbols += [c.symbol for one in stages.values() for s in one.values() for c in s.calls]
+    obstacles = shape.obstacles
+    shifting = obstacles is not None and any(
+        program.changed_by(symbol, obstacles) for symbol in symbols
+    )
+    return PlaneProgram(shape, stages, np.array([*settings, 0.0]), shifting)

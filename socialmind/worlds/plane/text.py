@@ -56,6 +56,10 @@ def _inform_NAME(_model):
             number = _model._NAME_first + slot
             for place in range(len(senses)):
                 state.sensors[number // lanes, place, number % lanes] = readings[senses[place]]
+        elif state.group.shape[1] > 0:
+            number = _model._NAME_first + slot
+            for shared in range(state.group.shape[1]):  # the dead are in no group
+                state.group[number // lanes, shared, number % lanes] = -1
 
 
 @_inner
@@ -82,8 +86,15 @@ def _think_NAME(_model):
     mind = _record_NAME(_model)
     state = _state_NAME(mind)
     state.now[0] = _model._tick
-    if _call(mind.evaluate, _model._NAME_hierarchy, 0, len(state.fresh)) != 0:
-        raise ValueError("a hierarchy could not be evaluated")"""
+    alive = _alive_NAME(_model)
+    first = 0
+    while first < len(alive):
+        end = first
+        while end < len(alive) and alive[end]:
+            end += 1
+        if end > first and _call(mind.evaluate, _model._NAME_hierarchy, first, end) != 0:
+            raise ValueError("a hierarchy could not be evaluated")
+        first = end + 1"""
 
 _TICK = """@_inner
 def _before_minds(_model, rng):
@@ -97,7 +108,14 @@ INFORM
 
 @_inner
 def _after_minds(_model, rng):
-OBEYPHASES    return"""
+OBEYPHASESBUILD    return"""
+
+
+BUILD = """    if _call(_model._build, _model._plane, 0, 0) < 0:
+        raise ValueError("an obstacle with a place, angle or half-width that is no number")
+"""
+"""The look at where the obstacles are. More of them than the table has room for are found without
+it, slowly."""
 
 
 def plane_text(plane: PlaneProgram, phases: str) -> str:
@@ -134,7 +152,8 @@ def plane_text(plane: PlaneProgram, phases: str) -> str:
         f"    if not _model._{one}_steered:\n        _obey_{one}(_model)\n" for one in minded
     )
     tick = _TICK.replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
-    parts.append(tick.replace("OBEY", obey).replace("PHASES", phases))
+    tick = tick.replace("OBEY", obey).replace("PHASES", phases)
+    parts.append(tick.replace("BUILD", BUILD if plane.shifting else ""))
     think = [f"    if not _model._{one}_steered:\n        _think_{one}(_model)" for one in minded]
     parts.append("\n".join(["@_inner\ndef _think(_model):", *think, "    return"]))
     return "\n\n\n".join(parts)
