@@ -73,7 +73,9 @@ def interval_of(values: ArrayLike, level: float = LEVEL) -> Interval:
         return Interval(value, value, value)
     means = _means_of_resamples(sample)
     # Means of counts are tied with that of the sample; half of those count as below it.
-    below = float((means < mean).mean() + (means == mean).mean() / 2)
+    above = means - mean
+    tied = np.abs(above) <= 1e-12 * np.abs(sample).max()
+    below = float((~tied & (above < 0)).mean() + tied.mean() / 2)
     bias = _NORMAL.inv_cdf(min(max(below, 1 / RESAMPLES), 1 - 1 / RESAMPLES))
     deviation = sample - mean
     squares = float((deviation**2).sum())

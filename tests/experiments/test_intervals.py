@@ -1,0 +1,71 @@
+"""Intervals of means: where they lie, how wide they are, and how often they are right."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from socialmind.experiments import intervals
+from socialmind.experiments.intervals import Interval, interval_of
+
+
+def test_of_many_normal_numbers_it_is_the_usual_one():
+    sample = np.random.default_rng(1).normal(10.0, 2.0, 400)
+    found = interval_of(sample)
+    half = 1.966 * sample.std(ddof=1) / math.sqrt(400)
+    assert found.mean == sample.mean()
+    assert (found.low, found.high) == pytest.approx(
+        (found.mean - half, found.mean + half), abs=0.02
+    )
+
+
+def test_of_skewed_numbers_the_longer_side_is_that_of_the_tail():
+    found = interval_of([1.0] * 17 + [0.4, 0.2, 0.1])
+    assert found.mean - found.low > found.high - found.mean > 0
+    assert found.high <= 1.0
+    mirrored = interval_of([0.0] * 17 + [0.6, 0.8, 0.9])
+    assert (1 - mirrored.high, 1 - mirrored.low) == pytest.approx((found.low, found.high), abs=0.02)
+
+
+def test_equal_numbers_and_one_alone_have_no_width():
+    assert interval_of([7] * 30) == Interval(7.0, 7.0, 7.0)
+    alone = interval_of([2.5])
+    assert alone.mean == 2.5 and math.isnan(alone.low) and math.isnan(alone.high)
+    assert alone.record() == {"mean": 2.5, "low": None, "high": None}
+
+
+@given(st.lists(st.floats(0, 1), min_size=2, max_size=30))
+@settings(max_examples=30, deadline=None)
+def test_it_stays_within_what_was_seen_and_repeats_itself(values):
+    found = interval_of(values)
+    assert min(values) - 1e-12 <= found.low <= found.high <= max(values) + 1e-12
+    assert found == interval_of(values)
+
+
+def test_more_numbers_and_lower_levels_make_it_narrower():
+    values = np.random.default_rng(2).random(200)
+    widths = [found.high - found.low for found in map(interval_of, (values[:20], values))]
+    narrow = interval_of(values, level=0.5)
+    assert widths[0] > 2 * widths[1] > 4 * (narrow.high - narrow.low) / 2
+
+
+@pytest.mark.parametrize(
+    ("draw", "mean"),
+    [
+        (lambda rng, n: np.where(rng.random(n) < 0.3, rng.random(n), 1.0), 0.85),
+        (lambda rng, n: rng.poisson(6.0, n), 6.0),
+        (lambda rng, n: rng.poisson(0.7, n), 0.7),
+    ],
+    ids=["shares survived", "objects", "collisions"],
+)
+def test_of_twenty_episodes_it_holds_the_mean_as_often_as_it_says(monkeypatch, draw, mean):
+    monkeypatch.setattr(intervals, "RESAMPLES", 1000)
+    rng = np.random.default_rng(3)
+    held = [
+        found.low <= mean <= found.high
+        for found in (interval_of(draw(rng, 20)) for _ in range(400))
+    ]
+    # 95 % give or take 2.2 for 400 samples, and a little less for so skewed small ones.
+    assert 0.915 <= np.mean(held) <= 0.985
