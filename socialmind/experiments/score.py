@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
+from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -222,7 +223,7 @@ def _hired(
     executor: Executor
     run: Callable[[Sequence[int]], Columns]
     if standing.physics == "compiled":
-        executor, run = ThreadPoolExecutor(workers), _Crew(task, standing).run
+        executor, run = ThreadPoolExecutor(workers), _Crew(task, standing, workers).run
     else:
         context, packed = get_context("spawn"), (_packed(task),)
         executor = ProcessPoolExecutor(workers, context, initializer=_stand, initargs=packed)
@@ -236,19 +237,17 @@ def _hired(
 class _Crew:
     """Episodes for threads, each of which needs its own."""
 
-    def __init__(self, task: _Task, first: Episodes) -> None:
-        self._task = task
-        self._free = [first]
+    def __init__(self, task: _Task, standing: Episodes, count: int) -> None:
+        self._free: SimpleQueue[Episodes] = SimpleQueue()
+        for one in (standing, *(task.episodes() for _ in range(count - 1))):
+            self._free.put(one)
 
     def run(self, worlds: Sequence[int]) -> Columns:
-        try:
-            episodes = self._free.pop()
-        except IndexError:
-            episodes = self._task.episodes()
+        episodes = self._free.get()
         try:
             return _columns(episodes, worlds)
         finally:
-            self._free.append(episodes)
+            self._free.put(episodes)
 
 
 _standing: dict[str, Any] = {}

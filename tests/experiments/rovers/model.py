@@ -51,6 +51,16 @@ MIND = MindDescription(
 )
 
 
+REWARDS = {"forward": forward(0.001)}
+INTERRUPTIONS = {"battery": flat_battery(), "collision": collision()}
+MEASURES = {
+    "objects": total("delivered"),
+    "survived": survived(),
+    "collisions": total("rovers.collisions"),
+    "counted": Measure(counted_share),
+}
+
+
 class Rovers(Model):
     """One robot in a small arena."""
 
@@ -68,13 +78,8 @@ class Rovers(Model):
         actuators={"MotL": wheel(at=(0.0, 1.0)), "MotR": wheel(at=(0.0, -1.0))},
         hierarchy=MIND,
     )
-    rewards = {"forward": forward(0.001)}
-    interruptions = {"battery": flat_battery(), "collision": collision()}
-    measures = {
-        "objects": total("delivered"),
-        "survived": survived(),
-        "collisions": total("rovers.collisions"),
-        "counted": Measure(counted_share),
-    }
+    rewards = REWARDS
+    interruptions = INTERRUPTIONS
+    measures = MEASURES
     setup = (each(rovers, start),)
     schedule = (each(rovers, count),)
