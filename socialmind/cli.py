@@ -115,6 +115,12 @@ def run(
     interpreted: Annotated[
         bool, typer.Option("--interpreted", help="Run in plain Python; slow, for debugging.")
     ] = False,
+    engine: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME", help="What moves bodies on a plane: compiled or pymunk (compiled)."
+        ),
+    ] = None,
     resume: Annotated[
         Path | None,
         typer.Option(metavar="DIR", help="Go on with a run; --ticks makes a finished one longer."),
@@ -132,11 +138,13 @@ def run(
         folder = running.start(
             model, ticks, seed or 0, settings or [], scheme or [], mind or [],
             every, agents_every, out, compiled=not interpreted, quiet=quiet,
+            engine=engine or "compiled",
         )  # fmt: skip
     else:
         fixed = {
             "MODEL": model, "--seed": seed, "--set": settings or None, "--scheme": scheme or None,
             "--mind": mind or None, "--every": every, "--agents-every": agents_every, "--out": out,
+            "--engine": engine,
         }  # fmt: skip
         given = [name for name, value in fixed.items() if value is not None]
         if given:

@@ -32,7 +32,8 @@ class SocietyModel(mesa.Model):
 
     Attributes:
         society: the society.
-        running: whether it is younger than the model's own length, `ticks`.
+        running: whether it is younger than the model's own length, `ticks`, and no interruption
+            has ended it.
         datacollector: holds the series at the start and after every step; another in its place
             collects then too, and anew after SolaraViz's Reset.
     """
@@ -61,7 +62,7 @@ class SocietyModel(mesa.Model):
         if not name.startswith("_") and "society" in self.__dict__:
             if name in ("grid", "space", "space_of_cells") and self.society.grid is None:
                 # Python comes here when these raised AttributeError; say why.
-                raise AttributeError(f"{self.society.name} has no world, hence no grid")
+                raise AttributeError(f"{self.society.name} has no torus, hence no grid")
             series = self.society.series()
             if name in series:
                 return series[name]
@@ -81,7 +82,7 @@ class SocietyModel(mesa.Model):
 
     def _end_tick(self) -> None:
         self._datacollector.collect(self)
-        self.running = self.society.tick < self.society.ticks
+        self.running = self.society.tick < self.society.ticks and self.society.over is None
 
     # Agents -----------------------------------------------------------------------------------
 
@@ -137,7 +138,7 @@ class SocietyModel(mesa.Model):
         """
         if self._grid is None:
             if self.society.grid is None:
-                raise AttributeError(f"{self.society.name} has no world, hence no grid")
+                raise AttributeError(f"{self.society.name} has no torus, hence no grid")
             self._grid = SocietyGrid(self.society.grid, self.random)
         return self._grid
 

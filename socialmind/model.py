@@ -40,10 +40,10 @@ from socialmind.schedule import PhaseDeclaration, run_tick, taken
 from socialmind.streams import STREAM
 from socialmind.worlds.grid import Grid, Torus
 from socialmind.worlds.plane.plane import Plane, plane_shape
+from socialmind.worlds.plane.trajectories import trajectories
 
 if TYPE_CHECKING:
     from coglogo_py.receipt import Receipt
-    from socialmind.mind.arrays import Assembly
     from socialmind.mind.inhabitants import Steering
     from socialmind.mind.population_minds import PopulationMinds
 
@@ -200,6 +200,8 @@ class Model:
         self._scheme = scheme
         self._hierarchy = hierarchy
         self.physics = physics
+        if physics != "compiled" and self.shape.plane is None:
+            raise SocialmindError(f"physics={physics!r} for {self.name}, which has no plane")
         self.without = (without,) if isinstance(without, str) else tuple(without)
         self.watch: tuple[str, int] | None = None
         self.watched: Receipt | None = None
@@ -405,22 +407,31 @@ class Model:
     def series(self) -> dict[str, Any]:
         """Return what a run records of the society at a tick: a name and a number for each column.
 
-        A model overrides it. Unless it does: the size of each population, and the variables.
+        A model overrides it. Unless it does: the size of each population, and the variables; on a
+        plane also the mean score of the robots, and the interruption that ended it, if any.
         """
         sizes: dict[str, Any] = {name: len(table) for name, table in self.tables.items()}
         plain = {
             name: getattr(self, name) for name, one in self.variables.items() if one.size is None
         }
-        return sizes | plain
+        plane = self.shape.plane
+        if plane is None:
+            return sizes | plain
+        scores = [one for name in plane.robots for one in self.tables[name].score.tolist()]
+        fared = {"score": sum(scores) / len(scores) if scores else None} if plane.robots else {}
+        return sizes | fared | plain | {"over": self.over}
 
     def agents(self) -> dict[str, Any]:
         """Return what a run records of each agent at a tick: a name and a sequence for each column.
 
         A model overrides it. Unless it does: identity, place, plan and fields of the first
-        population. None stands for no value.
+        population; on a plane where the robots are and how they fare, and the fields of their
+        class. None stands for no value.
         """
         if not self.tables:
             return {}
+        if self.shape.plane is not None and self.shape.plane.robots:
+            return trajectories(self)
         table = next(iter(self.tables.values()))
         columns: dict[str, Any] = {"agent": table.id}
         if table.shape.minded:

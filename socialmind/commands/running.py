@@ -35,6 +35,7 @@ def start(
     out: Path | None,
     compiled: bool,
     quiet: bool,
+    engine: str = "compiled",
 ) -> Path:
     """Run a model into a folder; the options of `socialmind run`."""
     _save_memory()
@@ -44,7 +45,7 @@ def start(
     with progress_bar(quiet) as on_progress:
         folder = execution.run(
             model_class, ticks, seed, parameters, scheme, mind, every, agents_every, out, compiled,
-            on_progress,
+            on_progress, engine=engine,
         )  # fmt: skip
     _conclude(folder, quiet)
     return folder

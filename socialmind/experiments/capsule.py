@@ -39,6 +39,7 @@ class Manifest:
         compiled: whether compiled or interpreted; the result is the same.
         schemes: for each population with minds, its cognitive scheme's ``name``, ``file`` (the
             copy in the run's folder) and ``sha256`` of that copy.
+        engine: on a plane, what moves the bodies: ``compiled`` or ``pymunk``.
         minds: for each population with hierarchies of skills, the mind's ``name``, ``folder`` (the
             copy in the run's folder) and ``sha256`` of that copy's files.
         ticks: length asked for.
@@ -66,6 +67,7 @@ class Manifest:
     status: str = RUNNING
     ticks_done: int = 0
     error: str | None = None
+    engine: str = "compiled"
     minds: dict[str, dict[str, str]] = field(default_factory=dict)
     tables: dict[str, dict[str, Any]] = field(default_factory=dict)
     idle: dict[str, int | None] = field(default_factory=dict)

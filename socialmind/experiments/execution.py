@@ -22,7 +22,13 @@ from socialmind.experiments import capsule as capsules
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
 from socialmind.experiments.signals import deferred_signals
-from socialmind.experiments.sources import mind_copies, model_of, model_source, scheme_copies
+from socialmind.experiments.sources import (
+    mind_copies,
+    model_of,
+    model_source,
+    physics_of,
+    scheme_copies,
+)
 from socialmind.experiments.tables import AGENTS, SERIES, TABLES, GrowingTable, merge
 
 if TYPE_CHECKING:
@@ -71,6 +77,7 @@ def run(
     compiled: bool = True,
     on_progress: Progress | None = None,
     checkpoint_every: float = 5.0,
+    engine: str = "compiled",
 ) -> Path:
     """Run a model into a folder of its own.
 
@@ -90,6 +97,7 @@ def run(
         compiled: False runs the rules in plain Python, with the same result.
         on_progress: called with the ticks done and the length, about ten times a second.
         checkpoint_every: seconds between two checkpoints.
+        engine: on a plane, what moves the bodies: "compiled", or "pymunk", the reference.
 
     Returns:
         The run's folder.
@@ -110,8 +118,14 @@ def run(
     if target is not None:
         capsules.refuse_unless_free(target.expanduser())
 
+    given = dict(parameters or {})
     model = model_class(
-        seed=seed, compiled=compiled, scheme=scheme, hierarchy=hierarchy, **(parameters or {})
+        seed=seed,
+        compiled=compiled,
+        scheme=scheme,
+        hierarchy=hierarchy,
+        **physics_of(engine),
+        **given,
     )
     schemes, scheme_files = scheme_copies(model, scheme)
     minds, mind_files = mind_copies(model)
@@ -120,6 +134,7 @@ def run(
         parameters=dict(model.parameter_values()),
         seed=seed,
         compiled=compiled,
+        engine=engine,
         schemes=schemes,
         minds=minds,
         ticks=length,

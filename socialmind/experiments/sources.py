@@ -115,8 +115,14 @@ def model_of(
         compiled=manifest.compiled if compiled is None else compiled,
         scheme=capsule.schemes or None,
         hierarchy=capsule.minds or None,
+        **physics_of(manifest.engine),
         **manifest.parameters,
     )
+
+
+def physics_of(engine: str) -> dict[str, Any]:
+    """What a model is made with for an engine; only a model on a plane can take another one."""
+    return {} if engine == "compiled" else {"physics": engine}
 
 
 def scheme_copies(

@@ -111,6 +111,7 @@ def replay(
             out=Path(place) / "run",
             compiled=manifest.compiled,
             on_progress=on_progress,
+            engine=manifest.engine,
         )
         for name in TABLES:
             found = compare(stored.table(name), Capsule(again).table(name), name, exact)

@@ -1,0 +1,62 @@
+"""What a run on a plane records of its robots unless the model says otherwise."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from socialmind.fields import class_fields
+from socialmind.worlds.plane.bodies import Robot
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
+
+RECORDED = ("x", "y", "angle", "speed", "carrying", "battery", "collisions", "score")
+"""Of every robot: where it is and how fast, what it carries, and how it fares."""
+
+
+def trajectories(model: Model) -> dict[str, Any]:
+    """Return the columns of the robots' table at a tick: `RECORDED` and the fields of their class.
+
+    Args:
+        model: a running model on a plane with robots.
+
+    Returns:
+        A sequence for each column, over the living robots. Several populations stand one after
+        another, and a column says which; what one of them does not have is None.
+    """
+    plane = model.shape.plane
+    names = [] if plane is None else list(plane.robots)
+    engines = set(class_fields(Robot))
+    parts: list[dict[str, Any]] = []
+    for name in names:
+        table: Any = model.tables[name]
+        part: dict[str, Any] = {"agent": table.id}
+        if len(names) > 1:
+            part["population"] = [name] * len(table)
+        if table.shape.minded:
+            part["plan"] = model.plans(table)
+        for column in RECORDED:
+            part[column] = (
+                np.hypot(table.vx, table.vy) if column == "speed" else getattr(table, column)
+            )
+        for field in model.populations[name].shape.fields.values():
+            if field.name not in engines and field.size is None:
+                part[field.name] = getattr(table, field.name)
+        parts.append(part)
+    if len(parts) == 1:
+        return parts[0]
+    columns = list(dict.fromkeys(column for part in parts for column in part))
+    return {
+        column: [
+            value
+            for part in parts
+            for value in (
+                np.asarray(part[column], object).tolist()
+                if column in part
+                else [None] * len(part["agent"])
+            )
+        ]
+        for column in columns
+    }
