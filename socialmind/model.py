@@ -29,7 +29,7 @@ from socialmind.connection import names_of_minds
 from socialmind.declaration import declaration_of
 from socialmind.engine import Engine
 from socialmind.errors import IdleWarning, SocialmindError
-from socialmind.fields import Field, presence
+from socialmind.fields import Field, place_of_field, presence
 from socialmind.language.layout import model_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
@@ -128,7 +128,13 @@ class Model:
         populations = {name: one.shape for name, one in cls.populations.items()}
         plane = None
         if cls.plane is not None:
-            plane = plane_shape(cls.plane, cls.populations, cls.rewards, cls.interruptions)
+            plane = plane_shape(
+                cls.plane,
+                cls.populations,
+                cls.rewards,
+                cls.interruptions,
+                partial(place_of_field, cls),
+            )
             for name, robots in plane.robots.items():
                 fields = {**populations[name].fields, **robots.fields}
                 populations[name] = replace(populations[name], fields=fields)

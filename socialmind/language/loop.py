@@ -31,12 +31,13 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     for population in shape.populations.values():
         parts.append(population_text(population, population.name in own_makers))
     minded = [name for name, one in shape.populations.items() if one.hierarchy]
+    robots = {} if shape.plane is None else shape.plane.robots
     if minded:
         from socialmind.mind.kernel import text as minds
 
         parts += [
             minds.HEAD,
-            *(minds.population_text(name, shape.plane is not None) for name in minded),
+            *(minds.population_text(name, name in robots) for name in minded),
         ]
     for function in program.functions.values():
         parts.append(f"@_inner\n{lowered(function)}")
@@ -215,7 +216,9 @@ def _loops_text(shape: ModelShape, program: Program) -> str:
     setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
     tick = _phase_calls(program)
     if program.plane is not None:
-        from socialmind.worlds.plane.text import TICK as tick
+        from socialmind.worlds.plane.text import TICK
+
+        tick = TICK
     return f'''@_inner
 def _end_tick(_model):
 {settle}    return

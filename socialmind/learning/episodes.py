@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 LANES = 64
 """How many worlds run in lockstep: their minds' arrays fit into a core's own cache."""
+MOST_ROUNDS = 100_000
+"""Ticks of all lanes between two looks at Ctrl-C, at most."""
 STRETCH = 0.2
 """Seconds, about, between two looks at Ctrl-C."""
 
@@ -99,6 +101,11 @@ class Episodes:
         self.physics = physics
         self.record = tuple(record)
         self.without = tuple(without)
+        for name, one in model_class.populations.items():
+            if one.hierarchy is not None and name not in model_class.shape.plane.robots:
+                raise ModelError(f"episodes with hierarchies of {name!r}", "those of robots alone")
+        if lanes < 1:
+            raise SocialmindError(f"lanes: found {lanes!r}; expected a whole number, 1 or more")
         self.skills = (skill,) if isinstance(skill, str) else tuple(skill or ())
         minded = [n for n, one in model_class.shape.plane.robots.items() if one.hierarchy]
         self.population = population or (minded[0] if minded else "")
@@ -118,6 +125,12 @@ class Episodes:
         self.steerings[self.population] = Steering(
             _filled(mine, self.skills), master or led.master, drive or led.drive
         )
+        reached = self.steerings[self.population].assembly.skills
+        for name in self.skills:
+            if name not in reached:
+                raise mine.skill(name).refused(
+                    f"which the master {self.steerings[self.population].master!r} does not reach"
+                )
         self.genome_size = sum(mine.skills[name].genome_size for name in self.skills)
         self._batch: _Batch | None = None
         self._room: dict[str, int] = {}
@@ -160,6 +173,9 @@ class Episodes:
             empty = np.zeros(shape)
             return Outcome(empty, empty.astype(int), empty.astype(int), {})
         individual = np.repeat(np.arange(individuals), len(seeds))
+        bad = [seed for seed in seeds if not 0 <= seed < 2**64]
+        if bad:
+            raise SocialmindError(f"seed: found {bad[0]!r}; expected a whole number, 0 … 2**64 - 1")
         keys = np.tile(np.array(list(seeds), np.uint64), individuals)
         if self.physics != "compiled":
             return self._one_by_one(rows, individual, keys, shape)
@@ -357,7 +373,9 @@ class _Batch:
             begin = time.perf_counter()
             status = call(address, self.rounds, 0)
             took = time.perf_counter() - begin
-            self.rounds = max(1, min(2 * self.rounds, int(self.rounds * STRETCH / (took + 1e-9))))
+            self.rounds = max(
+                1, min(2 * self.rounds, MOST_ROUNDS, int(self.rounds * STRETCH / (took + 1e-9)))
+            )
         if status < 0:
             self._fail(genomes, individual, keys)
         fields = {}

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import ModelError
-from socialmind.fields import Field
+from socialmind.fields import Field, class_fields
 from socialmind.language.nodes import nearest
 from socialmind.worlds.plane.bodies import Body, Disc, Obstacle, Robot
 from socialmind.worlds.plane.devices import Device, Interruption, Reward
@@ -44,9 +45,10 @@ class Plane:
         Raises:
             ModelError: so it is.
         """
-        if not isinstance(self.half_width, str) and not 0 <= self.half_width < 1e6:
+        wide, dt = self.half_width, self.dt
+        if not isinstance(wide, str) and not (_is_number(wide) and 0 <= wide < 1e6):
             raise ModelError(f"half_width={self.half_width!r} of a plane", "a number, 0 or more")
-        if not 0 < self.dt < 1:
+        if not (_is_number(dt) and 0 < dt < 1):
             raise ModelError(f"dt={self.dt!r} of a plane", "seconds, above 0 and below 1")
 
 
@@ -93,8 +95,15 @@ class RobotShape:
 
 def memory_field(stage: str, name: str) -> str:
     """Return the name of the field in which a device keeps what it remembers."""
-    plain = "".join(letter if letter.isalnum() else "_" for letter in name)
-    return f"_memory_{stage}_{plain}"
+    # No two names have the same field.
+    letters = [
+        letter if letter.isascii() and letter.isalnum() else f"_{ord(letter):x}_" for letter in name
+    ]
+    return f"_memory_{stage}_{''.join(letters)}"
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def _array(name: str, size: int, default: float) -> Field:
@@ -128,22 +137,38 @@ def plane_shape(
     populations: Mapping[str, Population],
     rewards: Mapping[str, Reward],
     interruptions: Mapping[str, Interruption],
+    place: Callable[[str], tuple[str | None, int | None]] = lambda name: (None, None),
 ) -> PlaneShape:
     """Return the shape of a plane with the populations on it.
+
+    Args:
+        plane: the declaration.
+        populations: of the model, by name.
+        rewards: likewise.
+        interruptions: likewise.
+        place: gives the file and the line of an attribute of the model's class.
 
     Raises:
         ModelError: a body without a disc, or the other way round; a device that looks for a
             population that there is not; rewards or interruptions without robots.
     """
     bodies = {name: one for name, one in populations.items() if issubclass(one.agent, Body)}
-    for name, one in populations.items():
-        _check_population(name, one, populations)
     obstacles = [name for name, one in populations.items() if issubclass(one.agent, Obstacle)]
-    if len(obstacles) > 1:
-        raise ModelError(
-            f"{len(obstacles)} populations of obstacles: {', '.join(obstacles)}", "one at most"
-        )
     robots = [name for name, one in bodies.items() if issubclass(one.agent, Robot)]
+    for name, one in populations.items():
+        with _said_of(name, place):
+            _check_population(name, one, populations)
+    if len(obstacles) > 1:
+        with _said_of(obstacles[1], place):
+            names = ", ".join(obstacles)
+            raise ModelError(f"{len(obstacles)} populations of obstacles: {names}", "one at most")
+    # Unless they say otherwise, rewards are for the first robots that sense anything.
+    sensing = [name for name in robots if populations[name].sensors]
+    first = next(iter(sensing or robots), None)
+    of_all = {}
+    for attribute, devices in (("rewards", rewards), ("interruptions", interruptions)):
+        with _said_of(attribute, place):
+            of_all[attribute] = _shared_out(devices, robots, first)
     shapes = {}
     for name in robots:
         one = populations[name]
@@ -152,25 +177,21 @@ def plane_shape(
             list(bodies).index(name),
             dict(one.sensors),
             dict(one.actuators),
-            _those_for(name, rewards, robots),
-            _those_for(name, interruptions, robots),
+            of_all["rewards"][name],
+            of_all["interruptions"][name],
             one.hierarchy is not None,
         )
-    stages: list[Mapping[str, Any]] = [rewards, interruptions]
-    stages += [stage for one in shapes.values() for stage in (one.sensors, one.actuators)]
-    for stage in stages:
-        for name, device in stage.items():
-            of = getattr(device, "of", None)
-            if of is not None and of not in populations:
-                raise ModelError(
-                    f"{name!r}, which looks for {of!r}",
-                    "the name of a population",
-                    nearest(of, populations),
-                )
-    for shape in shapes.values():
-        for stage in (shape.sensors, shape.actuators, shape.rewards, shape.interruptions):
-            for name, device in stage.items():
-                _check_readings(name, device, shape)
+    for name, shape in shapes.items():
+        for attribute, stages in (
+            (name, (shape.sensors, shape.actuators)),
+            ("rewards", (shape.rewards,)),
+            ("interruptions", (shape.interruptions,)),
+        ):
+            with _said_of(attribute, place):
+                for stage in stages:
+                    for key, device in stage.items():
+                        _check_sought(key, device, populations)
+                        _check_readings(key, device, shape)
     discs = {name: one.body for name, one in bodies.items() if one.body is not None}
     return PlaneShape(
         plane.half_width,
@@ -182,17 +203,48 @@ def plane_shape(
     )
 
 
-def _those_for(name: str, devices: Mapping[str, Any], robots: list[str]) -> dict[str, Any]:
-    found = {}
+@contextmanager
+def _said_of(
+    attribute: str, place: Callable[[str], tuple[str | None, int | None]]
+) -> Iterator[None]:
+    """Give errors the file and the line of an attribute of the model's class."""
+    try:
+        yield
+    except ModelError as error:
+        if error.file is not None:
+            raise
+        raise ModelError(error.found, error.expected, error.remedy, *place(attribute)) from None
+
+
+def _shared_out(
+    devices: Mapping[str, Any], robots: list[str], first: str | None
+) -> dict[str, dict[str, Any]]:
+    """Return for each population of robots the rewards or interruptions that are for it."""
+    found: dict[str, dict[str, Any]] = {name: {} for name in robots}
     for key, device in devices.items():
-        who = device.robots or robots[0]
+        who = device.robots or first
+        if who is None:
+            raise ModelError(
+                f"{key!r} in a model without robots",
+                "a population of robots",
+                "let a class inherit from Robot, and write Population(…, body=Disc())",
+            )
         if who not in robots:
             raise ModelError(
                 f"{key!r}, which is for {who!r}", "a population of robots", nearest(who, robots)
             )
-        if who == name:
-            found[key] = device
+        found[who][key] = device
     return found
+
+
+def _check_sought(name: str, device: Any, populations: Mapping[str, Population]) -> None:
+    of = getattr(device, "of", None)
+    if of is not None and of not in populations:
+        raise ModelError(
+            f"{name!r}, which looks for {of!r}",
+            "the name of a population",
+            nearest(of, populations),
+        )
 
 
 def _check_population(name: str, one: Population, populations: Mapping[str, Population]) -> None:
@@ -212,7 +264,15 @@ def _check_population(name: str, one: Population, populations: Mapping[str, Popu
                     "the name of a population of bodies",
                     nearest(other, [n for n, p in populations.items() if p.body is not None]),
                 )
-    if (one.sensors or one.actuators) and not issubclass(one.agent, Robot):
+    if issubclass(one.agent, Robot):
+        for field in class_fields(one.agent):
+            if field in ("readings", "commands", "before"):
+                raise ModelError(
+                    f"a field called {field!r} of {one.agent.__name__}",
+                    "a name that robots do not use",
+                    f"every robot has {field!r}",
+                )
+    elif one.sensors or one.actuators:
         raise ModelError(
             f"sensors or actuators of {name!r}, whose class is {one.agent.__name__}",
             "a class that inherits from Robot",
