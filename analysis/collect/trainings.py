@@ -153,7 +153,9 @@ def train(name: str, attempts: int | None = None, **options: Any) -> Path:
 
 
 def _told(attempt: int, lesson: Lesson, result: Any) -> None:
-    print(f"attempt {attempt}, {lesson.name}: {result}", flush=True)
+    print(
+        f"attempt {attempt}, {lesson.name}: {result.score:.4g} ± {result.deviation:.2g}", flush=True
+    )
 
 
 if __name__ == "__main__":
