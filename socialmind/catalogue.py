@@ -7,6 +7,7 @@ documents: loaded by path under a private name, never imported as a package call
 
 from __future__ import annotations
 
+import ast
 import difflib
 import hashlib
 import importlib.util
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 MODEL_FILE = "model.py"
 FIGURES_FILE = "figures.py"
 APP_FILE = "app.py"
+OTHER_MINDS = "mind_"
+"""How the names of folders begin that hold minds beside the model's own."""
 PRIVATE = "_socialmind_"
 """How the names of modules begin that were loaded by path."""
 
@@ -129,25 +132,75 @@ def load_figures(folder: Path) -> ModuleType | None:
 def source_hash(folder: Path) -> str:
     """The SHA-256 of what decides how a model runs: its Python files but figures and app.
 
+    Other minds beside the model's own, in folders called ``mind_…``, do not count: runs keep a
+    copy of the mind that they are given. Of other models whose files it loads by
+    ``model_folder("name")`` all count that decides about them.
+
     Args:
         folder: the model's folder, or one Python file.
 
     Returns:
         64 hexadecimal digits.
     """
+    return _source_hash(folder, ())
+
+
+def _source_hash(folder: Path, above: tuple[Path, ...]) -> str:
+    """The hash of a model that those above load."""
     total = hashlib.sha256()
+    named: set[str] = set()
     if folder.is_file():
-        total.update(folder.read_bytes())
-        return total.hexdigest()
+        content = folder.read_bytes()
+        named |= _models_in(content)
+        total.update(content)
+    else:
+        for path in _deciding_files(folder):
+            content = path.read_bytes()
+            named |= _models_in(content)
+            total.update(f"{path.relative_to(folder).as_posix()}\0{len(content)}\0".encode())
+            total.update(content)
+    known = catalogue() if named else {}
+    for name in sorted(named):
+        other = known.get(name.replace("-", "_"))
+        if other is not None and other != folder and other not in above:
+            total.update(f"{name}\0{_source_hash(other, (*above, folder))}\0".encode())
+    return total.hexdigest()
+
+
+def _deciding_files(folder: Path) -> Iterator[Path]:
+    """The Python files of a model that decide how it runs, in order."""
     for path in sorted(folder.rglob("*.py")):
         place = path.relative_to(folder)
         hidden = any(part.startswith((".", "__pycache__")) for part in place.parts)
-        if hidden or place in (Path(FIGURES_FILE), Path(APP_FILE)):
-            continue
-        content = path.read_bytes()
-        total.update(f"{place.as_posix()}\0{len(content)}\0".encode())
-        total.update(content)
-    return total.hexdigest()
+        other_mind = len(place.parts) > 1 and place.parts[0].startswith(OTHER_MINDS)
+        if not hidden and not other_mind and place not in (Path(FIGURES_FILE), Path(APP_FILE)):
+            yield path
+
+
+def _models_in(source: bytes) -> set[str]:
+    """The names of models whose folders a Python file asks for.
+
+    >>> _models_in(b"import x; model_folder('collect')")
+    {'collect'}
+    """
+    if model_folder.__name__.encode() not in source:
+        return set()
+    try:
+        tree = ast.parse(source)
+    except (SyntaxError, ValueError):
+        return set()  # loading it says what is wrong
+    calls = [
+        one
+        for one in ast.walk(tree)
+        if isinstance(one, ast.Call)
+        and isinstance(one.func, ast.Name | ast.Attribute)
+        and (one.func.id if isinstance(one.func, ast.Name) else one.func.attr)
+        == model_folder.__name__
+    ]
+    names = [
+        one.args[0].value for one in calls if one.args and isinstance(one.args[0], ast.Constant)
+    ]
+    return {name for name in names if isinstance(name, str)}
 
 
 def load_file(path: Path) -> ModuleType:

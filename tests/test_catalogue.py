@@ -155,3 +155,47 @@ def test_figures_are_loaded_apart_from_the_model(tmp_path):
     write(folder, figures="draw = 3")
     with pytest.raises(ModelError, match=r"figures.py: no function draw\(run\)"):
         load_figures(folder)
+
+
+def test_the_source_hash_leaves_out_other_minds(tmp_path):
+    folder = write(tmp_path / "town", model=MODEL)
+    before = source_hash(folder)
+    (folder / "mind_of_others").mkdir()
+    write(folder / "mind_of_others", go="def go(): return 1.0")
+    assert source_hash(folder) == before
+    (folder / "mind").mkdir()
+    write(folder / "mind", go="def go(): return 1.0")
+    assert source_hash(folder) != before
+
+
+FROM_ANOTHER = """
+from socialmind.catalogue import load_file, model_folder
+TOWN = load_file(model_folder("{name}") / "model.py")
+"""
+
+
+def test_the_source_hash_sees_the_other_models_that_it_loads(tmp_path, monkeypatch):
+    town = write(tmp_path / "town", model=MODEL)
+    port = write(tmp_path / "port", model=FROM_ANOTHER.format(name="town") + MODEL, rules="x = 1")
+    city = write(tmp_path / "city", model=FROM_ANOTHER.format(name="port") + MODEL)
+    apart = write(tmp_path / "apart", model=FROM_ANOTHER.format(name="nowhere") + MODEL)
+    known = {one.name: one for one in (town, port, city, apart)}
+    monkeypatch.setattr("socialmind.catalogue.catalogue", lambda: known)
+    before = {name: source_hash(one) for name, one in known.items()}
+    file = source_hash(port / "model.py")
+    loaded = load_model(city)
+    (town / "model.py").write_text(MODEL.replace("7", "8"))
+    assert {name for name, one in known.items() if source_hash(one) != before[name]} == {
+        "town", "port", "city"
+    }  # fmt: skip
+    assert source_hash(port / "model.py") != file
+    assert load_model(city) is not loaded
+
+
+def test_the_source_hash_of_models_that_load_each_other_ends(tmp_path, monkeypatch):
+    one = write(tmp_path / "one", model=FROM_ANOTHER.format(name="two") + MODEL)
+    two = write(tmp_path / "two", model=FROM_ANOTHER.format(name="one") + MODEL)
+    monkeypatch.setattr("socialmind.catalogue.catalogue", lambda: {"one": one, "two": two})
+    before = source_hash(one)
+    (two / "model.py").write_text(FROM_ANOTHER.format(name="one") + MODEL.replace("7", "8"))
+    assert source_hash(one) != before
