@@ -395,6 +395,10 @@ def reproduce(
     quick: Annotated[
         bool, typer.Option("--quick", help="Make a smaller version of what takes long.")
     ] = False,
+    kept: Annotated[
+        bool,
+        typer.Option("--kept", help="Make what takes long from the results that are kept of it."),
+    ] = False,
     list_names: Annotated[
         bool, typer.Option("--list", help="List what can be made, and make nothing.")
     ] = False,
@@ -405,7 +409,7 @@ def reproduce(
     if list_names:
         reproducing.print_studies()
     else:
-        reproducing.make(names or [], out, quick)
+        reproducing.make(names or [], out, quick, kept)
 
 
 @command

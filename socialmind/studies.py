@@ -33,12 +33,15 @@ class Study:
         about: what it shows, in a line.
         make: makes it.
         quick: makes a smaller one, in place of one that takes long; None where none does.
+        kept: makes it from results that stand beside the study, in place of one that takes long;
+            None where none does.
     """
 
     name: str
     about: str
     make: Make
     quick: Make | None = None
+    kept: Make | None = None
 
 
 def topics() -> dict[str, Path]:
@@ -124,13 +127,17 @@ def find(name: str) -> list[tuple[Study, Path]]:
     return found
 
 
-def reproduce(names: Iterable[str], out: str | Path, quick: bool = False) -> Iterator[Path]:
+def reproduce(
+    names: Iterable[str], out: str | Path, quick: bool = False, kept: bool = False
+) -> Iterator[Path]:
     """Make studies one after another.
 
     Args:
         names: of studies or topics; all are looked up before the first is made.
         out: the folder for what is made.
         quick: whether a smaller version will do where the full one takes long.
+        kept: whether it is to be made from results that stand beside the study, where the full one
+            makes its own and takes long.
 
     Yields:
         The files as they are written.
@@ -138,9 +145,11 @@ def reproduce(names: Iterable[str], out: str | Path, quick: bool = False) -> Ite
     Raises:
         SocialmindError: there is no study of a name, or one stopped with an error.
     """
+    if quick and kept:
+        raise SocialmindError("a smaller version, or one from kept results? expected one of both")
     chosen = {study.name: (study, folder) for name in names for study, folder in find(name)}
     for study, folder in chosen.values():
-        make = study.quick if quick and study.quick is not None else study.make
+        make = (study.quick if quick else study.kept if kept else None) or study.make
         try:
             written = make(Path(out))
         except (SocialmindError, OSError):

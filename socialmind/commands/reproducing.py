@@ -25,18 +25,19 @@ def print_studies() -> None:
         typer.echo("\n".join([topic, *aligned(rows)]))
 
 
-def make(names: Sequence[str], out: Path, quick: bool) -> None:
+def make(names: Sequence[str], out: Path, quick: bool, kept: bool) -> None:
     """Make studies and print the files that were written.
 
     Args:
         names: of studies or topics.
         out: the folder for what is made.
         quick: whether smaller versions will do.
+        kept: whether they are to be made from results that stand beside the studies.
 
     Raises:
         SocialmindError: no names, an unknown one, or a study that fails.
     """
     if not names:
         raise SocialmindError("which study? `socialmind reproduce --list` shows them")
-    for path in reproduce(names, out, quick):
+    for path in reproduce(names, out, quick, kept):
         typer.echo(path)

@@ -217,7 +217,7 @@ class Attempt:
 
     def _news(self, teaching: Teaching, position: Position) -> News:
         before = teaching.rows[-2][5] if len(teaching.rows) > 1 else 0.0
-        _, best, mean, _, _, ticks, seconds = teaching.rows[-1]
+        _, best, mean, _, _, ticks, seconds, *_ = teaching.rows[-1]
         population = teaching.optimiser.population
         return News(
             self.number, teaching.lesson, position, teaching.generation, best, mean,

@@ -11,7 +11,7 @@ import numpy as np
 
 from socialmind.learning import archive
 from socialmind.learning.attempt import CHECKPOINT, result_file
-from socialmind.learning.teaching import COLUMNS
+from socialmind.learning.teaching import COLUMNS, VALIDATED
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -31,14 +31,15 @@ def read_curve(attempts: Iterable[tuple[int, Path]]) -> pd.DataFrame:
 
     Returns:
         Columns attempt, cycle, lesson, generation, best, mean, deviation, best_so_far, ticks,
-        seconds.
+        seconds; and validated, where a lesson has validation.
     """
     import pandas as pd
 
     parts = []
     for number, folder in attempts:
         for cycle, lesson, rows in _lessons(folder):
-            named = dict(zip(COLUMNS, rows.T, strict=True))
+            columns = [*COLUMNS, VALIDATED][: rows.shape[1]]
+            named = dict(zip(columns, rows.T, strict=True))
             part = pd.DataFrame({"attempt": number, "cycle": cycle, "lesson": lesson, **named})
             parts.append(part)
     if not parts:

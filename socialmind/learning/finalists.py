@@ -6,7 +6,7 @@ judged on easy worlds. So the foremost are compared on common ones.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.modules import Skill
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +36,14 @@ class Individual:
     def same(self, other: Individual) -> bool:
         """Whether both do the same."""
         return self.graph == other.graph and np.array_equal(self.genome, other.genome)
+
+    def given_to(self, skills: Sequence[Skill]) -> list[Skill]:
+        """Return the skills that learned, with what was found."""
+        if self.graph is not None:
+            return [skills[0].changed(function=self.graph, genome=self.genome)]
+        ends = np.cumsum([skill.genome_size for skill in skills])
+        parts = np.split(self.genome, ends[:-1])
+        return [skill.changed(genome=own) for skill, own in zip(skills, parts, strict=True)]
 
 
 class Finalists:

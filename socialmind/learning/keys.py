@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import hashlib
 
-WORLD, OPTIMISER, FINAL, BEGINNING = "world", "optimiser", "final", "beginning"
+WORLD, OPTIMISER, FINAL, BEGINNING, VALIDATION = (
+    "world",
+    "optimiser",
+    "final",
+    "beginning",
+    "validation",
+)
 """What learning draws seeds for."""
 
 

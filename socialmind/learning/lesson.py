@@ -55,6 +55,9 @@ class Lesson:
         parameters: of the environment, by name.
         finalists: how many individuals are judged once more after the last generation, 1 or more.
         finals: on how many worlds, 1 or more.
+        validation: on how many worlds, the same ones in all generations, the best individual of
+            each generation is judged once more for the curve alone; 0 for none. It changes nothing
+            of what is learned, and its ticks are not counted.
         file, line: where it was read from.
 
     Raises:
@@ -86,6 +89,7 @@ class Lesson:
     parameters: Mapping[str, Any] = field(default_factory=dict)
     finalists: int = 10
     finals: int = 32
+    validation: int = 0
     file: str | None = field(default=None, repr=False)
     line: int | None = field(default=None, repr=False)
 
@@ -102,6 +106,7 @@ class Lesson:
         for what in ("ticks", "budget"):
             if getattr(self, what) is not None:
                 self._check_whole(what, getattr(self, what))
+        self._check_whole("validation", self.validation, least=0)
         for what, values in (("start", (SCRATCH, KNOWN)), ("worlds", (FRESH, FIXED))):
             if getattr(self, what) not in values:
                 expected = f"{values[0]!r} or {values[1]!r}"
@@ -133,9 +138,9 @@ class Lesson:
         self._freeze("skill", skills)
         self._freeze("master", self.master or skills[0])
 
-    def _check_whole(self, what: str, value: Any) -> None:
-        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
-            raise self.refused(f"with {what}={value!r}", "a whole number, 1 or more")
+    def _check_whole(self, what: str, value: Any, least: int = 1) -> None:
+        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+            raise self.refused(f"with {what}={value!r}", f"a whole number, {least} or more")
         self._freeze(what, int(value))
 
     def _freeze(self, name: str, value: Any) -> None:
@@ -189,6 +194,8 @@ class Lesson:
             "parameters": dict(self.parameters),
             "finalists": self.finalists,
             "finals": self.finals,
+            # Lessons without are the same lessons whether or not a curve can be validated.
+            **({"validation": self.validation} if self.validation else {}),
         }
 
     def _first_record(self) -> str | None:

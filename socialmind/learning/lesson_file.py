@@ -15,7 +15,12 @@ from socialmind.mind.files.text_file import Lines, text_of
 
 LEARNING = "LEARN2DSIM"
 """The type of task that is a lesson."""
-WHOLE = {"BUDGET": "budget", "FINALISTS": "finalists", "FINALS": "finals"}
+WHOLE = {
+    "BUDGET": "budget",
+    "FINALISTS": "finalists",
+    "FINALS": "finals",
+    "VALIDATION": "validation",
+}
 TEXTS = {"WORLDS": "worlds", "START": "start"}
 NUMBERS = {"SPREAD": "spread"}
 """Further keys that are arguments of a lesson."""
@@ -28,8 +33,8 @@ def load_lesson(path: str | Path, find: Finder) -> Lesson:
 
     ENV names a class of the model's `lessons.py`, DRIVEMODULE a function of it. LEARNINGSKILL may
     name several skills with commas between them. Further keys are BUDGET, WORLDS, START, SPREAD,
-    FINALISTS and FINALS, and the settings of optimisers, such as POPULATION; those of other
-    optimisers than the lesson's count for nothing. The lesson has the file's name.
+    FINALISTS, FINALS and VALIDATION, and the settings of optimisers, such as POPULATION; those of
+    other optimisers than the lesson's count for nothing. The lesson has the file's name.
 
     Args:
         path: the file.

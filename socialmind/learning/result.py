@@ -56,7 +56,7 @@ class Training:
 
         Columns: attempt, cycle, lesson, generation, the scores ``best``, ``mean`` and ``deviation``
         of its individuals, ``best_so_far``, the lesson's ``ticks`` so far, and the ``seconds`` that
-        it took.
+        it took. Where a lesson has validation, ``validated`` is the best individual's score there.
         """
         return read_curve([(one, self._capsule.attempt(one)) for one in self.attempts])
 
@@ -106,16 +106,29 @@ class Training:
             raise SocialmindError(f"{self.folder}: attempt {attempt} has not finished {lesson}")
         return individual_of(archive.part(results[-1][1], "best/"))
 
-    def mind(self, attempt: int = 1) -> MindDescription:
-        """Return the mind that an attempt has learned up to its last finished lesson.
+    def mind(self, attempt: int = 1, after: str | None = None) -> MindDescription:
+        """Return the mind that an attempt has learned.
+
+        Args:
+            attempt: the attempt.
+            after: the lesson after which; of one taught over and over, the last time counts. The
+                last finished one by default.
 
         Raises:
-            SocialmindError: the attempt has finished no lesson.
+            SocialmindError: the attempt has not finished this lesson, or none.
         """
-        folder = self._capsule.learned(attempt)
-        if not folder.is_dir():
-            raise SocialmindError(f"{self.folder}: attempt {attempt} has finished no lesson")
-        return MindDescription.load(folder)
+        results = self._results(attempt)
+        names = [record["lesson"] for record, _ in results]
+        if not names or (after is not None and after not in names):
+            what = "no lesson" if after is None else f"no lesson called {after}"
+            raise SocialmindError(f"{self.folder}: attempt {attempt} has finished {what}")
+        last = max(place for place, name in enumerate(names) if name == (after or names[-1]))
+        mind = MindDescription.load(self._capsule.mind)
+        for record, arrays in results[: last + 1]:
+            winner = individual_of(archive.part(arrays, "winner/"))
+            skills = [mind.skill(name) for name in record["skills"]]
+            mind = mind.with_modules(skills=winner.given_to(skills))
+        return mind
 
     def _results(self, attempt: int) -> list[tuple[dict[str, Any], dict[str, Any]]]:
         folder = self._capsule.attempt(attempt)

@@ -14,7 +14,15 @@ from socialmind.errors import ModelError
 from socialmind.learning import archive
 from socialmind.learning.finalists import Finalists, Individual, arrays_of, individual_of
 from socialmind.learning.ground import Ground
-from socialmind.learning.keys import BEGINNING, FINAL, OPTIMISER, WORLD, seed_for, seeds_for
+from socialmind.learning.keys import (
+    BEGINNING,
+    FINAL,
+    OPTIMISER,
+    VALIDATION,
+    WORLD,
+    seed_for,
+    seeds_for,
+)
 from socialmind.learning.lesson import FIXED, KNOWN, Lesson
 from socialmind.learning.optimisers.contract import Optimiser
 from socialmind.learning.workers import Stop, Workers
@@ -24,6 +32,8 @@ from socialmind.mind.modules import Skill
 COLUMNS = ("generation", "best", "mean", "deviation", "best_so_far", "ticks", "seconds")
 """The columns of a lesson's curve: scores of a generation's individuals, each the mean over its
 worlds; ticks of the lesson so far; seconds that the generation took."""
+VALIDATED = "validated"
+"""The column behind them in lessons with validation: the best individual's score on its worlds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +46,7 @@ class Result:
         deviation: the standard deviation of its scores there.
         best: the best individual of all generations (thesis, Algorithm 1).
         finalists: the mean scores in the finals, by generation.
-        rows: the curve, shape (generations, columns of `COLUMNS`).
+        rows: the curve, shape (generations, columns of `COLUMNS`, and `VALIDATED` if there is).
         ticks: of all generations and the finals.
     """
 
@@ -138,7 +148,6 @@ class Teaching:
             stop,
         )
         scores = judged.score.mean(axis=1)
-        self.optimiser.tell(scores)
         leader = int(scores.argmax())
         best = Individual(
             asked[leader] if flat else asked[leader].weights,
@@ -146,6 +155,9 @@ class Teaching:
             float(scores[leader]),
             number,
         )
+        # Before anything changes: it may be stopped as well.
+        validated = self._validated(best, workers, stop)
+        self.optimiser.tell(scores)
         self.finalists.add(best)
         if self._best is None or best.score > self._best.score:
             self._best = best
@@ -153,9 +165,23 @@ class Teaching:
         self.rows.append(
             (
                 float(number), best.score, float(scores.mean()), float(scores.std()),
-                self._best.score, float(self.ticks), time.perf_counter() - begun,
+                self._best.score, float(self.ticks), time.perf_counter() - begun, *validated,
             )
         )  # fmt: skip
+
+    def _validated(self, best: Individual, workers: Workers, stop: Stop) -> tuple[float, ...]:
+        """Return the score of an individual on the worlds of validation, if there are any."""
+        if not self.lesson.validation:
+            return ()
+        worlds = seeds_for(self.lesson.validation, VALIDATION, *self._key)
+        judged = workers.judge(self.ground, self._asked([best]), worlds, stop)
+        return (float(judged.score.mean()),)
+
+    def _asked(self, some: Sequence[Individual]) -> Any:
+        """Return individuals as workers take them."""
+        if some[-1].graph is None:
+            return np.stack([one.genome for one in some])
+        return [self._skill_of(one.graph, one.genome) for one in some]
 
     def _worlds(self, generation: int) -> list[int]:
         which = 0 if self.lesson.worlds == FIXED else generation
@@ -176,15 +202,8 @@ class Teaching:
             before = Individual(known, None, float("nan"), 0)
             if not any(one.same(before) for one in chosen):
                 chosen.insert(0, before)
-        flat = chosen[-1].graph is None
-        judged = workers.judge(
-            self.ground,
-            np.stack([one.genome for one in chosen])
-            if flat
-            else [self._skill_of(one.graph, one.genome) for one in chosen],
-            seeds_for(self.lesson.finals, FINAL, *self._key),
-            stop,
-        )
+        worlds = seeds_for(self.lesson.finals, FINAL, *self._key)
+        judged = workers.judge(self.ground, self._asked(chosen), worlds, stop)
         means = judged.score.mean(axis=1)
         place = int(means.argmax())
         return Result(
@@ -202,16 +221,12 @@ class Teaching:
 
     def learned(self, individual: Individual) -> list[Skill]:
         """Return the skills with the genomes of an individual."""
-        if individual.graph is not None:
-            return [self._skill_of(individual.graph, individual.genome)]
-        ends = np.cumsum([skill.genome_size for skill in self._skills])
-        parts = np.split(individual.genome, ends[:-1])
-        return [skill.changed(genome=own) for skill, own in zip(self._skills, parts, strict=True)]
+        return individual.given_to(self._skills)
 
     def state(self) -> dict[str, Any]:
         """Return all that `restore` needs, as arrays by name."""
         return {
-            "rows": np.array(self.rows).reshape(-1, len(COLUMNS)),
+            "rows": np.array(self.rows).reshape(-1, len(COLUMNS) + bool(self.lesson.validation)),
             "ticks": np.array(self.ticks),
             **archive.under("optimiser/", self.optimiser.state()),
             **archive.under("finalists/", self.finalists.state()),

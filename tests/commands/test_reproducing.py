@@ -18,11 +18,16 @@ def quick_table(out):
     (out / "{name}.csv").write_text("a quick one")
     return [out / "{name}.csv"]
 
+def kept_table(out):
+    out.mkdir(exist_ok=True)
+    (out / "{name}.csv").write_text("a kept one")
+    return [out / "{name}.csv"]
+
 def broken(out):
     return [] + missing
 
 studies = (
-    Study("{name}", "numbers that take long", table, quick_table),
+    Study("{name}", "numbers that take long", table, quick_table, kept_table),
     Study("broken-{name}", "what cannot be made", broken),
 )
 """
@@ -105,6 +110,15 @@ def test_quick_makes_the_smaller_version_where_there_is_one(socialmind, installe
     assert (tmp_path / "q/table-1.csv").read_text() == "a quick one"
 
 
+def test_what_takes_long_can_be_made_from_kept_results(socialmind, installed, tmp_path):
+    topic(installed.parent / "analysis", "tables", STUDY.format(name="table-1"))
+    assert socialmind("reproduce", "table-1", "--kept", "--out", "k").exit_code == 0
+    assert (tmp_path / "k/table-1.csv").read_text() == "a kept one"
+    both = socialmind("reproduce", "table-1", "--kept", "--quick")
+    assert both.exit_code == 2
+    assert "expected one of both" in both.stderr
+
+
 def test_studies_in_the_package_come_before_those_beside_it(socialmind, installed):
     topic(installed / "_analysis", "inside", STUDY.format(name="table-1"))
     topic(installed.parent / "analysis", "beside", STUDY.format(name="table-2"))
@@ -132,7 +146,7 @@ def test_without_studies_the_error_says_where_they_should_be(refused, installed)
 def test_a_study_that_stops_is_one_line_with_its_place(refused, installed):
     topic(installed.parent / "analysis", "tables", STUDY.format(name="table-1"))
     line = refused("reproduce", "broken-table-1")
-    assert "tables/studies.py:15: broken-table-1 stopped with NameError" in line
+    assert "tables/studies.py:20: broken-table-1 stopped with NameError" in line
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ import pytest
 
 from socialmind.errors import ModelError
 from socialmind.learning.ground import COMPILED, Judged
-from socialmind.learning.teaching import COLUMNS, Teaching, check_fits
+from socialmind.learning.teaching import COLUMNS, VALIDATED, Teaching, check_fits
 from socialmind.learning.workers import Threads, Workers
 
 KEY = (7, 1, "Go", 1)
@@ -71,6 +71,28 @@ def test_worlds_are_fresh_or_fixed_and_hang_on_the_key_alone(lesson, robot):
     _, _, fixed = taught(lesson("Go", worlds="fixed"), robot)
     assert len(set(fixed.seeds[:6])) == 1
     assert fixed.seeds[6] == fresh.seeds[6]
+
+
+def test_validation_judges_the_best_of_each_generation_on_the_same_worlds_and_changes_nothing_else(
+    lesson, robot
+):
+    plain, without, _ = taught(lesson("Go"), robot)
+    teaching, result, workers = taught(lesson("Go", validation=8), robot)
+    assert (result.rows[:, :6] == without.rows[:, :6]).all()
+    assert (result.winner.genome == without.winner.genome).all()
+    assert (teaching.ticks, result.ticks) == (plain.ticks, without.ticks)
+    asked = [(seeds, n) for n, seeds in enumerate(workers.seeds) if len(seeds) == 8]
+    assert len(asked) == 6
+    assert len({seeds for seeds, _ in asked}) == 1
+    validated = dict(zip([*COLUMNS, VALIDATED], result.rows.T, strict=True))[VALIDATED]
+    for score, (seeds, place) in zip(validated, asked, strict=True):
+        (best,) = workers.genomes[place]
+        assert (workers.genomes[place - 1] == best).all(axis=1).any()
+        worlds = [0.5 + 0.1 * np.random.default_rng(seed).normal() for seed in seeds]
+        assert score == pytest.approx(-np.mean([((best - one) ** 2).sum() for one in worlds]))
+    again = Teaching(lesson("Go", validation=8), robot, KEY, COMPILED, resumed=True)
+    again.restore(teaching.state())
+    assert again.rows == teaching.rows
 
 
 def test_the_budget_ends_it_after_the_generation_in_which_it_is_used_up(lesson, robot):
