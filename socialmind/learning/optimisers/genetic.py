@@ -55,6 +55,12 @@ class Genetic(Optimiser):
             ),
             "mutation": Setting(f"the probability that a gene mutates ({OURS})", 0.05, high=1.0),
             "step": Setting(f"the standard deviation of a mutation ({OURS})", 0.2),
+            "narrowing": Setting(
+                f"the factor of the steps each generation ({OURS}; 1 in Algorithm 1)",
+                1.0,
+                low=0.5,
+                high=1.0,
+            ),
         }
     )
 
@@ -81,7 +87,8 @@ class Genetic(Optimiser):
         pivots = self._generator.integers(1, self.size + 1, children)
         bred = crossed(first, second, pivots)
         mutates = self._generator.random(bred.shape) < self.settings["mutation"]
-        steps = self._generator.normal(0.0, self.settings["step"], bred.shape)
+        step = self.settings["step"] * self.settings["narrowing"] ** self.generation
+        steps = self._generator.normal(0.0, step, bred.shape)
         return np.concatenate([elite, bred + np.where(mutates, steps, 0.0)])
 
     def _parents(self, count: int) -> NDArray[np.intp]:

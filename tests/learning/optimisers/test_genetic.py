@@ -83,3 +83,13 @@ def test_winners_of_tournaments_have_the_distribution_of_the_best_of_several():
 def test_settings_outside_their_range_are_refused(settings):
     with pytest.raises(ModelError, match=next(iter(settings))):
         Genetic(3, 1, settings)
+
+
+@pytest.mark.parametrize("generation", [0, 3])
+def test_steps_narrow_with_the_generations(generation):
+    settings = {"population": 400, "mutation": 1.0, "step": 2.0, "narrowing": 0.5, "elite": 0}
+    search = Genetic(6, seed=2, settings=settings, first=np.zeros((400, 6)))
+    search.restore({**search.state(), "generation": generation})
+    search.ask()
+    search.tell(np.zeros(400))
+    assert search.ask().std() == pytest.approx(2.0 * 0.5**generation, rel=0.05)
