@@ -10,6 +10,7 @@ from socialmind.parameter import Parameter, parameter
 from socialmind.population import Agent, Population
 from socialmind.schedule import each, once
 from socialmind.worlds.grid import Patch, Torus
+from socialmind.worlds.plane.plane import Plane
 
 __version__ = "0.1.0"
 
@@ -20,6 +21,7 @@ __all__ = [
     "ModelError",
     "Parameter",
     "Patch",
+    "Plane",
     "Population",
     "RuleError",
     "SocialmindError",

@@ -109,9 +109,11 @@ def test_the_command_line_takes_an_engine_and_keeps_it(mind, tmp_path):
     assert flat.exit_code == 2 and "which has no plane" in flat.stderr
 
 
-def test_a_model_is_checked(tmp_path):
-    result = CliRunner().invoke(app, ["check", str(FOLDER)])
-    assert result.exit_code == 0, result.output
+def test_a_model_is_checked():
+    found = CliRunner().invoke(app, ["check", str(FOLDER.parent / "seekers")])
+    assert found.exit_code == 0, found.output
+    unset = CliRunner().invoke(app, ["check", str(FOLDER)])
+    assert unset.exit_code == 1 and "its 15 weights are not set" in unset.output
 
 
 def test_the_tables_say_where_robots_were_and_what_ended_it(menagerie, mind, tmp_path):
