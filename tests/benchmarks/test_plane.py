@@ -58,7 +58,7 @@ def test_python_collects_objects_as_well_and_ends_at_a_collision(
     mind = plane.plain_mind(plane.trained())
     assert sum(plain.episode(seed, 4000, mind).delivered for seed in range(3)) >= 3
 
-    class Straight(plain.Mind):  # type: ignore[misc, name-defined]  # found as the test runs
+    class Straight(plain.Mind):  # type: ignore[name-defined]  # found as the test runs
         def commands(self, *readings: object) -> tuple[float, float, float]:
             return 1.0, 1.0, 0.5
 
