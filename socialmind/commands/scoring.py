@@ -12,7 +12,7 @@ import typer
 
 from socialmind.catalogue import load_model
 from socialmind.commands.running import by_population, read_settings
-from socialmind.experiments.score import Progress, Score, score
+from socialmind.experiments.scoring import Progress, Score, score
 
 
 def print_score(

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from socialmind.experiments.execution import Interrupted, resume, run
     from socialmind.experiments.figures import draw_figures
     from socialmind.experiments.result import Run
-    from socialmind.experiments.score import Score, score
+    from socialmind.experiments.scoring import Score, score
     from socialmind.experiments.verification import Replay, replay
 
 __all__ = [
@@ -34,12 +34,12 @@ _HOME = {
     "Interrupted": "execution",
     "Replay": "verification",
     "Run": "result",
-    "Score": "score",
+    "Score": "scoring",
     "draw_figures": "figures",
     "replay": "verification",
     "resume": "execution",
     "run": "execution",
-    "score": "score",
+    "score": "scoring",
 }
 
 

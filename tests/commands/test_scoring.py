@@ -8,7 +8,7 @@ import pytest
 
 from socialmind.catalogue import load_model
 from socialmind.commands.scoring import Score
-from socialmind.experiments.score import score
+from socialmind.experiments.scoring import score
 
 ROVERS = Path(__file__).parents[1] / "experiments" / "rovers"
 

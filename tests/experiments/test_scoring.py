@@ -9,7 +9,7 @@ from socialmind import Model, Population
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments.intervals import interval_of
-from socialmind.experiments.score import COLLISION, SCORE, measures_of, score
+from socialmind.experiments.scoring import COLLISION, SCORE, measures_of, score
 from socialmind.learning import keys
 from socialmind.learning.keys import seed_for
 from socialmind.mind import MindDescription, Perceptron, Skill
