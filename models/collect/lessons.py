@@ -255,9 +255,18 @@ class CollectObjects(Model):
 
 # Lessons ----------------------------------------------------------------------------------------
 
-COARSE = {"population": 200, "selected": 0.2, "elite": 5, "mutation": 0.3, "step": 2.0}
+COARSE = {
+    "population": 200,
+    "selected": 0.2,
+    "elite": 5,
+    "mutation": 0.3,
+    "step": 2.0,
+    "narrowing": 0.98,
+}
 """For the small networks of base skills: large steps, out of the habit of turning one way."""
-FINE = {"population": 100, "selected": 0.2, "elite": 5, "mutation": 0.05, "step": 1.0}
+FINE = {
+    "population": 100, "selected": 0.2, "elite": 5, "mutation": 0.05, "step": 1.0, "narrowing": 0.96
+}  # fmt: skip
 
 curriculum = Curriculum(
     (
