@@ -42,9 +42,11 @@ def table_of(readme, title):
 def populations_of(society, table):
     """Return the population of each row of a table of agents.
 
-    Where the table does not say: the first that has minds, or the first.
+    Where the table does not say: the robots of a plane, the first that has minds, or the first.
     """
-    first = next(iter(society.schemes or society.tables))
+    plane = society.shape.plane
+    robots = plane.robots if plane is not None else {}
+    first = next(iter(robots or society.schemes or society.tables))
     return table.get("population", [first] * len(table["agent"]))
 
 
@@ -167,13 +169,21 @@ def test_another_seed_is_another_run_where_anything_is_drawn(model):
     assert (str(tables[0]) == str(tables[1])) == (model.name in WITHOUT_LUCK)
 
 
+def numbers(society):
+    """Return the series but for what ended it, which is a text or nothing."""
+    series = society.series()
+    if society.shape.plane is not None and "over" in series:
+        assert series.pop("over") == society.over
+    return series
+
+
 def test_series_and_agents_keep_their_columns(model):
     society = model(1)
-    series, agents = list(society.series()), list(society.agents())
-    kinds = {name: type(value) for name, value in society.series().items()}
+    series, agents = list(numbers(society)), list(society.agents())
+    kinds = {name: type(value) for name, value in numbers(society).items()}
     for _ in range(3):
         society.advance(100)
-        now = society.series()
+        now = numbers(society)
         assert list(now) == series
         assert {name: type(value) for name, value in now.items()} == kinds
         assert set(kinds.values()) <= {int, float}
