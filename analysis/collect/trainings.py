@@ -2,6 +2,8 @@
 
 python -m analysis.collect.trainings hierarchy          # all its attempts, gone on with if begun
 python -m analysis.collect.trainings all
+
+They lie in `trainings/`, and begin with what `results/` holds of them.
 """
 
 from __future__ import annotations
@@ -9,9 +11,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+from socialmind.catalogue import load_file, model_folder
+from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Lesson, learn, resume
 from socialmind.mind import MindDescription
 
@@ -32,8 +37,14 @@ CONTEXT = Lesson(
     settings=LESSONS.FINE,
 )
 """Avoid learned anew while Collect steers, by Collect's reward (thesis, 6.2.2)."""
+MORE = "More of Collect"
+"""The monolith's lesson in place of it."""
 AT_ONCE = 250_000_000
 """Ticks of the six lessons together, for learning all at once."""
+COMMON = 64
+"""Worlds on which the base skills' curves are validated."""
+PACE = 3_000_000
+"""Ticks a second that two processors do at least, for a word on how long a training takes."""
 
 
 @dataclass(frozen=True)
@@ -45,12 +56,30 @@ class Plan:
         attempts: how many.
         mind: the mind to begin from.
         curriculum: the lessons.
+        model: where they take place.
     """
 
     about: str
     attempts: int
     mind: Callable[[], MindDescription]
     curriculum: Callable[[], Curriculum]
+    model: str = "collect"
+
+    @property
+    def seconds(self) -> float:
+        """How long all attempts take at most, at `PACE`."""
+        return self.attempts * sum(map(most_ticks, self.curriculum().lessons)) / PACE
+
+
+def most_ticks(lesson: Lesson) -> int:
+    """Return the ticks of a lesson whose episodes all last to the end."""
+    population = int(lesson.settings["population"])
+    generation = population * lesson.repetitions * lesson.episode_ticks
+    whole = lesson.generations * generation
+    return whole if lesson.budget is None else min(whole, lesson.budget + generation)
+
+
+# Lessons ----------------------------------------------------------------------------------------
 
 
 def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
@@ -62,6 +91,12 @@ def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
         settings=LESSONS.FINE,
         start="scratch" if first else "known",
     )
+
+
+def for_monolith() -> Curriculum:
+    """Return the curriculum for one network, then more of Collect."""
+    six = [by_monolith(lesson, place == 0) for place, lesson in enumerate(SIX)]
+    return Curriculum((*six, by_monolith(replace(CONTEXT, name=MORE))))
 
 
 def at_once(skills: tuple[str, ...], master: str) -> Curriculum:
@@ -90,6 +125,48 @@ def with_longer_avoid() -> Curriculum:
     return Curriculum(tuple(lessons))
 
 
+def base_skills() -> Curriculum:
+    """Return the two base skills' lessons as long as the thesis's, with curves on common worlds."""
+    return Curriculum(
+        replace(lesson, generations=1000, validation=COMMON)
+        for lesson in SIX
+        if lesson.name in ("GoToObject", "GoToDropZone")
+    )
+
+
+# Power management -------------------------------------------------------------------------------
+
+
+def power() -> Any:
+    """Return the module of lessons about the battery."""
+    return load_file(model_folder("collect_power") / "lessons.py")
+
+
+def power_mind(variant: str, folder: str) -> MindDescription:
+    """Return a hierarchy that can collect, with what it takes to look after the battery.
+
+    Args:
+        variant: `encapsulated` or `retrained` (figure 6.7).
+        folder: the model whose trained mind it is: `collect` with the original Avoid,
+            `collect_retrained` with the one learned in context.
+    """
+    lessons = power()
+    mind: MindDescription = getattr(lessons, variant)(lessons.known(folder))
+    return mind
+
+
+def power_plan(variant: str, folder: str) -> Plan:
+    """Return the training of one variant on one Avoid."""
+    avoid = {"collect": "original", "collect_retrained": "retrained"}[folder]
+    return Plan(
+        f"power management, {variant}, on the {avoid} Avoid (6.3)",
+        5,
+        partial(power_mind, variant, folder),
+        lambda: Curriculum(power().lessons),
+        "collect_power",
+    )
+
+
 PLANS: Mapping[str, Plan] = {
     "hierarchy": Plan(
         "the curriculum, then Avoid in context (6.1, 6.2)",
@@ -98,15 +175,7 @@ PLANS: Mapping[str, Plan] = {
         lambda: Curriculum((*SIX, CONTEXT)),
     ),
     "monolith": Plan(
-        "the curriculum for one network, then more of Collect (6.1)",
-        10,
-        monolith,
-        lambda: Curriculum(
-            (
-                *(by_monolith(lesson, place == 0) for place, lesson in enumerate(SIX)),
-                by_monolith(replace(CONTEXT, name="More of Collect")),
-            )
-        ),
+        "the curriculum for one network, then more of Collect (6.1)", 10, monolith, for_monolith
     ),
     "hierarchy_at_once": Plan(
         "the hierarchy, final task only (6.1)",
@@ -122,42 +191,89 @@ PLANS: Mapping[str, Plan] = {
     "longer_avoid": Plan(
         "the curriculum with more ticks for Avoid (6.2)", 5, hierarchy, with_longer_avoid
     ),
+    "base_skills": Plan(
+        "the base skills over 1,000 generations (figure 6.2)", 10, hierarchy, base_skills
+    ),
+    "power_encapsulated": power_plan("encapsulated", "collect_retrained"),
+    "power_retrained": power_plan("retrained", "collect_retrained"),
+    "power_encapsulated_original": power_plan("encapsulated", "collect"),
+    "power_retrained_original": power_plan("retrained", "collect"),
 }
 
 
-def train(name: str, attempts: int | None = None, **options: Any) -> Path:
+def small(plan: Plan) -> Plan:
+    """Return a plan of a minute or so: its results show that all works, and nothing else."""
+
+    def change(lesson: Lesson) -> Lesson:
+        return lesson.changed(
+            generations=min(lesson.generations, 10),
+            budget=None,
+            repetitions=2,
+            finals=8,
+            validation=min(lesson.validation, 16),
+            settings={**lesson.settings, "population": 20, "elite": 2},
+        )
+
+    return replace(plan, attempts=2, curriculum=lambda: plan.curriculum().with_lessons(change))
+
+
+# Training ---------------------------------------------------------------------------------------
+
+
+def train(name: str, folder: Path, plan: Plan | None = None, **options: Any) -> Path:
     """Make a training, or go on with it.
 
     Args:
         name: of the plan.
-        attempts: how many; the plan's by default.
+        folder: of the training.
+        plan: in place of the one of that name.
         options: for `socialmind.learning.learn`.
 
     Returns:
         The training's folder.
     """
-    plan = PLANS[name]
-    folder = HOME / name
-    wanted = attempts or plan.attempts
+    plan = plan or plan_of(name)
     if (folder / "manifest.json").is_file():
-        return resume(folder, attempts=wanted, lessons=plan.curriculum(), **options)
+        return resume(folder, attempts=plan.attempts, lessons=plan.curriculum(), **options)
     return learn(
-        "collect",
+        plan.model,
         lessons=plan.curriculum(),
         mind=plan.mind(),
-        attempts=wanted,
+        attempts=plan.attempts,
         seed=SEED,
         out=folder,
         **options,
     )
 
 
-def _told(attempt: int, lesson: Lesson, result: Any) -> None:
-    print(
-        f"attempt {attempt}, {lesson.name}: {result.score:.4g} ± {result.deviation:.2g}", flush=True
-    )
+def plan_of(name: str) -> Plan:
+    """Return the plan of a name.
+
+    Raises:
+        SocialmindError: there is none.
+    """
+    if name not in PLANS:
+        raise SocialmindError(f"no training called {name!r}; expected one of {', '.join(PLANS)}")
+    return PLANS[name]
+
+
+def told(attempt: int, lesson: Lesson, result: Any) -> None:
+    """Say what came of a lesson."""
+    line = f"attempt {attempt}, {lesson.name}: {result.score:.4g} ± {result.deviation:.2g}"
+    print(line, file=sys.stderr, flush=True)
+
+
+def main(names: list[str]) -> None:
+    """Make trainings in `HOME`, or go on with them."""
+    from .results import take_out
+
+    for name in PLANS if names == ["all"] else names:
+        plan_of(name)
+        folder = HOME / name
+        if not folder.is_dir():
+            take_out(name, folder)
+        print(name, train(name, folder, on_lesson=told), flush=True)
 
 
 if __name__ == "__main__":
-    for one in PLANS if sys.argv[1:] == ["all"] else sys.argv[1:]:
-        print(one, train(one, on_lesson=_told), flush=True)
+    main(sys.argv[1:])

@@ -16,18 +16,21 @@ from socialmind.errors import SocialmindError
 _RECORD = "record"
 
 
-def save(path: Path, record: Mapping[str, Any], arrays: Mapping[str, Any]) -> None:
+def save(
+    path: Path, record: Mapping[str, Any], arrays: Mapping[str, Any], compressed: bool = False
+) -> None:
     """Write the file: whenever the process is killed, the one before or this one stands there.
 
     Args:
         path: where.
         record: what JSON can hold.
         arrays: by name; numbers and texts, no Python objects.
+        compressed: smaller, and slower to write; it is read all the same.
     """
     unfinished = path.with_name(path.name + ".partial")
     whole: dict[str, Any] = {**arrays, _RECORD: np.array(json.dumps(record))}
     with unfinished.open("wb") as file:
-        np.savez(file, **whole)
+        (np.savez_compressed if compressed else np.savez)(file, **whole)
         file.flush()
         os.fsync(file.fileno())
     unfinished.replace(path)

@@ -1,0 +1,269 @@
+"""Tables 6.1, 6.2 and 6.3: ours beside the thesis's."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from socialmind.experiments.intervals import Interval
+
+from .standings import Benchmark, Standing, Structure
+
+ENDS = Benchmark("a collision ends the run", "collect")
+GOES_ON = Benchmark("no interruption", "collect", on_collision="continue")
+POWER = Benchmark("a collision or a flat battery ends the run", "collect_power")
+BOTH = ("objects", "survived")
+
+
+@dataclass(frozen=True)
+class Block:
+    """A part of a table: structures in a benchmark."""
+
+    benchmark: Benchmark
+    measures: tuple[str, ...]
+    structures: tuple[Structure, ...]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of the thesis."""
+
+    name: str
+    title: str
+    blocks: tuple[Block, ...]
+
+    @property
+    def plans(self) -> tuple[str, ...]:
+        """The trainings that it stands on."""
+        return tuple(dict.fromkeys(one.plan for block in self.blocks for one in block.structures))
+
+
+def _structure(
+    name: str, plan: str, after: str, objects: float | None = None, survived: float | None = None
+) -> Structure:
+    thesis = {"objects": objects, "survived": survived}
+    return Structure(name, plan, after, {k: v for k, v in thesis.items() if v is not None})
+
+
+TABLES = (
+    Table(
+        "table-6.1",
+        "Hierarchical or monolithic, by curriculum or by the final task alone",
+        (
+            Block(
+                ENDS,
+                BOTH,
+                (
+                    _structure("hierarchical, curriculum", "hierarchy", "Collect", 4.63, 0.54),
+                    _structure("monolithic, curriculum", "monolith", "Collect", 5.19, 0.68),
+                    _structure(
+                        "hierarchical, final task only", "hierarchy_at_once", "All at once",
+                        0.06, 0.51,
+                    ),
+                    _structure(
+                        "monolithic, final task only", "monolith_at_once", "All at once", 0.31, 0.80
+                    ),
+                ),
+            ),
+            Block(
+                GOES_ON,
+                ("objects",),
+                (
+                    _structure("hierarchical, curriculum", "hierarchy", "Collect", 9.55),
+                    _structure("monolithic, curriculum", "monolith", "Collect", 7.70),
+                    _structure(
+                        "hierarchical, final task only", "hierarchy_at_once", "All at once", 0.18
+                    ),
+                    _structure(
+                        "monolithic, final task only", "monolith_at_once", "All at once", 0.39
+                    ),
+                ),
+            ),
+        ),
+    ),
+    Table(
+        "table-6.2",
+        "More resources for Avoid, or Avoid learned in the context of Collect",
+        (
+            Block(
+                ENDS,
+                BOTH,
+                (
+                    _structure("monolithic", "monolith", "Collect", 5.19, 0.68),
+                    _structure("monolithic, more of Collect", "monolith", "More of Collect"),
+                    _structure("Avoid as in the curriculum", "hierarchy", "Collect", 4.63, 0.54),
+                    _structure("Avoid with more ticks", "longer_avoid", "Collect", 5.31, 0.56),
+                    _structure("Avoid in context", "hierarchy", "Avoid in context", 6.03, 0.90),
+                ),
+            ),
+            Block(
+                GOES_ON,
+                ("objects",),
+                (
+                    _structure("monolithic", "monolith", "Collect"),
+                    _structure("monolithic, more of Collect", "monolith", "More of Collect"),
+                    _structure("Avoid as in the curriculum", "hierarchy", "Collect"),
+                    _structure("Avoid with more ticks", "longer_avoid", "Collect"),
+                    _structure("Avoid in context", "hierarchy", "Avoid in context"),
+                ),
+            ),
+        ),
+    ),
+    Table(
+        "table-6.3",
+        "Power management: a new master in place of the old one, or above it",
+        (
+            Block(
+                POWER,
+                BOTH,
+                (
+                    _structure(
+                        "Retrained, original Avoid", "power_retrained_original", "CollectPower",
+                        1.73, 0.28,
+                    ),
+                    _structure(
+                        "Encapsulated, original Avoid", "power_encapsulated_original",
+                        "CollectPower", 1.62, 0.36,
+                    ),
+                    _structure(
+                        "Retrained, retrained Avoid", "power_retrained", "CollectPower", 3.99, 0.69
+                    ),
+                    _structure(
+                        "Encapsulated, retrained Avoid", "power_encapsulated", "CollectPower",
+                        3.73, 0.90,
+                    ),
+                ),
+            ),
+        ),
+    ),
+)  # fmt: skip
+"""With what the thesis reports."""
+
+
+# Writing ----------------------------------------------------------------------------------------
+
+
+def write_table(
+    table: Table, standings: Sequence[Standing], made: Sequence[str], out: Path
+) -> list[Path]:
+    """Write a table for readers (Markdown), its numbers, and those of each attempt (CSV).
+
+    Args:
+        table: which.
+        standings: of its blocks' structures, in order.
+        made: how it came about, a line each.
+        out: the folder, made where it is missing.
+
+    Returns:
+        The files written.
+    """
+    out.mkdir(parents=True, exist_ok=True)
+    paths = [out / f"{table.name}{suffix}" for suffix in (".md", ".csv", "-attempts.csv")]
+    paths[0].write_text(text(table, standings, made), encoding="utf-8")
+    write_rows(paths[1], [row for one in standings for row in rows_of(one, table)])
+    write_rows(paths[2], [row for one in standings for row in one.by_attempt()])
+    return paths
+
+
+def rows_of(standing: Standing, table: Table) -> list[dict[str, Any]]:
+    """Return a row for each measure of a standing."""
+    (measures,) = (
+        block.measures
+        for block in table.blocks
+        if block.benchmark == standing.benchmark and standing.structure in block.structures
+    )
+    rows = []
+    for measure in measures:
+        row: dict[str, Any] = {
+            "benchmark": standing.benchmark.title,
+            "structure": standing.structure.name,
+            "measure": measure,
+            "thesis": standing.structure.thesis.get(measure, ""),
+            "attempts": standing.attempts,
+            "worlds": standing.worlds,
+            "seed": standing.seed,
+        }
+        parts = {
+            "": standing.over_attempts, "worlds_": standing.over_worlds, "best_": standing.of_best,
+        }  # fmt: skip
+        for prefix, of in parts.items():
+            record = of(measure).record() if standing.attempts else {}
+            row |= {
+                f"{prefix}{name}": "" if (value := record.get(name)) is None else round(value, 4)
+                for name in ("mean", "low", "high")
+            }
+        rows.append({**row, "best_attempt": standing.best if standing.attempts else ""})
+    return rows
+
+
+def text(table: Table, standings: Sequence[Standing], made: Sequence[str]) -> str:
+    """Return a table as Markdown."""
+    number = table.name.removeprefix("table-")
+    lines = [f"# Table {number}: {table.title[0].lower()}{table.title[1:]}", "", *made]
+    for block in table.blocks:
+        own = [one for one in standings if one.benchmark == block.benchmark]
+        percent = " (share of the run survived)" if "survived" in block.measures else ""
+        title = block.benchmark.title
+        lines += [
+            "",
+            f"## {title[0].upper()}{title[1:]}: objects{percent}",
+            "",
+            "| structure | thesis | attempts | ours [over attempts] | [over worlds] "
+            "| best attempt [over worlds] |",
+            "|---|---|---|---|---|---|",
+        ]
+        lines += [f"| {' | '.join(_cells(one, block.measures))} |" for one in own]
+    return "\n".join([*lines, ""])
+
+
+def _cells(standing: Standing, measures: Sequence[str]) -> list[str]:
+    thesis = standing.structure.thesis
+    reported = _joined([_number(one, thesis.get(one)) for one in measures if one in thesis])
+    cells = [standing.structure.name, reported, str(standing.attempts)]
+    if not standing.attempts:
+        return [*cells, "not trained", "", ""]
+    return [
+        *cells,
+        _joined([_interval(one, standing.over_attempts(one)) for one in measures]),
+        _joined([_bounds(one, standing.over_worlds(one)) for one in measures]),
+        _joined([_interval(one, standing.of_best(one)) for one in measures]),
+    ]
+
+
+def _joined(parts: Sequence[str]) -> str:
+    """Return a number, with the second one in brackets as the thesis has it.
+
+    >>> _joined(["4.63", "54 %"])
+    '4.63 (54 %)'
+    """
+    return parts[0] + "".join(f" ({one})" for one in parts[1:]) if parts else "–"
+
+
+def _number(measure: str, value: float | None, sign: bool = True) -> str:
+    if value is None or not math.isfinite(value):
+        return "–"
+    if measure == "survived":
+        return f"{100 * value:.0f}" + (" %" if sign else "")
+    return f"{value:.2f}"
+
+
+def _bounds(measure: str, interval: Interval) -> str:
+    low, high = (_number(measure, one, sign=False) for one in (interval.low, interval.high))
+    return f"[{low} to {high}]"
+
+
+def _interval(measure: str, interval: Interval) -> str:
+    return f"{_number(measure, interval.mean)} {_bounds(measure, interval)}"
+
+
+def write_rows(path: Path, rows: Sequence[dict[str, Any]]) -> Path:
+    """Write rows as CSV, with the columns of the first one."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]) if rows else [], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    return path
