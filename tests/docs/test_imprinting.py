@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from socialmind.learning import Training
 from socialmind.mind import Hierarchy, MindDescription
 
 torch = pytest.importorskip("torch")
@@ -63,6 +64,24 @@ def test_the_population_begins_with_the_imprinted_genome(page):
     assert population.shape == (50, len(genome))
     assert (population[0] == genome).all()
     assert (population[1:] - genome).std() == pytest.approx(0.1, rel=0.1)
+
+
+def test_a_robot_learns_from_a_proportional_controller(page):
+    towards = page["towards"]
+    assert towards.reached
+    assert towards.rounds[-1].target > 0.9 * towards.rounds[-1].source > 2.5
+
+
+def test_the_lesson_begins_with_what_was_imprinted(page):
+    curve = Training(page["folder"]).curve
+    assert len(curve) == 2
+    assert curve["best"].iloc[0] > 0.9 * page["towards"].rounds[-1].source
+
+
+def test_a_person_who_steered_is_played_again(page):
+    assert page["steered"].outputs.tolist() == [[0.9, 0.6]] * 60
+    assert page["steered"].inputs.std() > 0.01
+    assert page["again"].losses[-1] < 1e-3
 
 
 def test_the_twin_gives_what_the_skill_gives(page):
