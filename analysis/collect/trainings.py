@@ -33,17 +33,19 @@ CONTEXT = Lesson(
     master="Collect",
     repetitions=8,
     generations=1000,
-    budget=120_000_000,
+    budget=200_000_000,
     settings=LESSONS.FINE,
 )
 """Avoid learned anew while Collect steers, by Collect's reward (thesis, 6.2.2)."""
 MORE = "More of Collect"
 """The monolith's lesson in place of it."""
-AT_ONCE = 250_000_000
+AT_ONCE = 320_000_000
 """Ticks of the six lessons together, for learning all at once."""
+LONG = 0.98
+"""How steps narrow each generation in lessons of some hundreds of generations."""
 COMMON = 64
 """Worlds on which the base skills' curves are validated."""
-PACE = 3_000_000
+PACE = 2_000_000
 """Ticks a second that two processors do at least, for a word on how long a training takes."""
 
 
@@ -88,7 +90,7 @@ def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
         lesson,
         skill=MONOLITH,
         master=MONOLITH,
-        settings=LESSONS.FINE,
+        settings={**LESSONS.FINE, "population": lesson.settings["population"]},
         start="scratch" if first else "known",
     )
 
@@ -109,7 +111,7 @@ def at_once(skills: tuple[str, ...], master: str) -> Curriculum:
         repetitions=6,
         generations=10_000,
         budget=AT_ONCE,
-        settings=LESSONS.FINE,
+        settings={**LESSONS.FINE, "narrowing": LONG},
     )
     return Curriculum((lesson,))
 
@@ -120,7 +122,12 @@ def with_longer_avoid() -> Curriculum:
     for lesson in SIX:
         if lesson.name == "Avoid":
             budget = CONTEXT.budget or 0
-            lesson = replace(lesson, generations=10_000, budget=38_400_000 + budget)
+            lesson = replace(
+                lesson,
+                generations=10_000,
+                budget=most_ticks(lesson) + budget,
+                settings={**lesson.settings, "narrowing": LONG},
+            )
         lessons.append(lesson)
     return Curriculum(tuple(lessons))
 
@@ -206,12 +213,12 @@ def small(plan: Plan) -> Plan:
 
     def change(lesson: Lesson) -> Lesson:
         return lesson.changed(
-            generations=min(lesson.generations, 10),
+            generations=min(lesson.generations, 15),
             budget=None,
-            repetitions=2,
+            repetitions=3,
             finals=8,
             validation=min(lesson.validation, 16),
-            settings={**lesson.settings, "population": 20, "elite": 2},
+            settings={**lesson.settings, "population": 40, "elite": 3},
         )
 
     return replace(plan, attempts=2, curriculum=lambda: plan.curriculum().with_lessons(change))

@@ -18,7 +18,7 @@ curriculum = Curriculum(
             master="Collect",
             repetitions=8,
             generations=1000,
-            budget=120_000_000,
+            budget=200_000_000,
             settings=LESSONS.FINE,
         ),
     ),
