@@ -1,0 +1,193 @@
+"""The minds of the collecting robots: what they are made of, and that they can do their task."""
+
+import shutil
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.commands.checking import print_findings
+from socialmind.experiments import Run, replay, run, score
+from socialmind.mind import Hierarchy, MindDescription, Output, Perceptron, Skill
+
+ANALYSIS = Path(__file__).parents[2] / "analysis" / "collect"
+CONTROLS = load_file(ANALYSIS / "controls.py")
+CONSTANT = load_file(ANALYSIS / "constant.py")
+MODELS = ("collect", "collect_retrained", "collect_power")
+FOLDERS = [folder for name in MODELS for folder in sorted(model_folder(name).glob("mind*/"))]
+AS_IDS = [f"{folder.parent.name}-{folder.name}" for folder in FOLDERS]
+CONSTANTS = {"moveForward", "moveBackwards", "turnLeft", "turnRight"}
+
+
+@pytest.fixture(params=FOLDERS, ids=AS_IDS)
+def folder(request):
+    return request.param
+
+
+# What they are made of ---------------------------------------------------------------------------
+
+
+def test_each_model_ships_with_a_mind():
+    for name in MODELS:
+        assert (model_folder(name) / "mind").is_dir(), name
+
+
+def test_nothing_is_odd_and_everything_was_learned(folder):
+    assert not print_findings(str(folder))
+    mind = MindDescription.load(folder)
+    for skill in mind.skills.values():
+        assert (skill.genome is None) == (skill.genome_size == 0), skill.name
+
+
+def test_nothing_is_odd_about_the_models():
+    for name in MODELS:
+        assert not print_findings(name)
+
+
+def test_sensors_and_actuators_are_the_bodys(folder):
+    mind = MindDescription.load(folder)
+    robots = load_model(folder.parent).populations["robots"]
+    assert set(mind.sensors) == set(robots.sensors)
+    assert set(mind.actuators) == set(robots.actuators)
+
+
+def described(name, title):
+    """Return a table of skills in a model's README: what each reads, commands and weighs."""
+    text = (model_folder(name) / "README.md").read_text("utf-8").split(f"### {title}\n", 1)[1]
+    lines = [line for line in text.split("\n#", 1)[0].splitlines() if line.startswith("|")]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
+    return {
+        skill.split(" (")[0]: ([*filter(None, reads.split(", "))], commands.split(", "), int(size))
+        for skill, reads, commands, size in rows
+    }
+
+
+def found_in(mind):
+    return {
+        name: ([one.name for one in skill.inputs], [one.name for one in skill.outputs],
+               skill.genome_size)
+        for name, skill in mind.skills.items()
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "title", "mind"),
+    [
+        ("collect", "Skills", "mind"),
+        ("collect", "Skills of mind_constant", "mind_constant"),
+        ("collect_retrained", "Skills", "mind"),
+        ("collect_power", "Skills", "mind"),
+    ],
+)
+def test_the_readme_lists_the_skills(name, title, mind):
+    description = MindDescription.load(model_folder(name) / mind)
+    assert described(name, title) == found_in(description)
+    (master,) = description.masters
+    assert f"{master} (the master)" in (model_folder(name) / "README.md").read_text("utf-8")
+
+
+def test_the_readme_lists_the_monolith():
+    mind = CONTROLS.monolith()
+    assert described("collect", "Skills of the monolith") == found_in(mind)
+    whole = sum(skill.genome_size for skill in CONTROLS.hierarchy().skills.values())
+    assert whole == 1525
+    assert 0.9 <= mind.skills["Monolith"].genome_size / whole <= 1.1
+
+
+def test_the_readme_lists_the_other_variant_with_power():
+    lessons = load_file(model_folder("collect_power") / "lessons.py")
+    mind = lessons.retrained(MindDescription.load(model_folder("collect_retrained") / "mind"))
+    ((name, row),) = described("collect_power", "Skills of the Retrained variant").items()
+    assert found_in(mind)[name] == row
+    assert "Collect" not in mind.skills
+
+
+def test_power_leaves_what_was_known_as_it_was():
+    before = MindDescription.load(model_folder("collect_retrained") / "mind")
+    after = MindDescription.load(model_folder("collect_power") / "mind")
+    for name, skill in before.skills.items():
+        assert found_in(after)[name] == found_in(before)[name]
+        if skill.genome is not None:
+            assert np.array_equal(after.skills[name].genome, skill.genome), name
+
+
+# The variant on constant base skills -------------------------------------------------------------
+
+
+def test_the_constant_variant_is_what_its_builder_makes():
+    kept = MindDescription.load(model_folder("collect") / "mind_constant")
+    assert found_in(kept) == found_in(CONSTANT.constant())
+    for skill in kept.skills.values():
+        wheels = {"MotL", "MotR"} & {one.name for one in skill.outputs}
+        assert bool(wheels) == (skill.name in CONSTANTS)
+
+
+@pytest.mark.parametrize(
+    ("influence", "wheels"),
+    [
+        ((1.0, 0.0, 0.0, 0.0), (1.0, 1.0)),
+        ((0.0, 1.0, 0.0, 0.0), (0.0, 0.0)),
+        ((1.0, 0.0, 1.0, 0.0), (0.5, 1.0)),  # equation 6.1
+        ((0.0, 0.0, 0.25, 0.75), (0.75, 0.25)),
+        ((0.5, 0.5, 0.0, 0.0), (0.5, 0.5)),
+    ],
+)
+def test_constant_skills_give_any_command_by_influence(influence, wheels):
+    mind = CONSTANT.constant()
+    constants = [mind.skills[name] for name in CONSTANT.CONSTANTS]
+    # Without hidden layers, weights of 0: what comes out are the biases.
+    genome = [weight for one in influence for weight in (0.0, one)]
+    driver = Skill(
+        "Driver",
+        ["SE:S1"],
+        [Output.parse(f"SK:{one.name}") for one in constants],
+        Perceptron(layers=0),
+        genome,
+    )
+    robot = Hierarchy(MindDescription("r", ["S1"], ["MotL", "MotR"], [], [driver, *constants]))
+    found = robot.evaluate({"S1": 0.3})
+    assert (found["MotL"], found["MotR"]) == pytest.approx(wheels)
+
+
+# What they can do --------------------------------------------------------------------------------
+
+
+@cache
+def scored(folder):
+    return score(load_model(folder.parent), mind=folder, episodes=16, seed=20, workers=1)
+
+
+def test_trained_robots_collect_and_survive(folder):
+    found = scored(folder).intervals
+    # Untrained ones bring nothing home; the benchmark asks for 6 objects and 85 % of the run.
+    assert found["objects"].mean > 4.0
+    assert found["survived"].mean > 0.65
+
+
+def test_an_untrained_robot_brings_nothing_home():
+    mind = CONTROLS.hierarchy()
+    draws = np.random.default_rng(3)
+    drawn = [
+        Skill(one.name, one.inputs, one.outputs, one.function,
+              draws.uniform(-1, 1, one.genome_size) if one.genome_size else None)
+        for one in mind.skills.values()
+    ]  # fmt: skip
+    random = mind.with_modules(skills=drawn)
+    found = score(load_model("collect"), mind=random, episodes=8, seed=20, workers=1)
+    assert found.intervals["objects"].mean < 0.5
+
+
+# Folders of models that load each other ----------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_a_copied_folder_runs_like_the_model(name, tmp_path):
+    copy = tmp_path / "mine"
+    shutil.copytree(model_folder(name), copy)
+    ours = run(load_model(name), ticks=200, seed=4, out=tmp_path / "ours", every=20)
+    theirs = run(load_model(copy), ticks=200, seed=4, out=tmp_path / "theirs", every=20)
+    assert Run(ours).agents.equals(Run(theirs).agents)
+    assert len(Run(ours).agents) >= 2
+    assert replay(theirs).equal
