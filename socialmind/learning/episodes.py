@@ -7,49 +7,22 @@ what comes out does not depend on how many lanes there are, or in what order epi
 
 from __future__ import annotations
 
-import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from socialmind.connection import connect, connected_arrays
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
+from socialmind.learning.batch import LANES, Batch, Crowded
+from socialmind.learning.outcome import Outcome
 from socialmind.mind.description import MindDescription
 from socialmind.mind.inhabitants import Steering
-from socialmind.mind.minds import Minds
-from socialmind.worlds.plane.lockstep_text import LOCKSTEP
 
 if TYPE_CHECKING:
     from socialmind.model import Model
-
-LANES = 64
-"""How many worlds run in lockstep: their minds' arrays fit into a core's own cache."""
-MOST_ROUNDS = 100_000
-"""Ticks of all lanes between two looks at Ctrl-C, at most."""
-STRETCH = 0.2
-"""Seconds, about, between two looks at Ctrl-C."""
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What episodes came to; arrays of the shape (individuals, repetitions).
-
-    Attributes:
-        score: the sum of the rewards, the mean of the robots.
-        ticks: how long each lasted.
-        ended: 0 at the limit of ticks, else 1 and the number of the interruption.
-        fields: what was recorded at the end, by name: of robots' fields (individuals, repetitions,
-            robots), of the model's variables (individuals, repetitions).
-    """
-
-    score: NDArray[np.float64]
-    ticks: NDArray[np.int64]
-    ended: NDArray[np.int64]
-    fields: dict[str, NDArray[Any]]
 
 
 class Episodes:
@@ -113,8 +86,8 @@ class Episodes:
             hint = nearest(self.population, minded) if minded else "none has a hierarchy"
             raise ModelError(f"the population {self.population!r} of {model_class.name!r}",
                              "one with a hierarchy", hint)  # fmt: skip
-        self._robots = model_class.shape.plane.robots
-        self._recorded = {name: self._place(name) for name in self.record}
+        self.robots = model_class.shape.plane.robots
+        self.recorded = {name: self._place(name) for name in self.record}
         given = hierarchy
         if hierarchy is not None and not isinstance(hierarchy, Mapping):
             given = {self.population: hierarchy}
@@ -132,7 +105,7 @@ class Episodes:
                     f"which the master {self.steerings[self.population].master!r} does not reach"
                 )
         self.genome_size = sum(mine.skills[name].genome_size for name in self.skills)
-        self._batch: _Batch | None = None
+        self._batch: Batch | None = None
         self._room: dict[str, int] = {}
 
     def _place(self, name: str) -> tuple[str | None, str]:
@@ -140,7 +113,7 @@ class Episodes:
         shape = self.model_class.shape
         population, _, field = name.rpartition(".")
         population = population or self.population
-        if population in self._robots and field in shape.populations[population].fields:
+        if population in self.robots and field in shape.populations[population].fields:
             return population, field
         if name in shape.variables:
             return None, name
@@ -182,10 +155,10 @@ class Episodes:
         lanes = min(self.lanes, len(keys))
         while True:
             if self._batch is None or len(self._batch.models) < lanes:
-                self._batch = _Batch(self, lanes, self._room)
+                self._batch = Batch(self, lanes, self._room)
             try:
                 return self._batch.run(rows, individual, keys, shape)
-            except _Crowded as crowded:
+            except Crowded as crowded:
                 self._room, self._batch = crowded.room, None
 
     def model(self, seed: int, genome: ArrayLike | None = None) -> Model:
@@ -239,12 +212,12 @@ class Episodes:
             model = self.model(key, rows[one] if len(rows) else None)
             while model.over is None and model.tick < self.ticks:
                 model.advance(1)
-            tables = [model.tables[name] for name in self._robots]
+            tables = [model.tables[name] for name in self.robots]
             scores = [one for table in tables for one in table.rows["score"][table.alive].tolist()]
             score[job] = sum(scores) / max(len(scores), 1)
             ticks[job], ended[job] = model.tick, int(model.context["_over"])
             for name, values in fields.items():
-                population, field = self._recorded[name]
+                population, field = self.recorded[name]
                 if population is None:
                     values.append(np.copy(model.context[field]))
                     continue
@@ -253,171 +226,6 @@ class Episodes:
         stacked = {name: np.array(values) for name, values in fields.items()}
         found = {name: a.reshape(*shape, *a.shape[1:]) for name, a in stacked.items()}
         return Outcome(score.reshape(shape), ticks.reshape(shape), ended.reshape(shape), found)
-
-
-class _Crowded(Exception):  # noqa: N818  # nobody outside sees it
-    """Births found no room.
-
-    Args:
-        room: how many slots each population needs.
-    """
-
-    def __init__(self, room: dict[str, int]) -> None:
-        super().__init__(room)
-        self.room = room
-
-
-class _Batch:
-    """The worlds of all lanes, their minds, and where compiled code finds them."""
-
-    def __init__(self, episodes: Episodes, lanes: int, room: Mapping[str, int]) -> None:
-        self.episodes = episodes
-        self.rounds = 1
-        make = episodes.model_class
-        self.models = [
-            make.before_setup(
-                hierarchy=episodes.steerings, without=episodes.without, **episodes.parameters
-            )
-            for _ in range(lanes)
-        ]
-        self.founders = {name: len(table.rows) for name, table in self.models[0].tables.items()}
-        for model in self.models:
-            for name, slots in room.items():
-                while len(model.tables[name].rows) < slots:
-                    model.tables[name].grow()
-        self.minds: dict[str, Minds] = {}
-        for name, robots in episodes._robots.items():
-            if robots.hierarchy:
-                self.minds[name] = self._minds(name, lanes)
-        copies: list[tuple[int, int, int]] = []
-        self.copy_begin = np.zeros(lanes + 1, np.int64)
-        self._kept: list[Any] = []
-        for lane, model in enumerate(self.models):
-            connect(model)
-            for name, minds in self.minds.items():
-                model.context[f"_{name}_hierarchy"] = minds.address
-                model.context[f"_{name}_first"] = lane * len(model.tables[name].rows)
-            for array in (model.contexts, *connected_arrays(model)):
-                copy = array.copy()
-                self._kept.append(copy)
-                if array.nbytes:
-                    copies.append((_address(copy), _address(array), array.nbytes))
-            self.copy_begin[lane + 1] = len(copies)
-        self.copies = np.array(copies, np.int64)
-        self.contexts = np.array([_address(model.contexts) for model in self.models], np.int64)
-        self.job = np.full(lanes, -1, np.int64)
-        self.module = self.models[0].engine.module
-        self.work = np.zeros(1, LOCKSTEP)
-
-    def _minds(self, name: str, lanes: int) -> Minds:
-        episodes = self.episodes
-        mine = name == episodes.population
-        own = episodes.model_class.populations[name]
-        robots = len(self.models[0].tables[name].rows)
-        led = episodes.steerings[name]
-        mind: Any = led.mind
-        minds = Minds(
-            mind,
-            led.master,
-            lanes * robots,
-            own_genomes=mine and bool(episodes.skills),
-            drive=led.drive,
-            instances=lanes * own.instances,
-            lanes=min(lanes * robots, LANES),
-        )
-        minds.divide(lanes, name)
-        return minds
-
-    def run(
-        self,
-        genomes: NDArray[np.float64],
-        individual: NDArray[np.int64],
-        keys: NDArray[np.uint64],
-        shape: tuple[int, int],
-    ) -> Outcome:
-        """Run all episodes."""
-        episodes, jobs, work = self.episodes, len(keys), self.work[0]
-        score = np.zeros(jobs)
-        words = {name: np.zeros(jobs, np.int64) for name in ("individual", "ticks", "ended")}
-        words["individual"][:] = individual
-        words["seed_0"] = (keys & np.uint64(0xFFFFFFFF)).astype(np.int64)
-        words["seed_1"] = (keys >> np.uint64(32)).astype(np.int64)
-        minds = self.minds[episodes.population]
-        weights = np.array([n for s in episodes.skills for n in _places(minds, s)], np.int64)
-        tables = [self.models[0].tables[name] for name in episodes._robots]
-        rows: dict[str | None, NDArray[Any]] = {
-            name: np.zeros((jobs, len(table.rows)), table.dtype)
-            for name, table in zip(episodes._robots, tables, strict=True)
-        }
-        wanted = any(population is None for population, _ in episodes._recorded.values())
-        rows[None] = np.zeros((jobs, 1) if wanted else (jobs, 0), self.models[0].contexts.dtype)
-        out = np.array([(_address(one), one.nbytes // jobs) for one in rows.values()], np.int64)
-        self.job[:] = -1
-        work["lanes"], work["jobs"], work["next"] = len(self.models), jobs, 0
-        work["limit"], work["failed"] = episodes.ticks, -1
-        work["genome_size"] = weights.size if len(genomes) else 0
-        work["learner"] = list(episodes._robots).index(episodes.population)
-        arrays = {
-            "contexts": self.contexts, "job": self.job, "copies": self.copies,
-            "copy_begin": self.copy_begin, "score": score, "genomes": genomes,
-            "weights": weights, "out": out, **words,
-        }  # fmt: skip
-        for name, array in arrays.items():
-            work[name] = _address(array)
-        if not len(genomes) and episodes.skills:
-            for name in episodes.skills:
-                minds.set_genome(name, episodes.description.skills[name].genome)
-        call, address = self.module.run_lanes.ctypes, _address(self.work)
-        status = 1
-        while status > 0:
-            begin = time.perf_counter()
-            status = call(address, self.rounds, 0)
-            took = time.perf_counter() - begin
-            self.rounds = max(
-                1, min(2 * self.rounds, MOST_ROUNDS, int(self.rounds * STRETCH / (took + 1e-9)))
-            )
-        if status < 0:
-            self._fail(genomes, individual, keys)
-        fields = {}
-        for name, (population, field) in episodes._recorded.items():
-            values = rows[population][field]
-            values = values[:, 0] if population is None else values[:, : self.founders[population]]
-            fields[name] = values.reshape(*shape, *values.shape[1:])
-        return Outcome(
-            score.reshape(shape),
-            words["ticks"].reshape(shape),
-            words["ended"].reshape(shape),
-            fields,
-        )
-
-    def _fail(
-        self,
-        genomes: NDArray[np.float64],
-        individual: NDArray[np.int64],
-        keys: NDArray[np.uint64],
-    ) -> None:
-        """Run the episode that failed once more, alone, which says where and why.
-
-        Raises:
-            RuleError: what failed.
-            _Crowded: nothing but the room for births, which a world alone makes as it goes.
-        """
-        job, known = int(self.work["failed"][0]), None
-        for name, minds in self.minds.items():
-            if job < 0 and minds.failed_agent >= 0:
-                known = minds.failure()
-                job = int(self.job[minds.failed_agent // len(self.models[0].tables[name].rows)])
-        if job >= 0:
-            genome = genomes[individual[job]] if len(genomes) else None
-            alone = self.episodes.model(int(keys[job]), genome)
-            while alone.over is None and alone.tick < self.episodes.ticks:
-                alone.advance(1)
-            here = self.models[0].tables
-            room = {name: len(table.rows) for name, table in alone.tables.items()}
-            if any(slots > len(here[name].rows) for name, slots in room.items()):
-                raise _Crowded({n: max(room[n], len(here[n].rows)) for n in room})
-        where = f"the episode of the world {int(keys[job])}" if job >= 0 else "an episode"
-        raise known or SocialmindError(f"{where} failed")
 
 
 def _filled(description: MindDescription, skills: Sequence[str]) -> MindDescription:
@@ -453,12 +261,3 @@ def with_genomes(
         if only is None or name in only:
             changed.append(replace(skill, genome=part))
     return description.with_modules(skills=changed)
-
-
-def _places(minds: Minds, skill: str) -> range:
-    found = minds.assembly.genome_of(skill)
-    return range(found.start, found.stop)
-
-
-def _address(array: NDArray[Any]) -> int:
-    return int(array.__array_interface__["data"][0])
