@@ -40,8 +40,6 @@ from socialmind.worlds.plane.kernel.code import kernel
 COLLECT: Any = load_model("collect")
 LANES = 64
 THREADS = 2
-PIECE = 128
-"""Worlds that a thread takes at once."""
 MILLION = 1e6
 
 
@@ -152,7 +150,7 @@ def own_ticks(description: MindDescription, limit: int) -> Ticks:
 
 
 def threaded_ticks(limit: int, threads: int) -> Ticks:
-    """Return what runs episodes in several threads, which take pieces of the worlds in turn."""
+    """Return what runs episodes in several threads, an equal part of the worlds in each."""
     crew: SimpleQueue[Ticks] = SimpleQueue()
     for _ in range(threads):
         crew.put(shared_ticks(limit))
@@ -165,7 +163,7 @@ def threaded_ticks(limit: int, threads: int) -> Ticks:
             crew.put(one)
 
     def run(seeds: Sequence[int]) -> int:
-        step = max(1, min(PIECE, -(-len(seeds) // threads)))
+        step = -(-len(seeds) // threads)
         with unpinned(), ThreadPoolExecutor(threads) as pool:
             cut = [seeds[first : first + step] for first in range(0, len(seeds), step)]
             return sum(pool.map(piece, cut))
@@ -239,10 +237,12 @@ class Parts:
         """Return microseconds a tick of a world that its bodies' motion takes."""
         tables = [table for one in self._models for table in one.tables.values()]
         kept = [table.rows.copy() for table in tables]
-        taken = self._taken(kernel().move.address, self._nothing, times)
-        for table, rows in zip(tables, kept, strict=True):
-            table.rows[:] = rows
-        return taken
+        taken = []
+        for _ in range(times):
+            taken.append(self._taken(kernel().move.address, self._nothing, 5))
+            for table, rows in zip(tables, kept, strict=True):
+                table.rows[:] = rows
+        return sum(taken) / times
 
     def rays(self, times: int) -> float:
         """Return microseconds a tick of a world that its range finders take."""
@@ -276,7 +276,7 @@ def measure(arguments: argparse.Namespace) -> dict[str, object]:
     programs: dict[str, tuple[Ticks, int]] = {
         "compiled": (shared_ticks(limit), arguments.worlds),
         "compiled_own_genomes": (own_ticks(description, limit), arguments.worlds),
-        "compiled_in_threads": (threaded_ticks(limit, threads), arguments.worlds),
+        "compiled_in_threads": (threaded_ticks(limit, threads), threads * arguments.worlds),
         "pymunk": (shared_ticks(limit, "pymunk"), few),
         "python": (python_ticks(description, limit), few),
     }
@@ -294,7 +294,7 @@ def measure(arguments: argparse.Namespace) -> dict[str, object]:
         for name in [*names[shift:], *names[:shift]]:
             run, worlds = programs[name]
             rates[name].append(rate(run, seeds_for(worlds, "benchmark", number)))
-        taken["motion"].append(parts.motion(10))
+        taken["motion"].append(parts.motion(200))
         taken["rays"].append(parts.rays(2000))
         taken["mind"].append(parts.mind(2000))
     return {
@@ -355,8 +355,8 @@ def table(results: dict) -> str:
         f"{machine['processor']}, {machine['cores']} cores, {machine['system']}; Python "
         f"{machine['python']}, numba {machine['numba']}, pymunk {machine['pymunk']}; "
         f"{results['rounds']} rounds of {results['worlds']:,} episodes of at most "
-        f"{results['ticks']:,} ticks, {results['worlds_in_python']:,} where pymunk moves; one core "
-        f"but for the threads. In the same worlds the robots' paths were "
+        f"{results['ticks']:,} ticks, in each of the threads too, {results['worlds_in_python']:,} "
+        f"where pymunk moves; one core but for the threads. In the same worlds the robots' paths were "
         f"{results['paths_apart']:.0e} units apart at most.",
         "",
         "| | median | least – greatest |",
