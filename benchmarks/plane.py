@@ -281,8 +281,8 @@ def measure(arguments: argparse.Namespace) -> dict[str, object]:
         "python": (python_ticks(description, limit), few),
     }
     print("loading the compiled code …", flush=True)
-    for run, _ in programs.values():
-        run([0])
+    for run, worlds in programs.values():
+        run(range(min(worlds, threads * LANES)))  # makes the worlds of all lanes, too
     parts = Parts(description, min(1000, limit))
     rates: dict[str, list[float]] = {name: [] for name in programs}
     taken: dict[str, list[float]] = {"motion": [], "rays": [], "mind": []}
@@ -356,8 +356,8 @@ def table(results: dict) -> str:
         f"{machine['python']}, numba {machine['numba']}, pymunk {machine['pymunk']}; "
         f"{results['rounds']} rounds of {results['worlds']:,} episodes of at most "
         f"{results['ticks']:,} ticks, in each of the threads too, {results['worlds_in_python']:,} "
-        f"where pymunk moves; one core but for the threads. In the same worlds the robots' paths were "
-        f"{results['paths_apart']:.0e} units apart at most.",
+        "where pymunk moves; one core but for the threads. In the same worlds the robots' paths "
+        f"were {results['paths_apart']:.0e} units apart at most.",
         "",
         "| | median | least – greatest |",
         "|---|---|---|",
