@@ -165,12 +165,13 @@ def findings(rows: Sequence[Mapping[str, Any]]) -> list[str]:
         generations = sorted({row["generations"] for row in own})
         length = f"{generations[0]:,}" + (f" to {generations[-1]:,}" if generations[1:] else "")
         latest = max(row["near_best_from"] for row in own)
+        near = f"within {NEAR:.0%} of their best by generation {EARLY}"
+        reached = f"{early} of {len(own)} are {near}, the last one at {latest}; "
         lines.append(
-            f"{lesson}: {len(own)} attempts of {length} generations. Judged "
-            f"{own[0]['judged']}, {early} of {len(own)} are within {NEAR:.0%} of their best by "
-            f"generation {EARLY}, the last one at {latest}; the second half of the generations "
-            f"adds {gained:.1%} to the best so far; {short} of {len(own)} fell short (their best "
-            f"below {FELL_SHORT:.0%} of the median). In the finals, on other worlds again: "
+            f"{lesson}: {len(own)} attempts of {length} generations. Judged {own[0]['judged']}, "
+            f"{reached if generations[-1] > EARLY else ''}the second half of the generations adds "
+            f"{gained:.1%} to the best so far; {short} of {len(own)} fell short (their best below "
+            f"{FELL_SHORT:.0%} of the median). In the finals, on other worlds again: "
             f"{min(row['finals'] for row in own):.2f} to {max(row['finals'] for row in own):.2f}."
         )
     return lines

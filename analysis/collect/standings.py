@@ -84,7 +84,7 @@ class Standing:
 
     @property
     def best(self) -> int:
-        """The attempt that did best in the finals of its lesson; the benchmark has no part in it."""
+        """The attempt that did best in its lesson's finals; the benchmark has no part in it."""
         return max(self.finals, key=lambda attempt: (self.finals[attempt], -attempt))
 
     def over_attempts(self, measure: str) -> Interval:

@@ -1,0 +1,97 @@
+"""Whether kept trainings are still those of today's model, after its files were edited.
+
+python -m analysis.collect.recheck hierarchy
+
+`resume` goes on with a training only if its model's files are the very ones it was begun with,
+comments included. Here the winners of all kept lessons are judged once more in the worlds of their
+finals: if each comes to the same score, to the last bit, the edit changed nothing that learning
+sees, and the kept training takes the hash of today's files.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from socialmind.catalogue import model_folder, source_hash
+from socialmind.errors import SocialmindError
+from socialmind.experiments.capsule import MANIFEST, replace_file
+from socialmind.learning import Lesson, Training, archive
+from socialmind.learning.attempt import result_file
+from socialmind.learning.finalists import individual_of
+from socialmind.learning.keys import FINAL, seeds_for
+from socialmind.learning.teaching import ground_of
+from socialmind.mind import MindDescription
+
+from .results import KEPT, differences
+from .trainings import Plan, plan_of
+
+LESSONS, SOURCE = "the lessons", "the model's source"
+
+
+def recheck(name: str, plan: Plan, home: Path = KEPT) -> int:
+    """Judge a kept training's winners again, and take today's model for its own if all agree.
+
+    Args:
+        name: of the plan.
+        plan: the plan.
+        home: where trainings are kept.
+
+    Returns:
+        How many lessons were judged.
+
+    Raises:
+        SocialmindError: the lessons are others, or a winner comes to another score.
+    """
+    training = Training(home / name)
+    if LESSONS in differences(training, plan):
+        raise SocialmindError(f"{training.folder}: of other lessons than the plan has; train anew")
+    judged = 0
+    for attempt in training.attempts:
+        judged += _judge(training, attempt, plan)
+    hashed = source_hash(model_folder(plan.model))
+    manifest = training.manifest
+    changed = replace(manifest, model={**manifest.model, "source_sha256": hashed})
+    replace_file(training.folder / MANIFEST, changed.content())
+    return judged
+
+
+def _judge(training: Training, attempt: int, plan: Plan) -> int:
+    """Judge the winners of an attempt's lessons; return how many there are."""
+    mind = MindDescription.load(training.folder / "mind")
+    lessons = list(plan.curriculum().lessons)
+    done = len(training.lessons[training.lessons["attempt"] == attempt])
+    for number, lesson in enumerate(lessons[:done], 1):
+        folder = training.folder / "attempts" / str(attempt)
+        record, arrays = archive.load(result_file(folder, number))
+        winner = individual_of(archive.part(arrays, "winner/"))
+        found = _finals(lesson, mind, winner.genome, (training.manifest.seed, attempt), training)
+        if found != record["score"]:
+            raise SocialmindError(
+                f"{training.folder}: attempt {attempt} comes to {found} in the finals of "
+                f"{lesson.name}, {record['score']} when it was trained: the model or the engine "
+                "differs; train anew"
+            )
+        mind = mind.with_modules(skills=winner.given_to([mind.skill(one) for one in lesson.skills]))
+    return min(done, len(lessons))
+
+
+def _finals(
+    lesson: Lesson,
+    mind: MindDescription,
+    genome: np.ndarray,
+    key: tuple[int, int],
+    training: Training,
+) -> float:
+    episodes = ground_of(lesson, mind, training.manifest.engine).episodes()
+    worlds = seeds_for(lesson.finals, FINAL, *key, lesson.name, 1)
+    return float(episodes.run(genome[None], worlds).score.mean(axis=1)[0])
+
+
+if __name__ == "__main__":
+    for one in sys.argv[1:]:
+        count = recheck(one, plan_of(one))
+        print(f"{one}: {count} lessons come to the same scores", flush=True)

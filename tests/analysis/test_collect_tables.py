@@ -1,0 +1,276 @@
+"""Tables 6.1 to 6.3 and figures 6.2 to 6.5: the numbers, and what is made of them."""
+
+import csv
+import math
+from dataclasses import replace
+from importlib import import_module
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from socialmind.catalogue import load_file
+from socialmind.errors import SocialmindError
+from socialmind.learning import Curriculum, Training
+
+COLLECT = Path(__file__).parents[2] / "analysis" / "collect"
+trainings = load_file(COLLECT / "trainings.py")
+standings = load_file(COLLECT / "standings.py")
+tables = load_file(COLLECT / "tables.py")
+figures = load_file(COLLECT / "figures.py")
+studies = load_file(COLLECT / "studies.py")
+
+MODULES = ("tables", "trainings", "standings")
+OBJECTS = {1: (4.0, 6.0, 8.0), 2: (2.0, 2.0, 2.0)}
+"""By attempt, in three worlds."""
+SURVIVED = {1: (1.0, 0.5, 0.75), 2: (1.0, 1.0, 1.0)}
+
+
+def made(structure, benchmark):
+    rows = [
+        {
+            "attempt": attempt, "world": world, "collisions": 0,
+            "objects": OBJECTS[attempt][world], "survived": SURVIVED[attempt][world],
+        }
+        for attempt, world in product(OBJECTS, range(3))
+    ]  # fmt: skip
+    return standings.Standing(structure, benchmark, pd.DataFrame(rows), {1: 0.5, 2: 0.7})
+
+
+TABLE = tables.TABLES[1]
+ROW = TABLE.blocks[0].structures[-1]
+STANDING = made(ROW, tables.ENDS)
+
+
+# Trainings -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", trainings.PLANS)
+def test_every_plan_teaches_what_its_mind_has(name):
+    plan = trainings.PLANS[name]
+    mind, curriculum = plan.mind(), plan.curriculum()
+    for lesson in curriculum.lessons:
+        assert set(lesson.skills) <= set(mind.below(lesson.master))
+    assert plan.attempts == (10 if name in ("hierarchy", "monolith", "base_skills") else 5)
+    small = trainings.small(plan)
+    assert small.attempts == 2
+    assert small.seconds < 40
+    assert [one.name for one in small.curriculum().lessons] == [
+        one.name for one in curriculum.lessons
+    ]
+
+
+def test_structures_that_are_compared_learn_for_as_many_ticks():
+    def budget(name, *left_out):
+        lessons = trainings.PLANS[name].curriculum().lessons
+        return {one.name: trainings.most_ticks(one) for one in lessons if one.name not in left_out}
+
+    hierarchy, monolith = budget("hierarchy"), budget("monolith")
+    context = hierarchy.pop(trainings.CONTEXT.name)
+    assert monolith.pop(trainings.MORE) == context
+    # The monolith's base lessons have its own optimiser's population, which is half as large.
+    larger = {name for name in hierarchy if hierarchy[name] != monolith[name]}
+    assert larger <= {"GoToObject", "GoToDropZone"}
+    longer = budget("longer_avoid")
+    assert longer["Avoid"] - hierarchy["Avoid"] > 0.9 * context - hierarchy["Avoid"]
+
+
+def test_either_way_of_power_management_keeps_what_was_learned_but_the_old_master():
+    known = trainings.power().known("collect_retrained")
+    for variant, gone in (("encapsulated", set()), ("retrained", {"Collect"})):
+        mind = trainings.power_mind(variant, "collect_retrained")
+        assert set(known.skills) - set(mind.skills) == gone
+        for name in set(known.skills) - gone:
+            genome = known.skills[name].genome
+            assert genome is None or (mind.skills[name].genome == genome).all()
+        assert mind.below("CollectPower")
+
+
+def test_an_unknown_training_is_refused():
+    with pytest.raises(SocialmindError, match="no training called 'x'; expected one of hierarchy"):
+        trainings.plan_of("x")
+
+
+# Standings -------------------------------------------------------------------------------------
+
+
+def test_attempts_and_worlds_are_units_each():
+    attempts, worlds = STANDING.over_attempts("objects"), STANDING.over_worlds("objects")
+    assert attempts.mean == worlds.mean == 4.0  # of 6 and 2; of 3, 4 and 5
+    assert (STANDING.attempts, STANDING.worlds) == (2, 3)
+    assert 2.0 <= attempts.low < 4.0 < attempts.high <= 6.0
+    assert 3.0 <= worlds.low < 4.0 < worlds.high <= 5.0
+
+
+def test_the_best_attempt_is_chosen_by_its_finals_and_not_by_the_benchmark():
+    assert STANDING.best == 2
+    found = STANDING.of_best("objects")
+    assert (found.mean, found.low, found.high) == (2.0, 2.0, 2.0)
+    assert [row["best"] for row in STANDING.by_attempt()] == [False, True]
+
+
+def test_a_structure_without_training_has_no_attempts():
+    none = standings.standing(None, ROW, tables.ENDS)
+    assert (none.attempts, none.worlds, none.by_attempt()) == (0, 0, [])
+    (objects, survived) = tables.rows_of(none, TABLE)
+    assert (objects["thesis"], survived["thesis"]) == (6.03, 0.9)
+    assert objects["mean"] == objects["best_high"] == objects["best_attempt"] == ""
+
+
+# Tables ----------------------------------------------------------------------------------------
+
+
+def test_ours_stand_beside_the_thesis(tmp_path):
+    paths = tables.write_table(TABLE, [STANDING], ["Made by hand."], tmp_path)
+    assert [path.name for path in paths] == [
+        "table-6.2.md", "table-6.2.csv", "table-6.2-attempts.csv",
+    ]  # fmt: skip
+    text = paths[0].read_text()
+    (line,) = (one for one in text.splitlines() if one.startswith("| Avoid in context"))
+    cells = [one.strip() for one in line.split("|")[1:-1]]
+    assert cells[1:3] == ["6.03 (90 %)", "2"]
+    assert cells[3].startswith("4.00 [")
+    assert "(88 % [" in cells[3]
+    assert cells[5] == "2.00 [2.00 to 2.00] (100 % [100 to 100])"
+    with paths[1].open() as file:
+        objects, survived = csv.DictReader(file)
+    assert (objects["thesis"], objects["mean"], objects["best_mean"]) == ("6.03", "4.0", "2.0")
+    assert float(survived["mean"]) == pytest.approx(0.875)
+    with paths[2].open() as file:
+        first, second = csv.DictReader(file)
+    assert (first["objects"], second["survived"], first["seed"]) == ("6.0", "1.0", "61")
+
+
+def test_the_tables_hold_what_the_thesis_reports_and_trainings_that_there_are():
+    reported = {
+        (table.name, one.name, block.benchmark.title): one.thesis
+        for table in tables.TABLES
+        for block in table.blocks
+        for one in block.structures
+    }
+    assert reported["table-6.1", "hierarchical, curriculum", "no interruption"]["objects"] == 9.55
+    for table in tables.TABLES:
+        for block in table.blocks:
+            for one in block.structures:
+                lessons = trainings.PLANS[one.plan].curriculum().lessons
+                assert one.after in [lesson.name for lesson in lessons]
+                assert set(one.thesis) <= set(block.measures)
+
+
+def test_numbers_that_nobody_knows_are_dashes():
+    alone = standings.interval_of([3.0])
+    assert math.isnan(alone.low)
+    assert tables._interval("objects", alone) == "3.00 [– to –]"
+
+
+# Figures ---------------------------------------------------------------------------------------
+
+
+def curve(values, lesson="GoToObject", attempt=1, **more):
+    count = len(values)
+    return pd.DataFrame(
+        {
+            "attempt": attempt, "lesson": lesson, "generation": np.arange(1, count + 1),
+            "best": values, "mean": values, "ticks": 100 * np.arange(1, count + 1),
+            "seconds": 1.0, **more,
+        }
+    )  # fmt: skip
+
+
+class Kept:
+    """A training as `Training` tells it."""
+
+    def __init__(self, *curves):
+        self.curve = pd.concat(curves, ignore_index=True)
+        done = self.curve[["attempt", "lesson"]].drop_duplicates()
+        self.lessons = done.assign(score=1.5, deviation=0.5)
+
+
+def test_of_an_attempt_in_two_trainings_the_longest_curve_is_shown():
+    short, long = curve([1.0, 2.0], "Avoid"), curve([1.0, 2.0, 3.0], "Avoid")
+    other = curve([5.0, 6.0], "Avoid", attempt=2)
+    given = {"hierarchy": Kept(short, other), "longer_avoid": Kept(long)}
+    found = figures.curves_of(figures.FIGURES[1], given)
+    assert list(found["best"]) == [1.0, 2.0, 3.0, 5.0, 6.0]
+    rows = figures.attempts_of(found, given)
+    assert [row["training"] for row in rows] == ["longer_avoid", "hierarchy"]
+    assert [row["generations"] for row in rows] == [3, 2]
+
+
+def test_when_an_attempt_is_near_its_best_is_judged_on_common_worlds():
+    lucky = [9.0] + [4.0] * 199
+    steady = np.concatenate([np.linspace(1.0, 3.9, 119), [3.9] * 80, [4.0]])
+    own = curve(lucky, validated=steady)
+    given = {"base_skills": Kept(own, curve([4.0] * 200, attempt=2, validated=4.0))}
+    found = figures.curves_of(figures.FIGURES[0], given)
+    rows = figures.attempts_of(found, given)
+    assert [row["judged"] for row in rows] == ["on common worlds"] * 2
+    first = int(np.argmax(steady >= 3.8)) + 1
+    assert [row["near_best_from"] for row in rows] == [first, 1]
+    assert first > 100
+    (line,) = figures.findings(rows)
+    assert "1 of 2 are within 5% of their best by generation 100" in line
+    assert "0 of 2 fell short" in line
+
+
+def test_attempts_that_fell_short_are_counted():
+    rows = figures.attempts_of(
+        *(lambda given: (figures.curves_of(figures.FIGURES[0], given), given))(
+            {"base_skills": Kept(*(curve([best], attempt=n) for n, best in enumerate((4, 4, 1))))}
+        )
+    )
+    assert "1 of 3 fell short" in figures.findings(rows)[0]
+
+
+def test_a_figure_comes_with_its_numbers(tmp_path):
+    lessons = ("GoToObject", "GoToDropZone")
+    given = {"base_skills": Kept(*(curve([1.0, 2.0], one, validated=1.5) for one in lessons))}
+    written = figures.write_curves(figures.FIGURES[0], given, ["Made by hand."], tmp_path)
+    assert [path.name.removeprefix("figure-6.2") for path in written] == [
+        ".pdf", ".png", ".md", ".csv", "-attempts.csv",
+    ]  # fmt: skip
+    with (tmp_path / "figure-6.2.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["best"] for row in rows] == ["1", "2"] * 2
+    assert "Thesis: most of 10 attempts" in (tmp_path / "figure-6.2.md").read_text()
+
+
+# Studies ---------------------------------------------------------------------------------------
+
+
+def test_there_is_a_study_for_each_with_a_small_and_a_kept_version():
+    assert [one.name for one in studies.studies] == [
+        "figure-6.2", "figure-6.3", "figure-6.4", "figure-6.5",
+        "table-6.1", "table-6.2", "table-6.3",
+    ]  # fmt: skip
+    assert all(one.quick and one.kept for one in studies.studies)
+    made = {one.name for one in (*tables.TABLES, *figures.FIGURES)}
+    assert made == {one.name for one in studies.studies}
+
+
+def test_a_study_goes_from_training_to_table(tmp_path, monkeypatch):
+    lesson = trainings.SIX[-1].changed(
+        name="All at once", skill="Monolith", master="Monolith", ticks=30, generations=1,
+        repetitions=1, finals=2, settings={"population": 4, "elite": 1},
+    )  # fmt: skip
+    plan = replace(
+        trainings.PLANS["monolith_at_once"], attempts=2, curriculum=lambda: Curriculum((lesson,))
+    )
+    structure = tables.Structure("monolithic", "monolith_at_once", "All at once", {"objects": 0.3})
+    # The modules that the study imports, beside its own.
+    near = {one: import_module(f"{studies.__name__}.{one}") for one in MODULES}
+    block = near["tables"].Block(near["tables"].ENDS, ("objects",), (structure,))
+    table = near["tables"].Table("table-6.1", "one row", (block,))
+    monkeypatch.setattr(near["tables"], "TABLES", (table,))
+    monkeypatch.setattr(near["trainings"], "PLANS", {"monolith_at_once": plan})
+    monkeypatch.setattr(near["standings"], "WORLDS", 2)
+    (study,) = (one for one in studies.studies if one.name == "table-6.1")
+    text, numbers, attempts = study.make(tmp_path)
+    assert "2 attempts, trained from nothing, seed 6" in text.read_text()
+    assert len(attempts.read_text().splitlines()) == 3
+    assert Training(tmp_path / "trainings" / "monolith_at_once").manifest.finished == 2
+    before = numbers.read_text()
+    study.make(tmp_path)  # goes on with what is there
+    assert numbers.read_text() == before
