@@ -9,7 +9,8 @@ import pytest
 
 from socialmind.catalogue import load_file, load_model, model_folder
 from socialmind.commands.checking import print_findings
-from socialmind.experiments import Run, replay, run, score
+from socialmind.errors import SocialmindError
+from socialmind.experiments import Run, replay, resume, run, score
 from socialmind.mind import Hierarchy, MindDescription, Output, Perceptron, Skill
 
 ANALYSIS = Path(__file__).parents[2] / "analysis" / "collect"
@@ -166,6 +167,25 @@ def test_trained_robots_collect_and_survive(folder):
     assert found["survived"].mean > 0.65
 
 
+@pytest.mark.parametrize(
+    ("skill", "sensor"),
+    [("GoToObject", "RADOBJ"), ("GoToDropZone", "RADDZ"), ("GoToPower", "RADPW")],
+)
+def test_base_skills_turn_towards_their_target_on_either_side(folder, skill, sensor):
+    mind = MindDescription.load(folder)
+    if skill not in mind.skills:
+        assert sensor not in mind.sensors
+        return
+    turns = {}
+    for angle in (0.25, 0.5, 0.75):
+        found = Hierarchy(mind, master=skill).evaluate({sensor: angle})
+        turns[angle] = found["MotR"] - found["MotL"]
+    # The local optimum of the thesis (6.1.4) turns one way wherever the target is.
+    assert turns[0.25] > 0.2  # on the left
+    assert abs(turns[0.5]) < 0.2
+    assert turns[0.75] < -0.2
+
+
 def test_an_untrained_robot_brings_nothing_home():
     mind = CONTROLS.hierarchy()
     draws = np.random.default_rng(3)
@@ -191,3 +211,23 @@ def test_a_copied_folder_runs_like_the_model(name, tmp_path):
     assert Run(ours).agents.equals(Run(theirs).agents)
     assert len(Run(ours).agents) >= 2
     assert replay(theirs).equal
+
+
+def test_a_run_notices_a_change_in_the_model_that_its_own_loads(tmp_path, monkeypatch):
+    names = ("collect", "collect_retrained")
+    copies = {name: tmp_path / name for name in names}
+    for name, copy in copies.items():
+        shutil.copytree(model_folder(name), copy)
+    monkeypatch.setattr("socialmind.catalogue.catalogue", lambda: copies)
+    folder = run(load_model("collect_retrained"), ticks=40, every=20, out=tmp_path / "run")
+    assert replay(folder).equal
+    rules = copies["collect"] / "model.py"
+    text = rules.read_text("utf-8")
+    rules.write_text(text.replace("FREE = 2.0", "FREE = 2.5"), "utf-8")
+    change = "source is not the one the run was made with"
+    with pytest.raises(SocialmindError, match=change):
+        resume(folder, ticks=80)
+    assert any(change in note for note in replay(folder).notes)
+    rules.write_text(text, "utf-8")
+    (copies["collect"] / "figures.py").write_text("x = 1", "utf-8")  # decides nothing
+    assert Run(resume(folder, ticks=80)).ticks == 80
