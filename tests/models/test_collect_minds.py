@@ -105,10 +105,14 @@ def test_the_readme_lists_the_other_variant_with_power():
     assert "Collect" not in mind.skills
 
 
-def test_power_leaves_what_was_known_as_it_was():
+@pytest.mark.parametrize(("mind", "gone"), [("mind", ()), ("mind_retrained", ("Collect",))])
+def test_power_leaves_what_was_known_as_it_was(mind, gone):
     before = MindDescription.load(model_folder("collect_retrained") / "mind")
-    after = MindDescription.load(model_folder("collect_power") / "mind")
+    after = MindDescription.load(model_folder("collect_power") / mind)
+    assert all(name not in after.skills for name in gone)
     for name, skill in before.skills.items():
+        if name in gone:
+            continue
         assert found_in(after)[name] == found_in(before)[name]
         if skill.genome is not None:
             assert np.array_equal(after.skills[name].genome, skill.genome), name
