@@ -164,5 +164,7 @@ def test_what_is_wrong_is_said(rovers):
     class Lost(rovers):
         measures = LOST
 
-    with pytest.raises(ModelError, match=r"test_scoring.py:\d+: .*the measure 'objects', which stop"):
+    with pytest.raises(
+        ModelError, match=r"test_scoring.py:\d+: .*the measure 'objects', which stop"
+    ):
         score(Lost, episodes=1)
