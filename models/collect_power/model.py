@@ -30,20 +30,9 @@ CHARGING = 0.005  # that a tick in the power supply adds
 
 
 def lay(obstacle, model, rng):
-    """Put an obstacle near the middle of its cell, unless start or a zone are there."""
-    obstacle.x = (obstacle.id // COLLECT.SIDE) * COLLECT.SPACING - model.half_width
-    obstacle.y = (obstacle.id % COLLECT.SIDE) * COLLECT.SPACING - model.half_width
-    obstacle.x += rng.uniform(-COLLECT.JITTER, COLLECT.JITTER)
-    obstacle.y += rng.uniform(-COLLECT.JITTER, COLLECT.JITTER)
-    obstacle.angle = rng.uniform(0, math.pi)
-    obstacle.half_width = rng.uniform(COLLECT.SMALLEST, COLLECT.LARGEST)
-    size = obstacle.half_width
-    near_start = math.hypot(obstacle.x, obstacle.y) < size + COLLECT.FREE
-    near_zone = (
-        COLLECT.away(obstacle, COLLECT.ZONE_X, COLLECT.ZONE_Y) < size + COLLECT.ZONE_HALF_WIDTH
-    )
-    near_power = COLLECT.away(obstacle, POWER_X, POWER_Y) < size + POWER_HALF_WIDTH
-    if near_start or near_zone or near_power:
+    """Put an obstacle near the middle of its cell, unless start, drop zone or supply are there."""
+    COLLECT.lay(obstacle, model, rng)
+    if COLLECT.away(obstacle, POWER_X, POWER_Y) < obstacle.half_width + POWER_HALF_WIDTH:
         obstacle.die()
 
 
