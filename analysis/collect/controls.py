@@ -9,6 +9,7 @@ from socialmind.catalogue import load_file, model_folder
 from socialmind.mind import MindDescription, Output, Perceptron, Skill
 from socialmind.worlds.plane import (
     BALL,
+    Disc,
     Obstacle,
     Plane,
     Reward,
@@ -56,7 +57,7 @@ class AllAtOnce(Model):
     robots = Population(
         LESSONS.Collector,
         1,
-        body=LESSONS.BODY,
+        body=Disc(meets=("objects",)),
         sensors=LESSONS.SENSORS,
         actuators=LESSONS.ACTUATORS,
         hierarchy=model_folder("collect") / "mind",

@@ -46,7 +46,6 @@ WIDE = 60.0  # and those among obstacles
 OBJECT_SENSED = list(SENSORS).index("SENSOBJ")
 ZONE_SENSED = list(SENSORS).index("SENSDZ")
 AROUND = tuple(f"S{number}" for number in range(1, len(RANGE_FINDERS) + 1))
-BODY = Disc(meets=("objects",))
 
 
 # Targets that move on when they are reached ------------------------------------------------------
@@ -130,6 +129,14 @@ def pay_for_zone(zone, model, rng):
 # Worlds -----------------------------------------------------------------------------------------
 
 
+def learner(meets=()):
+    """Return the robot that learns, and what it bumps into besides obstacles and borders."""
+    body = Disc(meets=meets)
+    return Population(
+        Collector, 1, body=body, sensors=SENSORS, actuators=ACTUATORS, hierarchy="mind"
+    )
+
+
 class GoToObject(Model):
     """Going to the object in an empty arena."""
 
@@ -138,9 +145,7 @@ class GoToObject(Model):
     world = Plane(ARENA)
     drop_zones = Population(Zone, 0)
     objects = Population(Ball, 1, body=BALL)
-    robots = Population(
-        Collector, 1, body=Disc(), sensors=SENSORS, actuators=ACTUATORS, hierarchy="mind"
-    )
+    robots = learner()
     rewards = {"closing": closing("objects", gain=0.001), "reached": reached("SENSOBJ", 0.5)}
     setup = (each(robots, start), each(objects, put_object))
     schedule = (each(objects, move_object),)
@@ -154,9 +159,7 @@ class GoToDropZone(Model):
     world = Plane(ARENA)
     drop_zones = Population(Zone, 1)
     objects = Population(Ball, 0, body=BALL)
-    robots = Population(
-        Collector, 1, body=Disc(), sensors=SENSORS, actuators=ACTUATORS, hierarchy="mind"
-    )
+    robots = learner()
     rewards = {
         "closing": closing("drop_zones", gain=0.001),
         "reached": reached("SENSDZ", 0.5),
@@ -177,9 +180,7 @@ class Avoid(Model):
     obstacles = Population(Obstacle, SIDE * SIDE)
     drop_zones = Population(Zone, 0)
     objects = Population(Ball, 0, body=BALL)
-    robots = Population(
-        Collector, 1, body=Disc(), sensors=SENSORS, actuators=ACTUATORS, hierarchy="mind"
-    )
+    robots = learner()
     rewards = {
         "exploring": exploring(1.0, side=10.0, cells=14),
         "straight": straight(0.002),
@@ -201,9 +202,7 @@ class GoToObjectAvoid(Model):
     obstacles = Population(Obstacle, SIDE * SIDE)
     drop_zones = Population(Zone, 0)
     objects = Population(Ball, 1, body=BALL)
-    robots = Population(
-        Collector, 1, body=Disc(), sensors=SENSORS, actuators=ACTUATORS, hierarchy="mind"
-    )
+    robots = learner()
     rewards = {"reached": paid()}
     interruptions = {"collision": collision()}
     setup = (each(obstacles, lay), each(robots, start), each(objects, put_object_clear))
@@ -220,9 +219,7 @@ class GoToDropZoneAvoid(Model):
     obstacles = Population(Obstacle, SIDE * SIDE)
     drop_zones = Population(Zone, 1)
     objects = Population(Ball, 0, body=BALL)
-    robots = Population(
-        Collector, 1, body=Disc(), sensors=SENSORS, actuators=ACTUATORS, hierarchy="mind"
-    )
+    robots = learner()
     rewards = {"reached": paid()}
     interruptions = {"collision": collision()}
     setup = (each(obstacles, lay), each(robots, start), each(drop_zones, put_zone_clear))
@@ -239,9 +236,7 @@ class CollectObjects(Model):
     obstacles = Population(Obstacle, SIDE * SIDE)
     drop_zones = Population(Zone, 1)
     objects = Population(Ball, 1, body=BALL)
-    robots = Population(
-        Collector, 1, body=BODY, sensors=SENSORS, actuators=ACTUATORS, hierarchy="mind"
-    )
+    robots = learner(meets=("objects",))
     rewards = {"delivered": paid()}
     interruptions = {"collision": collision()}
     setup = (
