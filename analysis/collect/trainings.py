@@ -26,19 +26,12 @@ HOME = Path(__file__).parent / "trainings"
 SEED = 6
 SIX = tuple(LESSONS.curriculum.items)
 """The lessons of the curriculum."""
-CONTEXT = Lesson(
-    "Avoid in context",
-    LESSONS.CollectObjects,
-    skill="Avoid",
-    master="Collect",
-    repetitions=8,
-    generations=1000,
-    budget=200_000_000,
-    settings=LESSONS.FINE,
-)
-"""Avoid learned anew while Collect steers, by Collect's reward (thesis, 6.2.2)."""
+CONTEXT, WHOLE = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
+"""Avoid, then all skills below Collect, learned again while Collect steers (thesis, 6.2.2)."""
 MORE = "More of Collect"
-"""The monolith's lesson in place of it."""
+"""The monolith's lesson in place of the first."""
+STILL_MORE = "Still more of Collect"
+"""And in place of the second."""
 AT_ONCE = 320_000_000
 """Ticks of the six lessons together, for learning all at once."""
 LONG = 0.98
@@ -85,20 +78,23 @@ def most_ticks(lesson: Lesson) -> int:
 
 
 def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
-    """Return a lesson for the monolith, which goes on from what it knows."""
+    """Return a lesson for the monolith, which goes on from what it knows, in fine steps."""
+    step = min(lesson.settings["step"], LESSONS.FINE["step"])
     return replace(
         lesson,
         skill=MONOLITH,
         master=MONOLITH,
-        settings={**LESSONS.FINE, "population": lesson.settings["population"]},
+        settings={**LESSONS.FINE, "population": lesson.settings["population"], "step": step},
         start="scratch" if first else "known",
     )
 
 
 def for_monolith() -> Curriculum:
-    """Return the curriculum for one network, then more of Collect."""
+    """Return the curriculum for one network, then as many ticks more of Collect."""
     six = [by_monolith(lesson, place == 0) for place, lesson in enumerate(SIX)]
-    return Curriculum((*six, by_monolith(replace(CONTEXT, name=MORE))))
+    more = by_monolith(replace(CONTEXT, name=MORE))
+    still_more = by_monolith(replace(WHOLE, name=STILL_MORE))
+    return Curriculum((*six, more, still_more))
 
 
 def at_once(skills: tuple[str, ...], master: str) -> Curriculum:
@@ -176,10 +172,10 @@ def power_plan(variant: str, folder: str) -> Plan:
 
 PLANS: Mapping[str, Plan] = {
     "hierarchy": Plan(
-        "the curriculum, then Avoid in context (6.1, 6.2)",
+        "the curriculum, then Avoid and all skills in context (6.1, 6.2)",
         10,
         hierarchy,
-        lambda: Curriculum((*SIX, CONTEXT)),
+        lambda: Curriculum((*SIX, CONTEXT, WHOLE)),
     ),
     "monolith": Plan(
         "the curriculum for one network, then more of Collect (6.1)", 10, monolith, for_monolith
