@@ -193,7 +193,7 @@ lessons = (
     Lesson(
         "GoToPower+Avoid", GoToPowerAvoid, repetitions=10, generations=40, settings=LESSONS.FINE
     ),
-    Lesson(MASTER, CollectWithPower, repetitions=8, generations=25, settings=LESSONS.FINE),
+    Lesson(MASTER, CollectWithPower, repetitions=8, generations=15, settings=LESSONS.FINE),
 )
 """What is learned in either way."""
 
