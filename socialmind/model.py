@@ -30,13 +30,15 @@ from socialmind.declaration import declaration_of
 from socialmind.engine import Engine
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.fields import Field, place_of_field, presence
+from socialmind.hindsight import explained
 from socialmind.language.layout import model_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
+from socialmind.model_state import restore, state_of
 from socialmind.parameter import Parameter
 from socialmind.population import Population, Table
-from socialmind.schedule import PhaseDeclaration, run_tick, taken
+from socialmind.schedule import PhaseDeclaration, taken
 from socialmind.streams import STREAM
 from socialmind.worlds.grid import Grid, Torus
 from socialmind.worlds.plane.plane import Plane, plane_shape
@@ -495,76 +497,23 @@ class Model:
         Raises:
             SocialmindError: there is no such agent at that tick, or it has not decided yet.
         """
-        if not self.schemes:
-            raise SocialmindError(f"the agents of {self.name} have no minds")
-        population = next(iter(self.schemes))
-        seen = self.fresh()
-        seen.engine.advance(tick)
-        table = seen.tables[population]
-        if not table.contains(agent):
-            living = table.id
-            known = f"{living[0]} … {living[-1]}" if len(living) else "none"
-            raise SocialmindError(f"no agent {agent} lives at tick {tick}; the living are {known}")
-        decided = table.columns["_decided"].item(table[agent]._slot)
-        if decided < 0:
-            raise SocialmindError(f"agent {agent} has taken no decision up to tick {tick}")
-        again = self.fresh()
-        again.engine.advance(decided)
-        again.watch = (population, agent)
-        run_tick(again, again.engine.functions)
-        if again.watched is None:
-            raise SocialmindError(f"agent {agent} took no decision in tick {decided}")
-        return again.watched
+        return explained(self, agent, tick)
 
     # State ------------------------------------------------------------------------------------
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return copies of all arrays that change in a run, by name; `restore` takes them back."""
-        context = self.contexts.copy()
-        for name in self._addresses:
-            context[name] = 0  # `connect` finds them anew
-        state: dict[str, NDArray[Any]] = {"context": context}
-        if self.grid is not None:
-            state["world.rows"] = self.grid.rows.copy()
-        for name, table in self.tables.items():
-            for part, array in table.snapshot().items():
-                state[f"{name}.{part}"] = array
-            if table.society is not None:
-                for part, array in table.society.state().items():
-                    state[f"{name}.minds.{part}"] = array
-            if table.minds is not None:
-                for part, array in table.minds.snapshot().items():
-                    state[f"{name}.hierarchy.{part}"] = array
-        return state
+        return state_of(self)
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take back the arrays of a checkpoint of the same model with the same parameters."""
-        if state["context"].dtype != self.contexts.dtype:
-            raise SocialmindError(f"the checkpoint is not one of {self.name}")
-        self.contexts[:] = state["context"]
-        self.connected = []
-        if self.grid is not None:
-            self.grid.restore({"rows": state["world.rows"]})
-        for name, table in self.tables.items():
-            own = _part(state, name)
-            table.restore({key: array for key, array in own.items() if "." not in key})
-            if table.society is not None:
-                table.society.restore(_part(own, "minds"))
-            if table.minds is not None:
-                table.minds.restore(_part(own, "hierarchy"))
-        if self.arena is not None:
-            self.arena.build()
+        restore(self, state)
 
     def mesa(self) -> Any:
         """Return a real `mesa.Model` over this society; see docs/mesa.md."""
         from socialmind.mesa_model import mesa_model
 
         return mesa_model(self)
-
-
-def _part(state: Mapping[str, NDArray[Any]], name: str) -> dict[str, NDArray[Any]]:
-    begin = f"{name}."
-    return {key.removeprefix(begin): value for key, value in state.items() if key.startswith(begin)}
 
 
 def _snake_case(name: str) -> str:

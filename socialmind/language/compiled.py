@@ -41,6 +41,8 @@ _FILES = (
     "socialmind/worlds/torus.py",
     "socialmind/worlds/plane/relative.py",
     "socialmind/worlds/plane/layout.py",
+    "socialmind/worlds/plane/kernel/bodies.py",
+    "socialmind/worlds/plane/kernel/contacts.py",
     "socialmind/worlds/plane/kernel/motion.py",
     "socialmind/worlds/plane/kernel/rays.py",
     "socialmind/worlds/plane/kernel/stones.py",
