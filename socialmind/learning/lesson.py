@@ -123,6 +123,9 @@ class Lesson:
             raise self.refused(f"with {error.found}", error.expected, error.remedy) from None
         if self.first is not None and self.start == KNOWN:
             raise self.refused("with first individuals and start='known'", "one of both")
+        if getattr(kind, "graphs", False) and (self.first is not None or self.start == KNOWN):
+            begins = "start='known'" if self.start == KNOWN else "first individuals"
+            raise self.refused(f"with {self.optimiser} and {begins}", "graphs that begin anew")
         self._freeze("settings", MappingProxyType(dict(self.settings)))
         self._freeze("parameters", MappingProxyType(dict(self.parameters)))
 

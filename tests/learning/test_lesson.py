@@ -41,6 +41,8 @@ def test_what_is_not_given_is_the_skills_own():
         ({"spread": math.nan}, "spread=nan"),
         ({"drive": "Drive"}, "the drive 'Drive'"),
         ({"first": np.zeros((1, 2)), "start": "known"}, "first individuals and start='known'"),
+        ({"optimiser": "NEAT", "start": "known"}, "NEAT and start='known'; expected graphs that"),
+        ({"optimiser": "NEAT", "first": np.zeros((1, 2))}, "NEAT and first individuals"),
     ],
 )
 def test_wrong_arguments_are_refused(changes, said):
