@@ -95,7 +95,6 @@ TABLES = (
                 (
                     _structure("monolithic", "monolith", "Collect", 5.19, 0.68),
                     _structure("monolithic, more of Collect", "monolith", "More of Collect"),
-                    _structure("monolithic, still more", "monolith", "Still more of Collect"),
                     _structure("Avoid as in the curriculum", "hierarchy", "Collect", 4.63, 0.54),
                     _structure("Avoid with more ticks", "longer_avoid", "Collect", 5.31, 0.56),
                     _structure("Avoid in context", "hierarchy", "Avoid in context", 6.03, 0.90),
@@ -108,7 +107,6 @@ TABLES = (
                 (
                     _structure("monolithic", "monolith", "Collect"),
                     _structure("monolithic, more of Collect", "monolith", "More of Collect"),
-                    _structure("monolithic, still more", "monolith", "Still more of Collect"),
                     _structure("Avoid as in the curriculum", "hierarchy", "Collect"),
                     _structure("Avoid with more ticks", "longer_avoid", "Collect"),
                     _structure("Avoid in context", "hierarchy", "Avoid in context"),

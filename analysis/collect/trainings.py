@@ -30,8 +30,6 @@ CONTEXT, WHOLE = load_file(model_folder("collect_retrained") / "lessons.py").cur
 """Avoid, then all skills below Collect, learned again while Collect steers (thesis, 6.2.2)."""
 MORE = "More of Collect"
 """The monolith's lesson in place of the first."""
-STILL_MORE = "Still more of Collect"
-"""And in place of the second."""
 AT_ONCE = 320_000_000
 """Ticks of the six lessons together, for learning all at once."""
 LONG = 0.98
@@ -79,12 +77,11 @@ def most_ticks(lesson: Lesson) -> int:
 
 def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
     """Return a lesson for the monolith, which goes on from what it knows, in fine steps."""
-    step = min(lesson.settings["step"], LESSONS.FINE["step"])
     return replace(
         lesson,
         skill=MONOLITH,
         master=MONOLITH,
-        settings={**LESSONS.FINE, "population": lesson.settings["population"], "step": step},
+        settings={**LESSONS.FINE, "population": lesson.settings["population"]},
         start="scratch" if first else "known",
     )
 
@@ -92,9 +89,7 @@ def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
 def for_monolith() -> Curriculum:
     """Return the curriculum for one network, then as many ticks more of Collect."""
     six = [by_monolith(lesson, place == 0) for place, lesson in enumerate(SIX)]
-    more = by_monolith(replace(CONTEXT, name=MORE))
-    still_more = by_monolith(replace(WHOLE, name=STILL_MORE))
-    return Curriculum((*six, more, still_more))
+    return Curriculum((*six, by_monolith(replace(CONTEXT, name=MORE))))
 
 
 def at_once(skills: tuple[str, ...], master: str) -> Curriculum:
