@@ -26,8 +26,8 @@ HOME = Path(__file__).parent / "trainings"
 SEED = 6
 SIX = tuple(LESSONS.curriculum.items)
 """The lessons of the curriculum."""
-CONTEXT, WHOLE = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
-"""Avoid, as in the thesis (6.2.2), then all skills below Collect, learned while Collect steers."""
+CONTEXT, CHOICES = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
+"""Avoid, as in the thesis (6.2.2), then it and the choices above it, learned as Collect steers."""
 MORE = "More of Collect"
 """The monolith's lesson in place of the first."""
 AT_ONCE = 320_000_000
@@ -195,10 +195,10 @@ PLANS: Mapping[str, Plan] = {
         "the monolith, final task only (6.1)", 5, monolith, lambda: at_once((MONOLITH,), MONOLITH)
     ),
     "in_context": Plan(
-        "all skills in context, on the best attempt of the hierarchy (6.2)",
+        "Avoid and the choices above it in context, on the best attempt at the hierarchy (6.2)",
         5,
         best_in_context,
-        lambda: Curriculum((WHOLE,)),
+        lambda: Curriculum((CHOICES,)),
     ),
     "longer_avoid": Plan(
         "the curriculum with more ticks for Avoid (6.2)", 5, hierarchy, with_longer_avoid
