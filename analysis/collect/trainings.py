@@ -26,8 +26,8 @@ HOME = Path(__file__).parent / "trainings"
 SEED = 6
 SIX = tuple(LESSONS.curriculum.items)
 """The lessons of the curriculum."""
-CONTEXT, CHOICES = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
-"""Avoid, as in the thesis (6.2.2), then it and the choices above it, learned as Collect steers."""
+CONTEXT, *FURTHER = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
+"""Avoid, as in the thesis (6.2.2), and then more of the hierarchy, learned while Collect steers."""
 MORE = "More of Collect"
 """The monolith's lesson in place of the first."""
 AT_ONCE = 320_000_000
@@ -123,12 +123,16 @@ def with_longer_avoid() -> Curriculum:
     return Curriculum(tuple(lessons))
 
 
-def best_in_context() -> MindDescription:
-    """Return the mind of the kept attempt at the hierarchy that did best with Avoid in context."""
-    training = Training(HOME.parent / "results" / "trainings" / "hierarchy")
-    done = training.lessons
-    done = done[done["lesson"] == CONTEXT.name]
-    return training.mind(int(done.loc[done["score"].idxmax(), "attempt"]), CONTEXT.name)
+def chosen() -> int:
+    """Return the kept attempt at the hierarchy whose mind is that of `collect`: the best one."""
+    done = kept_hierarchy().lessons
+    done = done[done["lesson"] == "Collect"]
+    return int(done.loc[done["score"].idxmax(), "attempt"])
+
+
+def kept_hierarchy() -> Training:
+    """Return the attempts at the hierarchy that are kept."""
+    return Training(HOME.parent / "results" / "trainings" / "hierarchy")
 
 
 def base_skills() -> Curriculum:
@@ -195,10 +199,10 @@ PLANS: Mapping[str, Plan] = {
         "the monolith, final task only (6.1)", 5, monolith, lambda: at_once((MONOLITH,), MONOLITH)
     ),
     "in_context": Plan(
-        "Avoid and the choices above it in context, on the best attempt at the hierarchy (6.2)",
+        "more of the hierarchy in context, on one attempt of it (6.2)",
         5,
-        best_in_context,
-        lambda: Curriculum((CHOICES,)),
+        lambda: kept_hierarchy().mind(chosen(), CONTEXT.name),
+        lambda: Curriculum(FURTHER),
     ),
     "longer_avoid": Plan(
         "the curriculum with more ticks for Avoid (6.2)", 5, hierarchy, with_longer_avoid
