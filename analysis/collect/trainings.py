@@ -200,7 +200,7 @@ PLANS: Mapping[str, Plan] = {
     ),
     "in_context": Plan(
         "more of the hierarchy in context, on one attempt of it (6.2)",
-        5,
+        3,
         lambda: kept_hierarchy().mind(chosen(), CONTEXT.name),
         lambda: Curriculum(FURTHER),
     ),
