@@ -246,7 +246,8 @@ def _check_phases(cls: type, name: str, phases: Any, populations: dict[str, Popu
         if not isinstance(phase, PhaseDeclaration):
             _refuse(cls, name, f"{phase!r} in {name}", "each(population, rule) or once(rule)")
         who = phase.population
-        if who is not None and not any(who is one for one in populations.values()):
+        # One that a subclass declares anew keeps the phases of that in whose place it stands.
+        if who is not None and not any(vars(base).get(who.name) is who for base in cls.__mro__):
             _refuse(
                 cls,
                 name,

@@ -498,6 +498,11 @@ class Model:
         if not self.schemes:
             raise SocialmindError(f"the agents of {self.name} have no minds")
         population = next(iter(self.schemes))
+        if self.populations[population].weighing is not None:
+            raise SocialmindError(
+                f"the hierarchies of {population!r} in {self.name} weigh the plans, not the "
+                "cognitons; look at what they command: agent.hierarchy, agent.mind.plan_weights()"
+            )
         seen = self.fresh()
         seen.engine.advance(tick)
         table = seen.tables[population]
