@@ -53,6 +53,7 @@ OWN_NAMES = frozenset(
 SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "name": ((str,), "a text"),
     "ticks": ((int,), "a whole number, 0 or more"),
+    "score_every": ((int,), "a whole number, 0 or more"),
     "setup": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "schedule": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "rewards": ((dict,), "rewards by name, on a plane"),
@@ -158,7 +159,7 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
     elif name in SETTINGS:
         kinds, expected = SETTINGS[name]
         right = isinstance(value, kinds) and not isinstance(value, bool)
-        if not right or (name == "ticks" and value < 0):
+        if not right or (isinstance(value, int) and value < 0):
             alone = isinstance(value, PhaseDeclaration)
             remedy = f"write {name} = (…,), with a comma" if alone else None
             _refuse(cls, name, f"{name} = {value if alone else repr(value)}", expected, remedy)

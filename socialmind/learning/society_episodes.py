@@ -1,8 +1,9 @@
 """Episodes of societies: genomes judged in models without a plane.
 
 An episode is a model from its setup to its last tick; all agents of the population that learns
-share the genome. What it was worth is what the model's method `score()` says at its end. Worlds run
-one after another, compiled; a genome is data, so that nothing is compiled anew for it.
+share the genome. What it was worth is what the model's method `score()` says at its end, or the mean
+of what it says every `score_every` ticks. Worlds run one after another, compiled; a genome is data,
+so that nothing is compiled anew for it.
 """
 
 from __future__ import annotations
@@ -99,8 +100,8 @@ class SocietyEpisodes:
         fields: dict[str, list[Any]] = {name: [None] * score.size for name in self.record}
         for world, seed in enumerate(seeds):
             for individual in range(shape[0]):
-                model = self._finished(int(seed), rows[individual] if len(rows) else None)
-                score[individual, world] = model.score()
+                genome = rows[individual] if len(rows) else None
+                model, score[individual, world] = self._finished(int(seed), genome)
                 if self.record:
                     series = model.series()
                     for name, values in fields.items():
@@ -121,8 +122,8 @@ class SocietyEpisodes:
             seed=int(seed), hierarchy=self.pupils.taught(genome), **self.parameters
         )
 
-    def _finished(self, seed: int, genome: NDArray[np.float64] | None) -> Any:
-        """Return the model of an episode at its end."""
+    def _finished(self, seed: int, genome: NDArray[np.float64] | None) -> tuple[Any, float]:
+        """Return the model of an episode at its end, and the score."""
         if seed not in self._worlds:
             made = self.model_class.before_setup(
                 seed=seed, hierarchy=self.pupils.steerings, **self.parameters
@@ -134,8 +135,12 @@ class SocietyEpisodes:
             for skill, part in self.pupils.parts(genome).items():
                 model.tables[self.pupils.population].minds.set_genome(skill, part)
         model.engine.set_up()
-        model.advance(self.ticks)
-        return model
+        said = []
+        every = self.model_class.score_every or self.ticks
+        while model.tick < self.ticks:
+            model.advance(min(every, self.ticks - model.tick))
+            said.append(float(model.score()))
+        return model, sum(said) / len(said)
 
 
 def _column(series: Mapping[str, Any], name: str) -> Any:

@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 from coglogo_py import CognitiveScheme
 from socialmind.errors import ModelError
 from socialmind.language.nodes import nearest
+from socialmind.mind.functions.perceptron import Perceptron
+from socialmind.mind.modules import Skill
 
 if TYPE_CHECKING:
     from socialmind.mind.description import MindDescription
@@ -99,3 +101,42 @@ class WeighingPlaces:
     weighing_reach: NDArray[np.float64]
     weighing_actuator: NDArray[np.int64]
     weighing_plans: NDArray[np.float64]
+
+
+def linear_skill(scheme: CognitiveScheme, weighing: Weighing, name: str = "Weigh") -> Skill:
+    """Return a skill that weighs plans as a scheme's influence links do, as far as they reach.
+
+    It is a perceptron without hidden layers. Within the reaches of cognitons and plans it is the
+    same function, which a lesson may begin from.
+
+    Args:
+        scheme: whose links it has; those of groups do not count.
+        weighing: how it reads cognitons and weighs plans.
+        name: of the skill.
+
+    Raises:
+        ModelError: a cogniton with links, but without a reach.
+
+    >>> from coglogo_py import Cogniton
+    >>> scheme = CognitiveScheme("cows", (Cogniton("Hunger", influence={"eat": 2.0}),))
+    >>> linear_skill(scheme, Weighing({"Hunger": 10.0}, reach=40.0)).genome.tolist()
+    [0.5, 0.25]
+    """
+    read = [one for one in scheme.cognitons if one.name in weighing.cognitons]
+    for one in scheme.cognitons:
+        if one.influence and one.name not in weighing.cognitons:
+            raise ModelError(f"the cogniton {one.name!r}, which influences plans", "a reach for it")
+    genome: list[float] = []
+    for plan in scheme.plans:
+        parts = [
+            weighing.cognitons[one.name] * one.influence.get(plan, 0.0) / weighing.reach
+            for one in read
+        ]
+        genome += [*parts, 0.5 - sum(parts) / 2]
+    return Skill(
+        name,
+        [f"SE:{one.name}" for one in read],
+        [f"MO:{plan}" for plan in scheme.plans],
+        Perceptron(layers=0),
+        genome,
+    )

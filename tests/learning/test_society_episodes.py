@@ -32,6 +32,22 @@ def test_a_score_is_that_of_the_model_made_afresh(episodes):
     assert found.score[0].mean() > found.score[1].mean()
 
 
+class Watched(GRAZING.Weighed):
+    """The same, looked at now and then."""
+
+    score_every = 25
+
+
+def test_a_score_may_be_the_mean_of_several_looks():
+    episodes = SocietyEpisodes(Watched, skill="Weigh", ticks=60)
+    model = episodes.model(9, RESTING)
+    said = []
+    for ticks in (25, 25, 10):
+        model.advance(ticks)
+        said.append(model.score())
+    assert episodes.run([RESTING], [9]).score.item() == pytest.approx(np.mean(said))
+
+
 def test_neither_order_nor_company_change_what_comes_out(episodes):
     together = episodes.run([RESTING, KNOWN], [3, 4, 3]).score
     assert (together[:, 0] == together[:, 2]).all()
