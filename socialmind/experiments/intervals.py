@@ -78,6 +78,7 @@ def interval_of(values: ArrayLike, level: float = LEVEL) -> Interval:
     below = float((~tied & (above < 0)).mean() + tied.mean() / 2)
     bias = _NORMAL.inv_cdf(min(max(below, 1 / RESAMPLES), 1 - 1 / RESAMPLES))
     deviation = sample - mean
+    deviation /= np.abs(deviation).max()  # tiny ones would vanish when cubed
     squares = float((deviation**2).sum())
     acceleration = float((deviation**3).sum()) / (6 * squares**1.5)
     wide = _wide(level, len(sample))

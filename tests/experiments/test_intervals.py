@@ -44,6 +44,13 @@ def test_it_stays_within_what_was_seen_and_repeats_itself(values):
     assert found == interval_of(values)
 
 
+@pytest.mark.parametrize("unit", [1e-110, 1e110])
+def test_units_make_no_difference(unit):
+    values = np.array([0.0, 0.0, 1.0, 5.0, 7.0])
+    found, scaled = interval_of(values), interval_of(values * unit)
+    assert (scaled.low / unit, scaled.high / unit) == pytest.approx((found.low, found.high))
+
+
 def test_more_numbers_and_lower_levels_make_it_narrower():
     values = np.random.default_rng(2).random(200)
     widths = [found.high - found.low for found in map(interval_of, (values[:20], values))]

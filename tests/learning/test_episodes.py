@@ -10,7 +10,8 @@ import pytest
 
 from socialmind import Model, ModelError, Population, RuleError, SocialmindError, each
 from socialmind.catalogue import load_file
-from socialmind.learning.episodes import Episodes, with_genomes
+from socialmind.learning.episodes import Episodes
+from socialmind.learning.pupils import with_genomes
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill
 from socialmind.worlds.plane import (
     Disc,
