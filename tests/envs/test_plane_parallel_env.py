@@ -28,6 +28,8 @@ from socialmind.worlds.plane import (
 )
 
 WHEELS = {"MotL": wheel(at=(0.0, 1.0)), "MotR": wheel(at=(0.0, -1.0))}
+REWARDS = {"forward": forward(0.001)}
+INTERRUPTIONS = {"collision": collision()}
 FORWARD = np.ones(2, np.float32)
 LIFE = 60
 
@@ -70,7 +72,7 @@ class Convoy(Model):
         actuators={"Mot": wheel(at=(0.0, 0.0))},
     )  # fmt: skip
     beacons = Population(Robot, 1, body=Disc(), sensors={"HALF": constant(0.5)})
-    rewards = {"forward": forward(0.001)}
+    rewards = REWARDS
     setup = (each(walkers, start),)
     schedule = (each(walkers, age),)
 
@@ -79,7 +81,7 @@ class Fenced(Convoy):
     """The same in a small arena, in which a collision ends the episode."""
 
     world = Plane(5.0)
-    interruptions = {"collision": collision()}
+    interruptions = INTERRUPTIONS
 
 
 def told(env, seed, steps=10_000):
