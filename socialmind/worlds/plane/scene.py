@@ -203,6 +203,6 @@ def _target(
     x, y = others.columns["x"][slots], others.columns["y"][slots]
     distance = np.hypot(x - begin[0], y - begin[1])
     nearest = int(np.argmin(distance))
-    if distance[nearest] > sensor.reach:
+    if distance[nearest] > arena.reach_of(sensor):
         return None
     return float(x[nearest]), float(y[nearest])
