@@ -140,6 +140,7 @@ def test_parameters_that_do_not_fit_are_refused():
 
     with pytest.raises(ModelError, match=r"reach='sigth' of the sensor 'near'.*mean 'sight'"):
         Blind()
+
     class Faint(Sighted):
         robots = Population(
             Robot,
