@@ -235,7 +235,7 @@ class Foraging(Model):
     ticks = 10_000
 
     half_width: float = parameter(120.0, unit="units", low=80.0, doc="from the middle to a border")
-    n_robots: int = parameter(4, unit="robots", low=1)
+    n_robots: int = parameter(4, unit="robots", low=1, doc="that forage")
     cluster_size: int = parameter(8, unit="objects", low=0, doc="in a cluster; 0 for no objects")
     spread: float = parameter(10.0, unit="units", low=0.0, doc="radius of a cluster")
     sight: float = parameter(20.0, unit="units", low=0.0, doc="reach of the sensors of objects")
