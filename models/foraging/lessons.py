@@ -69,7 +69,6 @@ class ReachSignal(Foraging):
 
     ticks = 2000
 
-    objects = Population(COLLECT.Ball, 0, body=LESSONS.BALL)
     lamps = Population(Lamp, 1, body=Disc(seen=False))
     robots = Population(
         Forager,
@@ -108,6 +107,8 @@ class ForageTogether(Foraging):
 
 
 COARSE, FINE = LESSONS.COARSE, LESSONS.FINE
+GENTLE = {**FINE, "step": 0.2, "mutation": 0.1, "narrowing": 0.97}
+"""For all skills together: small steps, as little must change in base skills to lose the way."""
 NEAR = {"half_width": 90.0}
 """A smaller arena, in which there is more to bring home in the same time."""
 SEARCHING = (SEARCH, SEARCH_AVOID)
@@ -150,6 +151,7 @@ curriculum = Curriculum(
             generations=40,
             settings=FINE,
             parameters=NEAR,
+            finals=64,
         ),
         Lesson(
             "All in context",
@@ -158,8 +160,9 @@ curriculum = Curriculum(
             master=FORAGE,
             repetitions=8,
             generations=40,
-            settings={**FINE, "step": 0.5},
+            settings=GENTLE,
             start="known",
+            finals=96,
         ),
     ),
     mind=forager(),
