@@ -95,9 +95,10 @@ class Episodes:
         mine, led = self.description, self.steerings[self.population]
         for name in self.skills:
             mine.skill(name)
-        self.steerings[self.population] = Steering(
-            _filled(mine, self.skills), master or led.master, drive or led.drive
-        )
+        mine, top = _filled(mine, self.skills), master or led.master
+        if top is not None:
+            mine = _ready(mine, top)
+        self.steerings[self.population] = Steering(mine, top, drive or led.drive)
         reached = self.steerings[self.population].assembly.skills
         for name in self.skills:
             if name not in reached:
@@ -236,6 +237,22 @@ def _filled(description: MindDescription, skills: Sequence[str]) -> MindDescript
         return description
     zeros = np.zeros(size)
     return with_genomes(description, skills, zeros, only=unset)
+
+
+def _ready(description: MindDescription, master: str) -> MindDescription:
+    """Return a mind without what is not learned yet and no part of the master's hierarchy.
+
+    A drive reaches all skills of a mind, so all of them are made ready to run, and those still to
+    be learned cannot be. What stands above one goes with it.
+    """
+    reached = set(description.below(*({master} & set(description.skills))))
+    unset = {n for n, one in description.skills.items() if one.genome_size and one.genome is None}
+    left = [
+        name
+        for name in description.skills
+        if name not in reached and unset.difference(reached).intersection(description.below(name))
+    ]
+    return description.with_modules(without=left) if left else description
 
 
 def with_genomes(
