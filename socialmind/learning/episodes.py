@@ -95,10 +95,10 @@ class Episodes:
         mine, led = self.description, self.steerings[self.population]
         for name in self.skills:
             mine.skill(name)
-        mine, top = _filled(mine, self.skills), master or led.master
-        if top is not None:
+        mine, top, drive = _filled(mine, self.skills), master or led.master, drive or led.drive
+        if drive is not None and top is not None:
             mine = _ready(mine, top)
-        self.steerings[self.population] = Steering(mine, top, drive or led.drive)
+        self.steerings[self.population] = Steering(mine, top, drive)
         reached = self.steerings[self.population].assembly.skills
         for name in self.skills:
             if name not in reached:

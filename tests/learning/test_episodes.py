@@ -208,14 +208,14 @@ def point_ahead(mind):
 
 def test_with_a_drive_skills_that_are_still_to_be_learned_are_left_out():
     """A drive reaches all skills of a mind, so those need their weights; others do not."""
-    ways = ["MO:MotL", "MO:MotR"]
+    ways = ["MO:L", "MO:R"]
     steer = Skill("Steer", ["VA:Way"], ways, Perceptron(layers=0), [1, 0, 1, 0])
-    decide = Skill("Decide", ["SE:AHEAD"], ["SK:Steer", "VA:Way"], Perceptron(layers=0))
+    decide = Skill("Decide", ["SE:S"], ["SK:Steer", "VA:Way"], Perceptron(layers=0))
     top = Skill("Top", [], ["SK:Decide"], Programmed(always))
-    mind = MindDescription("m", ["AHEAD"], ["MotL", "MotR"], ["Way"], [steer, decide, top])
+    mind = MindDescription("m", ["S"], ["L", "R"], ["Way"], [steer, decide, top])
     driven = Episodes(Runway, hierarchy=mind, master="Steer", drive=point_ahead)
     assert list(driven.description.skills) == ["Steer"]
-    alone = MindDescription("m", ["AHEAD"], ["MotL", "MotR"], ["Way"], [steer])
+    alone = MindDescription("m", ["S"], ["L", "R"], ["Way"], [steer])
     same = Episodes(Runway, hierarchy=alone, master="Steer", drive=point_ahead)
     assert driven.run(None, [1, 2]).score.tolist() == same.run(None, [1, 2]).score.tolist()
     # What is reached, or ready, stays: a drive may influence it.
