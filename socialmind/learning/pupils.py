@@ -117,7 +117,10 @@ def pupils_of(
     mine = _described(led)
     for one in skills:
         mine.skill(one)
-    steerings[name] = Steering(_filled(mine, skills), master or led.master, drive or led.drive)
+    mine, top, drive = _filled(mine, skills), master or led.master, drive or led.drive
+    if drive is not None and top is not None:
+        mine = _ready(mine, top)
+    steerings[name] = Steering(mine, top, drive)
     reached = steerings[name].assembly.skills
     for one in skills:
         if one not in reached:
@@ -140,6 +143,22 @@ def _filled(description: MindDescription, skills: Sequence[str]) -> MindDescript
         return description
     zeros = np.zeros(size)
     return with_genomes(description, skills, zeros, only=unset)
+
+
+def _ready(description: MindDescription, master: str) -> MindDescription:
+    """Return a mind without what is not learned yet and no part of the master's hierarchy.
+
+    A drive reaches all skills of a mind, so all of them are made ready to run, and those still to
+    be learned cannot be. What stands above one goes with it.
+    """
+    reached = set(description.below(*({master} & set(description.skills))))
+    unset = {n for n, one in description.skills.items() if one.genome_size and one.genome is None}
+    left = [
+        name
+        for name in description.skills
+        if name not in reached and unset.difference(reached).intersection(description.below(name))
+    ]
+    return description.with_modules(without=left) if left else description
 
 
 def with_genomes(

@@ -10,7 +10,7 @@ from socialmind.worlds.plane.interruptions import (
     over_threshold,
     under_threshold,
 )
-from socialmind.worlds.plane.measures import Measure, survived, total
+from socialmind.worlds.plane.measures import Measure, against, ratio, survived, total
 from socialmind.worlds.plane.plane import Plane
 from socialmind.worlds.plane.rewards import (
     clear,
@@ -59,6 +59,7 @@ __all__ = [
     "Zone",
     "active",
     "after",
+    "against",
     "battery",
     "carrying",
     "claw",
@@ -82,6 +83,7 @@ __all__ = [
     "over_threshold",
     "paid",
     "payoff",
+    "ratio",
     "reached",
     "signal_active",
     "signal_distance",
