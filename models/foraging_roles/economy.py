@@ -7,6 +7,7 @@ long, and in between nothing happens. The market, its decay and the payoff are t
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from socialmind.learning.outcome import Outcome
 from socialmind.mind import MindDescription
 from socialmind.mind.minds import Minds
 
-from .model import ALL_A, ALL_B, ANY, COUNTED, RANDOM, UNDECIDED, scarcity_of_a, worth
+from .model import ALL_A, ALL_B, COUNTED, RANDOM, UNDECIDED, scarcity_of_a, worth
 
 TICKS = 60_000
 DECAY = 0.0005  # of the counts in a tick, as in the model
@@ -26,24 +27,46 @@ TRIP, SPREAD = 800.0, 160.0  # ticks that a trip of the bodies takes, and the de
 SHORTEST = 0.4  # of that, at least
 ASTRAY, DETOUR = 0.03, 2.0  # the share of trips with a detour, and the longest one, in trips
 UNEVEN = 0.1  # at most, the logarithm of how much longer trips for A are, and shorter those for B
-NUMBERS = (6, 9, 9, 9, 12, 18)  # of robots
-RATIOS = (1 / 3, 1 / 2, 2 / 3)  # shares of B that are wanted
 NOTHING, REVERSED, REMOVED, ADDED = range(4)
 """What happens half-way: nothing, the wanted ratio is turned round, a third of the robots of one
 role are taken away, or as many are added."""
 NEAR = 0.5  # robots away from the wanted split that are no matter
-OFF, OFF_LATE, OUT_LATE, CHANGE = 1.0, 3.0, 0.3, 0.1
-"""What is lost by each robot's share away from the wanted split; by that beyond `NEAR` when there
-was time to settle; by being more than one robot away then; and by a change of roles a robot and
-10,000 ticks then."""
+
+
+@dataclass(frozen=True)
+class Terms:
+    """Which worlds there are, and what is lost in them.
+
+    Attributes:
+        numbers: of robots, of which one is drawn.
+        ratios: shares of B that are wanted, likewise.
+        starts: the robots' roles at the start, as in the model, likewise.
+        events: what happens half-way, likewise.
+        off: what is lost by all robots being away from the wanted split, all the time.
+        off_late: by the same beyond `NEAR` when there was time to settle: in the second and the
+            last quarter.
+        out_late: by being more than one robot away then.
+        change: by a change of roles for each robot and 10,000 ticks then.
+        counts: by a share of B among the counts that is 1 away from the wanted one.
+    """
+
+    numbers: tuple[int, ...] = (6, 9, 9, 9, 12, 18)
+    ratios: tuple[float, ...] = (1 / 3, 1 / 2, 2 / 3)
+    starts: tuple[int, ...] = (ALL_A, ALL_B, UNDECIDED, RANDOM)
+    events: tuple[int, ...] = (NOTHING, REVERSED, REMOVED, ADDED)
+    off: float = 1.0
+    off_late: float = 3.0
+    out_late: float = 0.3
+    change: float = 0.1
+    counts: float = 0.0
 
 
 class Economy:
     """Robots that deliver, are paid, and think about their roles, as a lesson's environment.
 
-    Its arguments are those of `socialmind.learning.episodes.Episodes` after the model. A world is
-    how many robots there are, their roles at the start, what is wanted, how long each trip takes
-    and what happens half-way.
+    Its arguments are those of `socialmind.learning.episodes.Episodes` after the model; parameters
+    are those of `Terms`. A world is how many robots there are, their roles at the start, what is
+    wanted, how long each trip takes and what happens half-way.
 
     Raises:
         ModelError: a skill that cannot be judged here, or arguments that count for nothing.
@@ -61,8 +84,9 @@ class Economy:
         ticks: int | None = None,
         physics: str = "compiled",
     ) -> None:
-        if parameters or drive is not None:
-            raise ModelError("an economy with parameters or a drive", "neither")
+        if drive is not None:
+            raise ModelError("an economy with a drive", "none")
+        self.terms = Terms(**parameters)
         self.ticks = TICKS if ticks is None else ticks
         self.mind = thinking(hierarchy, skill)
         self.genome_size = self.mind.skill(skill).genome_size
@@ -86,10 +110,12 @@ class Economy:
         if self._minds is None or len(self._minds) != agents:
             self._minds = Minds(self.mind, agents=agents, own_genomes=True)
         self._minds.set_genome(next(iter(self.mind.skills)), np.repeat(rows, len(seeds), axis=0))
-        worlds = Worlds([World(seed, self.ticks) for seed in seeds] * len(rows), self.ticks)
+        worlds = Worlds(
+            [World(seed, self.terms, self.ticks) for seed in seeds] * len(rows), self.ticks
+        )
         while worlds.go_on(self._minds):
             pass
-        score = -worlds.costs()
+        score = -worlds.costs(self.terms)
         ticks = np.full(shape, self.ticks)
         fields = {"within": worlds.out_last == 0, "changes": worlds.late_changes()}
         fields = {name: values.reshape(shape) for name, values in fields.items()}
@@ -133,19 +159,19 @@ class World:
         trips: ticks of each trip of each robot, one after the other; (most, trips).
     """
 
-    def __init__(self, seed: int, ticks: int) -> None:
+    def __init__(self, seed: int, terms: Terms, ticks: int) -> None:
         rng = np.random.default_rng(seed)
-        self.robots = int(rng.choice(NUMBERS))
+        self.robots = int(rng.choice(terms.numbers))
         self.most = self.robots + self.robots // 3
-        starts = np.full(self.most, rng.integers(ANY))
-        starts[self.robots :] = rng.integers(ANY)
+        starts = np.full(self.most, terms.starts[rng.integers(len(terms.starts))])
+        starts[self.robots :] = terms.starts[rng.integers(len(terms.starts))]
         at_random = rng.random(self.most)
         self.begun = np.select(
             [starts == ALL_A, starts == ALL_B, starts == UNDECIDED, starts == RANDOM],
             [0.0, 1.0, 0.5, at_random],
         )
-        self.wanted = float(rng.choice(RATIOS))
-        self.event = int(rng.integers(4))
+        self.wanted = float(rng.choice(terms.ratios))
+        self.event = terms.events[rng.integers(len(terms.events))]
         self.removed = int(rng.integers(2))
         self.uneven = math.exp(rng.uniform(-UNEVEN, UNEVEN))
         size = self.most, int(ticks * math.exp(UNEVEN) / (SHORTEST * TRIP)) + 3
@@ -183,7 +209,8 @@ class Worlds:
         self.count_b = COUNTED * self.robots * self.wanted
         self.count_a = COUNTED * self.robots - self.count_b
         self.now = np.zeros(count)
-        self.off, self.off_late, self.out_late, self.out_last, self.changes = np.zeros((5, count))
+        self.off, self.off_late, self.out_late, self.out_last = np.zeros((4, count))
+        self.changes, self.counts = np.zeros((2, count))
         self.most = most
         self.off_now = self._off()
 
@@ -216,6 +243,8 @@ class Worlds:
         self.off_late += late * np.maximum(self.off_now - NEAR, 0) / self.robots
         self.out_late += late * out
         self.out_last += last * out
+        share = self.count_b / (self.count_a + self.count_b)
+        self.counts += took * np.abs(share - self.wanted)
         left = (1 - DECAY) ** took
         self.count_a = proportional_decay(self.count_a, 1 - left)
         self.count_b = proportional_decay(self.count_b, 1 - left)
@@ -271,11 +300,12 @@ class Worlds:
         """Return the changes of roles when it was late, for each robot and 10,000 ticks."""
         return self.changes / self.first / (self.half / 10_000)
 
-    def costs(self) -> NDArray[np.float64]:
+    def costs(self, terms: Terms) -> NDArray[np.float64]:
         """Return what each world has cost."""
         return (
-            OFF * self.off / self.limit
-            + OFF_LATE * self.off_late / self.half
-            + OUT_LATE * self.out_late / self.half
-            + CHANGE * self.late_changes()
+            terms.off * self.off / self.limit
+            + terms.off_late * self.off_late / self.half
+            + terms.out_late * self.out_late / self.half
+            + terms.change * self.late_changes()
+            + terms.counts * self.counts / self.limit
         )

@@ -21,12 +21,12 @@ SETTLING = InfluenceNetwork(branches=1, passes=(1,))
 # Minds ------------------------------------------------------------------------------------------
 
 
-def forage(PAID):  # noqa: N803  # as the sensor
+def forage(PAID):
     """Collect all the time; think about the role after a delivery."""
     return 1.0, PAID
 
 
-def collect_select(ROLE):  # noqa: N803  # as the variable
+def collect_select(ROLE):
     """Collect what the role says: A below 0.5, else B."""
     if ROLE < 0.5:
         return 1.0, 0.0
@@ -73,7 +73,7 @@ lesson = Lesson(
     master=MASTER,
     optimiser="CMAES",
     settings={"population": 40, "step": 0.5},
-    repetitions=32,
+    repetitions=16,
     generations=300,
     finalists=20,
     finals=256,

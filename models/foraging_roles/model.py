@@ -23,7 +23,6 @@ from socialmind.worlds.plane import (
     distance_to,
     in_claw,
     in_zone,
-    inside,
     orientation,
     paid,
     total,
@@ -37,6 +36,7 @@ SPARE = 3  # objects of a kind more than robots
 COUNTED = 3.0  # objects delivered a robot that have been counted before the start
 PAYOFF = 0.15  # how much of the payoff sensor's range a perceived demand of 1 takes
 AHEAD = 2.1  # units within which what a robot carries is
+FARTHEST_OFF = 3  # robots off the wanted split up to which it is watched
 HOLD = 5000  # ticks within one robot of the wanted split that count as settled
 ALL_A, ALL_B, UNDECIDED, RANDOM, ANY = 0, 1, 2, 3, 4
 """What the robots' roles are at the start; ANY of the four is drawn for each world."""
@@ -284,8 +284,10 @@ def watch(model):
             in_b += 1
     model.in_b = in_b
     model.off = abs(in_b - model.wanted * robots)
+    for beyond in range(FARTHEST_OFF):
+        if model.off > beyond + 1 + 1e-9:
+            model.last_beyond[beyond] = model.tick
     if model.off > 1 + 1e-9:
-        model.last_off = model.tick
         model.within_since = -1
     else:
         if model.within_since == -1:
@@ -296,9 +298,13 @@ def watch(model):
             model.changes_settled = model.changes_before
 
 
-def stays_within_one(last_off, ticks):
-    """Return 1 for a last quarter all through within one robot of the wanted split, else 0."""
-    return float(last_off <= 0.75 * ticks)
+def stays_within(robots):
+    """Measure whether the last quarter stays within so many robots of the wanted split, 1 or 0."""
+
+    def within(last_beyond, ticks):
+        return float(last_beyond[robots - 1] <= 0.75 * ticks)
+
+    return Measure(within)
 
 
 def changes_after_settling(changes, changes_settled, settled_at, ticks):
@@ -385,7 +391,7 @@ class ForagingRoles(Model):
     began_as: int = 0
     in_b: int = 0
     off: float = 0.0
-    last_off: int = 0
+    last_beyond: list[int] = [-1] * FARTHEST_OFF
     began_at: int = 0
     within_since: int = -1
     settled_at: int = -1
@@ -410,7 +416,9 @@ class ForagingRoles(Model):
 
     rewards = {"delivered": paid()}
     measures = {
-        "within_one": Measure(stays_within_one),
+        "within_one": stays_within(1),
+        "within_two": stays_within(2),
+        "within_three": stays_within(3),
         "role_changes": Measure(changes_after_settling),
         "settling_ticks": Measure(ticks_to_settle),
         "objects_a": total("delivered_a"),

@@ -1,4 +1,4 @@
-def collect_select(ROLE):  # noqa: N803  # as the variable
+def collect_select(ROLE):
     """Collect what the role says: A below 0.5, else B."""
     if ROLE < 0.5:
         return 1.0, 0.0
