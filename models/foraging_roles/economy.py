@@ -110,9 +110,8 @@ class Economy:
         if self._minds is None or len(self._minds) != agents:
             self._minds = Minds(self.mind, agents=agents, own_genomes=True)
         self._minds.set_genome(next(iter(self.mind.skills)), np.repeat(rows, len(seeds), axis=0))
-        worlds = Worlds(
-            [World(seed, self.terms, self.ticks) for seed in seeds] * len(rows), self.ticks
-        )
+        drawn = [World(seed, self.terms, self.ticks) for seed in seeds]
+        worlds = Worlds(drawn, len(rows), self.ticks)
         while worlds.go_on(self._minds):
             pass
         score = -worlds.costs(self.terms)
@@ -182,29 +181,37 @@ class World:
 
 
 class Worlds:
-    """Many worlds side by side, each at its own time; arrays (worlds,) or (worlds, robots)."""
+    """Many worlds side by side, each at its own time; arrays (worlds,) or (worlds, robots).
 
-    def __init__(self, worlds: Sequence[World], ticks: int) -> None:
-        most, count = max(one.most for one in worlds), len(worlds)
+    Args:
+        drawn: what is different in them.
+        copies: how often there are all of these, one after another.
+        ticks: how long they go on.
+    """
+
+    def __init__(self, drawn: Sequence[World], copies: int, ticks: int) -> None:
+        self.which = np.tile(np.arange(len(drawn)), copies)
+        most, count = max(one.most for one in drawn), len(self.which)
         self.rows = np.arange(count)
         self.limit = float(ticks)
         self.half = self.limit / 2
-        self.trips = np.full((count, most, max(one.trips.shape[1] for one in worlds)), np.inf)
-        self.role = np.zeros((count, most))
-        self.next = np.full((count, most + 2), np.inf)  # and the event half-way, and the end
-        for row, one in enumerate(worlds):
-            self.trips[row, : one.most, : one.trips.shape[1]] = one.trips
-            self.role[row, : one.most] = one.begun
-            self.next[row, : one.robots] = one.trips[: one.robots, 0]
-        self.event = np.array([one.event for one in worlds])
-        self.next[self.event != NOTHING, most] = self.half
-        self.next[:, most + 1] = self.limit
-        self.removed = np.array([one.removed for one in worlds])
-        self.uneven = np.array([one.uneven for one in worlds])
-        self.wanted = np.array([one.wanted for one in worlds])
-        self.first = np.array([one.robots for one in worlds])
+        self.trips = np.full((len(drawn), most, drawn[0].trips.shape[1]), np.inf)
+        role = np.zeros((len(drawn), most))
+        for row, one in enumerate(drawn):
+            self.trips[row, : one.most] = one.trips
+            role[row, : one.most] = one.begun
+        self.role = role[self.which]
+        self.event = np.array([one.event for one in drawn])[self.which]
+        self.removed = np.array([one.removed for one in drawn])[self.which]
+        self.uneven = np.array([one.uneven for one in drawn])[self.which]
+        self.wanted = np.array([one.wanted for one in drawn])[self.which]
+        self.first = np.array([one.robots for one in drawn])[self.which]
         self.robots = self.first.copy()
         self.here = np.arange(most) < self.first[:, None]
+        self.next = np.full((count, most + 2), np.inf)  # and the event half-way, and the end
+        self.next[:, :most] = np.where(self.here, self.trips[self.which, :, 0], np.inf)
+        self.next[self.event != NOTHING, most] = self.half
+        self.next[:, most + 1] = self.limit
         self.done = np.zeros((count, most), int)
         self.count_b = COUNTED * self.robots * self.wanted
         self.count_a = COUNTED * self.robots - self.count_b
@@ -269,7 +276,7 @@ class Worlds:
         self.role[rows, robot] = role
         self.done[rows, robot] += 1
         stretch = np.where(role >= 0.5, 1 / self.uneven[rows], self.uneven[rows])
-        length = self.trips[rows, robot, self.done[rows, robot]]
+        length = self.trips[self.which[rows], robot, self.done[rows, robot]]
         self.next[rows, robot] = self.now[rows] + stretch * length
         changed = rows[(role >= 0.5) != is_b[rows]]
         if len(changed):
@@ -292,7 +299,7 @@ class Worlds:
         elif self.event[row] == ADDED:
             come = np.arange(self.first[row], self.first[row] + third)
             self.here[row, come] = True
-            self.next[row, come] = self.half + self.trips[row, come, 0]
+            self.next[row, come] = self.half + self.trips[self.which[row], come, 0]
             self.robots[row] += third
         self.off_now = self._off()
 
