@@ -49,12 +49,17 @@ class Ball(Body):
     lifted: bool = False
 
 
-def lay(obstacle, model, rng):
-    """Put an obstacle near the middle of its cell, unless start or drop zone are there."""
+def strew(obstacle, model, rng):
+    """Put an obstacle near the middle of its cell."""
     obstacle.x = (obstacle.id // SIDE) * SPACING - model.half_width + rng.uniform(-JITTER, JITTER)
     obstacle.y = (obstacle.id % SIDE) * SPACING - model.half_width + rng.uniform(-JITTER, JITTER)
     obstacle.angle = rng.uniform(0, math.pi)
     obstacle.half_width = rng.uniform(SMALLEST, LARGEST)
+
+
+def lay(obstacle, model, rng):
+    """Put an obstacle near the middle of its cell, unless start or drop zone are there."""
+    strew(obstacle, model, rng)
     size = obstacle.half_width
     near_start = math.hypot(obstacle.x, obstacle.y) < size + FREE
     if near_start or away(obstacle, ZONE_X, ZONE_Y) < size + ZONE_HALF_WIDTH:

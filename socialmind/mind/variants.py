@@ -1,11 +1,12 @@
 """Variants of a mind: a skill replaced, a master encapsulated, a subskill grafted (6.2, 6.3).
 
-They return descriptions; what they are made from stays as it is.
+They return descriptions, or the skills of one; what they are made from stays as it is.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import ModelError
@@ -105,6 +106,67 @@ def grafted(
     )
     joined = description.with_modules(**modules).with_modules(sensors, actuators, variables)
     return joined.with_modules(skills=(*added, changed))
+
+
+def duplicates(
+    description: MindDescription,
+    name: str,
+    modules: Mapping[str, str],
+    renamed: Callable[[str], str],
+) -> list[Skill]:
+    """Return a duplicate of a skill and of those below it, for other sensors and actuators (8.2.2).
+
+    Skills that neither read nor command what is exchanged, nor lead to one that does, are returned
+    as they are: several duplicates share them. Weights are kept.
+
+    Args:
+        description: the mind.
+        name: the skill.
+        modules: sensors, variables and actuators by their names, and what stands for each.
+        renamed: the name of a skill's duplicate.
+
+    Raises:
+        ModelError: there is no such skill, or nothing below it has to do with a module.
+
+    >>> from socialmind.mind import Perceptron
+    >>> go = Skill("Go", ["SE:RED"], ["MO:Legs"], Perceptron())
+    >>> rest = Skill("Rest", [], ["MO:Legs"], Perceptron())
+    >>> fetch = Skill("Fetch", ["SE:RED"], ["SK:Go", "SK:Rest"], Perceptron())
+    >>> mind = MindDescription("robot", ["RED"], ["Legs"], [], [fetch, go, rest])
+    >>> [one.name for one in duplicates(mind, "Fetch", {"RED": "BLUE"}, "{}Blue".format)]
+    ['FetchBlue', 'GoBlue', 'Rest']
+    """
+    description.skill(name)
+    below = description.below(name)
+    other: dict[str, str] = {}
+    met: set[str] = set()
+    for one in reversed(below):
+        skill = description.skills[one]
+        links: list[Any] = [*skill.inputs, *skill.outputs]
+        own = {link.name for link in links if link.module != "skill"} & set(modules)
+        if own or any(child in other for child in skill.subskills):
+            met |= own
+            other[one] = renamed(one)
+    unmet = [module for module in modules if module not in met]
+    if unmet or not modules:
+        what = repr(unmet[0]) if unmet else "nothing"
+        raise ModelError(f"{what} to be exchanged in {name!r}", "what its skills read or command")
+
+    def exchanged(link: Any) -> Any:
+        names = other if link.module == "skill" else modules
+        return replace(link, name=names.get(link.name, link.name))
+
+    found = []
+    for one in below:
+        skill = description.skills[one]
+        if one in other:
+            skill = skill.changed(
+                name=other[one],
+                inputs=tuple(exchanged(link) for link in skill.inputs),
+                outputs=tuple(exchanged(link) for link in skill.outputs),
+            )
+        found.append(skill)
+    return found
 
 
 def _parts(other: Skill | Hierarchy) -> tuple[str, list[Skill], dict[str, Any]]:

@@ -1,4 +1,4 @@
-"""Variants of a mind (thesis, 6.2 and 6.3): what changes, and what must not."""
+"""Variants of a mind (thesis, 6.2, 6.3 and 8.2): what changes, and what must not."""
 
 import numpy as np
 import pytest
@@ -15,6 +15,7 @@ from socialmind.mind import (
     Sensor,
     Skill,
 )
+from socialmind.mind.variants import duplicates
 
 
 @pytest.fixture
@@ -185,3 +186,48 @@ def test_variants_that_cannot_be(collect):
     for call, *words in wrong:
         refused(call, *words)
     assert unchanged(collect, collector)
+
+
+# Duplicates (8.2.2) ------------------------------------------------------------------------------
+
+
+def of_a_kind(kind):
+    """Give a name its kind."""
+    return f"{kind}{{}}".format
+
+
+def test_a_duplicate_does_with_another_sensor_what_the_skill_does_with_its_own(collect):
+    trained = collect.trained()
+    found = duplicates(trained, "Collect", {"SeesObject": "SeesPrey"}, of_a_kind("Prey"))
+    assert [one.name for one in found if one.name.startswith("Prey")] == [
+        "PreyCollect", "PreyGoToObject"
+    ]  # fmt: skip
+    shared = {one.name: one for one in found}
+    assert shared["GoToBase"] is trained.skills["GoToBase"]
+    names = ["SeesPrey" if name == "SeesObject" else name for name in SENSORS]
+    other = MindDescription("hunter", names, trained.actuators, trained.variables, found)
+    hunter = Hierarchy(other, "PreyCollect")
+    for sensed in values():
+        prey = {"SeesPrey" if name == "SeesObject" else name: one for name, one in sensed.items()}
+        assert hunter.evaluate(prey) == collect.evaluate(sensed)
+
+
+def test_two_duplicates_stand_side_by_side(collect):
+    trained = collect.trained()
+    skills = {}
+    for kind in ("Red", "Blue"):
+        found = duplicates(trained, "Collect", {"SeesObject": f"Sees{kind}"}, of_a_kind(kind))
+        skills |= {one.name: one for one in found}
+    sensors = [*SENSORS, "SeesRed", "SeesBlue"]
+    both = MindDescription("both", sensors, trained.actuators, trained.variables, skills.values())
+    assert both.masters == ("BlueCollect", "RedCollect")
+    assert both.parents["Avoid"] == ("BlueCollect", "RedCollect")
+    assert (both.skills["RedGoToObject"].genome == trained.skills["GoToObject"].genome).all()
+
+
+def test_duplicates_that_cannot_be(collect):
+    trained = collect.trained()
+    named = of_a_kind("Red")
+    refused(lambda: duplicates(trained, "Flee", {"Wall": "Fence"}, named), "'Flee'")
+    refused(lambda: duplicates(trained, "Avoid", {"Holds": "Bites"}, named), "'Holds'", "'Avoid'")
+    refused(lambda: duplicates(trained, "Avoid", {}, named), "nothing")

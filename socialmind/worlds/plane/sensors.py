@@ -154,9 +154,11 @@ def can_grip(
     high: float,
 ) -> float:
     """Return `high` if the robot carries a member, or could."""
+    farthest = abs(ahead) + 2.0 * half  # beyond which nothing is in the box, however it is turned
     for one in members:
         if one.carrier_kind == -1:
-            if in_box(robot, one.x, one.y, half, ahead):
+            near = abs(one.x - robot.x) <= farthest and abs(one.y - robot.y) <= farthest
+            if near and in_box(robot, one.x, one.y, half, ahead):
                 return high
         elif one.carrier_kind == kind and one.carrier == slot:
             return high

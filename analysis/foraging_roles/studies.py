@@ -1,0 +1,52 @@
+"""Section 8.2 of the thesis: roles that collapse and are drawn again, and roles that settle."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+from socialmind.studies import Study
+
+QUICK_WORLDS = 2
+
+
+def collapse(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:
+    """Figures 8.6 and 8.7: nine robots whose roles were learned as in the thesis."""
+    from socialmind.studies import write_figure
+
+    from .results import genomes, picture
+
+    weights = genomes(["thesis"], out, quick, kept)["thesis"][0]
+    figure, rows = picture("thesis", weights, ticks=6000 if quick else 60_000)
+    return write_figure("figure-8.6", figure, rows, out)
+
+
+def lessons(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:
+    """What each way to learn a role comes to, in the economy without bodies."""
+    from .results import genomes, judged, write_table
+    from .trainings import PLANS
+
+    found = genomes(list(PLANS), out, quick, kept)
+    rows = [row for name, several in found.items() for row in judged(name, several, quick)]
+    return write_table("roles-lessons", rows, out)
+
+
+def settling(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:
+    """The model's own mind in bodies: calm, after shocks, and in groups of other sizes."""
+    from .results import conditions, write_table
+
+    rows = conditions(QUICK_WORLDS if quick else 100)
+    return write_table("roles-settling", rows, out)
+
+
+studies = tuple(
+    Study(
+        name, about, make, quick=partial(make, quick=True),
+        kept=partial(make, kept=True) if trains else None,
+    )
+    for name, about, make, trains in (
+        ("figure-8.6", "roles learned as in the thesis, over time", collapse, True),
+        ("roles-lessons", "what ways to learn a role come to, without bodies", lessons, True),
+        ("roles-settling", "the learned roles in bodies: shocks, other sizes", settling, False),
+    )
+)  # fmt: skip

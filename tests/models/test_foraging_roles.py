@@ -1,0 +1,157 @@
+"""Robots that find their roles: the world, its market and shocks, and what is measured of it."""
+
+import numpy as np
+import pytest
+
+from socialmind.catalogue import load_file, load_model, model_folder
+
+FOLDER = model_folder("foraging_roles")
+MODEL = load_file(FOLDER / "model.py")
+ForagingRoles = load_model("foraging_roles")
+FORAGE_ROLE = "ForageRole"
+STAY = np.zeros(39)
+STAY[21] = 1.0  # the bias of the influence on the role as it is
+
+
+def staying():
+    """The mind that ships, but its robots never change roles."""
+    from socialmind.mind import MindDescription
+
+    mind = MindDescription.load(FOLDER / "mind")
+    return mind.with_modules(skills=[mind.skill(FORAGE_ROLE).changed(genome=STAY)])
+
+
+def test_payoffs_tell_what_is_scarce():
+    # 20 B and 10 A are as wanted; of 30 objects 10 A are plenty, at a price of 2 B.
+    assert MODEL.scarcity_of_a(20.0, 10.0, 2 / 3) == pytest.approx(0.0, abs=1e-12)
+    assert MODEL.scarcity_of_a(30.0, 0.0, 2 / 3) == pytest.approx(1.5)
+    assert MODEL.scarcity_of_a(0.0, 30.0, 2 / 3) == pytest.approx(-3.0)
+    assert MODEL.worth(0.0) == 0.5
+    assert MODEL.worth(1.0) == pytest.approx(0.5 + MODEL.PAYOFF)
+
+
+@pytest.mark.parametrize(("wanted", "b"), [(0.2, 3.0), (0.5, 9.0), (0.75, 1.0)])
+def test_kinds_are_treated_alike(wanted, b):
+    scarce = MODEL.scarcity_of_a(b, 10.0 - b, wanted)
+    assert scarce == pytest.approx((b / 10 - wanted) / (wanted * (1 - wanted)))
+    assert MODEL.scarcity_of_a(10.0 - b, b, 1 - wanted) == pytest.approx(-scarce)
+
+
+@pytest.mark.parametrize(("start", "in_b"), [(0, 0), (1, 9), (2, 9)])
+def test_roles_begin_as_the_start_says(start, in_b):
+    model = ForagingRoles(seed=1, start=start, hierarchy=staying())
+    model.advance(3)
+    assert model.in_b == in_b
+    assert len(set(model.robots.role.tolist())) == 1
+
+
+def test_random_starts_differ_and_any_start_is_drawn_for_each_world():
+    model = ForagingRoles(seed=1, start=3, hierarchy=staying())
+    assert len(set(model.robots.role.tolist())) == 9
+    drawn = {ForagingRoles(seed=seed, hierarchy=staying()).began_as for seed in range(12)}
+    assert drawn == {0, 1, 2, 3}
+
+
+@pytest.mark.parametrize("foragers", [1, 9, 36])
+def test_there_are_slightly_more_objects_of_each_kind_than_robots(foragers):
+    model = ForagingRoles(seed=2, foragers=foragers, hierarchy=staying())
+    assert len(model.objects_a) == len(model.objects_b) == foragers + 3
+    assert (model.objects_a.x <= -35).all()
+    assert (model.objects_b.x >= 35).all()
+    assert len(model.robots) == foragers
+
+
+def test_robots_bring_what_their_roles_say_and_are_paid():
+    model = ForagingRoles(seed=3, start=0, foragers=4, hierarchy=staying())
+    staple = model.markets.staple[0]
+    while model.robots.delivered_a.sum() == 0 and model.tick < 3000:
+        model.advance(1)
+    robots = model.robots
+    paid = robots.paid.astype(bool)
+    assert paid.sum() == robots.delivered_a.sum() == 1
+    assert robots.delivered_b.sum() == 0
+    market = model.markets
+    # The last decay came after the delivery, and took the same share of both counts.
+    scarcity = MODEL.scarcity_of_a(market.staple[0], market.ware[0], model.wanted)
+    assert robots.payoff[paid][0] == pytest.approx(0.5 + MODEL.PAYOFF * scarcity)
+    assert market.staple[0] == pytest.approx(staple * (1 - model.decay) ** model.tick)
+    model.advance(1)
+    assert not model.robots.paid.any()
+    assert model.robots.score.sum() == 1
+
+
+def test_a_mind_thinks_of_its_role_after_a_delivery_alone():
+    model = ForagingRoles(seed=3, start=1, foragers=2, decay=0.0, wanted_b=0.1)
+    before = model.robots.role.copy()
+    deliveries = 0
+    while deliveries < 3 and model.tick < 6000:
+        model.advance(1)
+        deliveries = int(model.robots.delivered_b.sum() + model.robots.delivered_a.sum())
+        if deliveries == 0:
+            assert (model.robots.role == before).all()
+    assert deliveries == 3
+
+
+# Shocks -----------------------------------------------------------------------------------------
+
+
+def test_the_wanted_ratio_is_turned_round():
+    model = ForagingRoles(seed=1, reverse_at=5, hierarchy=staying())
+    model.advance(5)
+    assert model.wanted == pytest.approx(2 / 3)
+    model.advance(1)
+    assert model.wanted == pytest.approx(1 / 3)
+    assert model.began_at == 5
+
+
+@pytest.mark.parametrize("role", [0, 1])
+def test_robots_of_a_role_are_taken_away(role):
+    model = ForagingRoles(seed=1, start=3, remove_at=5, removed_role=role, hierarchy=staying())
+    model.advance(4)
+    before = {0: 9 - model.in_b, 1: model.in_b}
+    model.advance(3)
+    after = {0: len(model.robots) - model.in_b, 1: model.in_b}
+    assert after[role] == max(before[role] - 3, 0)
+    assert after[1 - role] == before[1 - role]
+
+
+def test_robots_are_added_and_work():
+    model = ForagingRoles(seed=1, start=0, add_at=5, hierarchy=staying())
+    model.advance(10)
+    assert len(model.robots) == 12
+    place = model.robots.x[-3:].copy(), model.robots.y[-3:].copy()
+    assert (np.hypot(*place) < 5).all()
+    model.advance(200)
+    assert (np.hypot(model.robots.x[-3:] - place[0], model.robots.y[-3:] - place[1]) > 3).all()
+
+
+# What is measured -------------------------------------------------------------------------------
+
+
+def test_the_last_quarter_counts_as_within_one_or_not():
+    for beyond, one, two in (
+        ([45_000, 45_000, 0], 1.0, 1.0), ([45_001, 45_000, 0], 0.0, 1.0), ([-1, -1, -1], 1.0, 1.0)
+    ):  # fmt: skip
+        values = {"last_beyond": np.array(beyond), "ticks": 60_000}
+        assert MODEL.stays_within(1).of(values) == one
+        assert MODEL.stays_within(2).of(values) == two
+
+
+def test_changes_are_those_after_settling():
+    changes = np.array([3, 2, 0])
+    assert MODEL.changes_after_settling(changes, 2, 10_000, 20_000) == pytest.approx(1.0)
+    assert MODEL.changes_after_settling(changes, 2, -1, 20_000) == pytest.approx(5 / 3 / 2)
+
+
+def test_ticks_to_settle_count_from_the_last_shock():
+    assert MODEL.ticks_to_settle(settled_at=700, began_at=0, ticks=60_000) == 700
+    assert MODEL.ticks_to_settle(settled_at=31_000, began_at=30_000, ticks=60_000) == 1_000
+    assert MODEL.ticks_to_settle(settled_at=-1, began_at=30_000, ticks=60_000) == 30_000
+
+
+@pytest.mark.parametrize(("start", "off", "settled"), [(0, 2.0, -1), (1, 1.0, 1)])
+def test_a_split_settles_when_it_stays_within_one_of_the_wanted_one(start, off, settled):
+    model = ForagingRoles(seed=1, start=start, foragers=3, hierarchy=staying())
+    model.advance(5200)
+    assert model.settled_at == settled
+    assert model.off == pytest.approx(off)

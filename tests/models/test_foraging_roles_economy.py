@@ -1,0 +1,113 @@
+"""The economy in which roles are learned, and the mind that was."""
+
+import numpy as np
+import pytest
+
+from socialmind.catalogue import load_file, model_folder
+from socialmind.errors import ModelError
+from socialmind.mind import MindDescription
+
+FOLDER = model_folder("foraging_roles")
+ECONOMY = load_file(FOLDER / "economy.py")
+LESSONS = load_file(FOLDER / "lessons.py")
+SKILL = "ForageRole"
+STAY, FLIP = np.zeros(39), np.zeros(39)
+STAY[21] = 1.0  # the influence on the role as it is
+FLIP[[16, 38]] = 1.0  # the influence on what the perceptron says, which is always B
+
+
+@pytest.fixture(scope="module")
+def mind():
+    return MindDescription.load(FOLDER / "mind")
+
+
+def economy(mind, **terms):
+    return ECONOMY.Economy(terms, mind, master=SKILL, skill=SKILL)
+
+
+CALM = {"numbers": (9,), "ratios": (2 / 3,), "events": (0,)}
+
+
+def test_a_group_that_stays_as_it_is_costs_what_its_split_is_away(mind):
+    outcome = economy(mind, **CALM, starts=(0,)).run([STAY], [1, 2])
+    # All of nine in A, six wanted in B, all the time; late costs beyond half a robot, and for out.
+    assert outcome.score == pytest.approx(-(6 / 9 + 3 * 5.5 / 9 + 0.3))
+    assert not outcome.fields["within"].any()
+    assert (outcome.fields["changes"] == 0).all()
+    assert (outcome.ticks == 60_000).all()
+
+
+def test_a_group_that_goes_to_b_at_once_is_three_away(mind):
+    outcome = economy(mind, **CALM, starts=(0,), off=0.0, change=0.0).run([FLIP], [1])
+    assert outcome.score == pytest.approx(-(3 * 2.5 / 9 + 0.3))
+
+
+def test_the_ratio_turned_round_is_nobodys_when_all_stay(mind):
+    terms = {**CALM, "events": (1,), "starts": (1,), "off_late": 0.0, "out_late": 0.0}
+    outcome = economy(mind, **terms).run([STAY], [1])
+    assert outcome.score == pytest.approx(-(3 / 9 + 6 / 9) / 2)
+
+
+def test_robots_taken_away_and_added_change_what_is_wanted(mind):
+    terms = {**CALM, "starts": (1,), "off_late": 0.0, "out_late": 0.0}
+    # Three of nine are away from six; of six in B that are left two, of twelve four.
+    for event, off in ((2, 2 / 6), (3, 4 / 12)):
+        outcome = economy(mind, **terms | {"events": (event,)}).run([STAY], [3, 4, 5, 6])
+        gone = outcome.score[0] == pytest.approx(-(3 / 9 + off) / 2)
+        assert gone
+
+
+def test_a_score_hangs_on_genome_and_world_alone(mind):
+    rng = np.random.default_rng(3)
+    genomes = rng.normal(0, 0.5, (3, 39))
+    whole = economy(mind).run(genomes, [1, 2, 3, 4]).score
+    assert (economy(mind).run(genomes[1:2], [3]).score == whole[1:2, 2:3]).all()
+    assert len(set(whole.ravel().tolist())) > 6
+
+
+def test_other_skills_are_refused(mind):
+    with pytest.raises(ModelError, match="SE:PAYOFF"):
+        ECONOMY.Economy({}, mind, master=SKILL, skill="CollectA")
+
+
+# The mind -----------------------------------------------------------------------------------------
+
+
+def test_the_mind_is_that_of_the_lessons_with_a_role_learned(mind):
+    begun = LESSONS.curriculum.mind
+    assert mind.skills.keys() == begun.skills.keys()
+    for name, skill in mind.skills.items():
+        other = begun.skills[name]
+        assert (skill.inputs, skill.outputs) == (other.inputs, other.outputs), name
+        if other.genome is not None:
+            assert (skill.genome == other.genome).all(), name
+    assert mind.skills[SKILL].genome.size == 39
+
+
+def test_collect_a_and_b_are_duplicates_that_share_the_way_home(mind):
+    known = MindDescription.load(model_folder("collect_retrained") / "mind")
+    for kind in "AB":
+        collect = mind.skills[f"Collect{kind}"]
+        assert (collect.genome == known.skills["Collect"].genome).all()
+        assert collect.subskills == (
+            f"GoTo{kind}+Avoid", "GoToDropZone+Avoid", f"ClawControl{kind}"
+        )  # fmt: skip
+        assert [str(one) for one in mind.skills[f"GoTo{kind}"].inputs] == [f"SE:RADOBJ{kind}"]
+    assert mind.parents["Avoid"] == ("GoToA+Avoid", "GoToB+Avoid", "GoToDropZone+Avoid")
+
+
+@pytest.mark.parametrize("robots", [6, 9, 18])
+def test_the_learned_mind_settles_in_the_economy(mind, robots):
+    genome = mind.skills[SKILL].genome
+    outcome = economy(mind, numbers=(robots,), events=(0,)).run([genome], range(64))
+    assert outcome.fields["changes"].mean() < 1.0
+    if robots <= 9:
+        assert outcome.fields["within"].mean() >= 0.85
+
+
+@pytest.mark.parametrize("event", [1, 2, 3])
+def test_the_learned_mind_settles_again_after_a_shock(mind, event):
+    genome = mind.skills[SKILL].genome
+    outcome = economy(mind, numbers=(9,), events=(event,)).run([genome], range(64))
+    assert outcome.fields["within"].mean() >= 0.75
+    assert outcome.fields["changes"].mean() < 1.0
