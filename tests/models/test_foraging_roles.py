@@ -1,9 +1,13 @@
 """Robots that find their roles: the world, its market and shocks, and what is measured of it."""
 
+import warnings
+
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_figures, load_file, load_model, model_folder
+from socialmind.experiments import Run, run
 
 FOLDER = model_folder("foraging_roles")
 MODEL = load_file(FOLDER / "model.py")
@@ -104,6 +108,15 @@ def test_the_wanted_ratio_is_turned_round():
     assert model.began_at == 5
 
 
+def test_what_is_wanted_can_be_set_at_any_time():
+    model = ForagingRoles(seed=1, start=1, hierarchy=staying())
+    model.advance(2)
+    assert model.off == pytest.approx(3.0)
+    model.wanted = 0.5
+    model.advance(2)
+    assert model.off == pytest.approx(4.5)
+
+
 @pytest.mark.parametrize("role", [0, 1])
 def test_robots_of_a_role_are_taken_away(role):
     model = ForagingRoles(seed=1, start=3, remove_at=5, removed_role=role, hierarchy=staying())
@@ -155,3 +168,30 @@ def test_a_split_settles_when_it_stays_within_one_of_the_wanted_one(start, off, 
     model.advance(5200)
     assert model.settled_at == settled
     assert model.off == pytest.approx(off)
+
+
+# The learned mind, and its figures ----------------------------------------------------------------
+
+
+def test_the_learned_mind_divides_the_work_of_robots_that_all_fetch_a():
+    model = ForagingRoles(seed=4, start=0)
+    model.advance(30_000)
+    assert model.off <= 2.0
+    assert len(set(model.robots.role.tolist())) > 3
+
+
+@pytest.mark.parametrize("ticks", [300, 1])
+def test_figures_are_drawn_at_journal_width_and_legible(ticks, tmp_path):
+    recorded = Run(run(ForagingRoles, ticks, 2, every=50, agents_every=50, out=tmp_path / "run"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        figures = load_figures(FOLDER).draw(recorded)
+        for name, figure in figures.items():
+            figure.savefig(tmp_path / f"{name}.pdf")
+    assert list(figures) == ["roles", "steps"]
+    for figure in figures.values():
+        assert 89.9 <= figure.get_size_inches()[0] * 25.4 <= 180.1
+        texts = [text for text in figure.findobj(Text) if text.get_text().strip()]
+        assert min(text.get_fontsize() for text in texts) >= 7
+    titles = [axes.get_title() for axes in figures["steps"].axes if axes.get_visible()]
+    assert all(title.endswith(" B") for title in titles)
