@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from coglogo_py import CognitiveScheme
+from socialmind import Population
 from socialmind.catalogue import load_file, load_model, model_folder
 from socialmind.experiments import Run, run
 from socialmind.learning.distilling import (
@@ -14,7 +15,7 @@ from socialmind.learning.distilling import (
 )
 from socialmind.learning.society_episodes import SocietyEpisodes
 from socialmind.mind import MindDescription, Perceptron
-from socialmind.mind.weighing import linear_skill
+from socialmind.mind.weighing import Weighing, linear_skill
 
 Written, Learned = load_model("farmer_artisan"), load_model("farmer_artisan_learned")
 LESSONS = load_file(model_folder("farmer_artisan_learned") / "lessons.py")
@@ -39,13 +40,38 @@ def test_a_mind_that_is_the_scheme_weighs_as_it_does(scheme_as_a_mind):
     np.testing.assert_allclose(by_mind[inside], by_links[inside], atol=1e-9)
 
 
-def test_a_society_of_such_minds_lives_alike(scheme_as_a_mind):
-    written, minds = Written(seed=2), Learned(seed=2, hierarchy=scheme_as_a_mind)
-    for society in (written, minds):
-        society.advance(20_000)
-    first, second = written.series(), minds.series()
-    assert second["wheat"] == pytest.approx(first["wheat"], rel=0.05)
-    assert abs(first["artisans"] - second["artisans"]) <= 3
+WIDE = Weighing({**dict.fromkeys(WEIGHING.cognitons, 4000.0)}, reach=40_000.0)
+
+
+class Wide(Learned):
+    """The same with a mind that is the written scheme, and reaches that hold all that comes up."""
+
+    humans = Population(
+        Learned.populations["humans"].agent,
+        "n_agents",
+        mind=SCHEME,
+        plans=Written.populations["humans"].plans,
+        hierarchy=MindDescription(
+            "farmer",
+            list(WIDE.cognitons),
+            SCHEME.plans,
+            skills=[linear_skill(SCHEME, WIDE, "Decide")],
+        ),
+        weighing=WIDE,
+    )
+
+
+def test_a_society_of_such_minds_lives_as_the_written_one_does():
+    written, minds = Written(seed=2), Wide(seed=2)
+    for ticks in (1000, 9000):
+        written.advance(ticks)
+        minds.advance(ticks)
+        assert minds.series() == written.series()
+        for name in ("x", "y", "wheat", "tools", "sold"):
+            np.testing.assert_array_equal(
+                getattr(minds.humans, name), getattr(written.humans, name)
+            )
+        assert minds.plans(minds.humans) == written.plans(written.humans)
 
 
 def test_its_mind_is_of_the_form_that_the_lesson_teaches():
