@@ -12,7 +12,7 @@ from socialmind import Agent, Model, Population, SocialmindError, each
 from socialmind.catalogue import load_file
 from socialmind.errors import ModelError
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill, Variable
-from socialmind.mind.weighing import Weighing
+from socialmind.mind.weighing import Weighing, linear_skill
 from socialmind.observation import mind_columns
 
 GRAZING = load_file(Path(__file__).parents[1] / "learning" / "grazing.py")
@@ -42,6 +42,14 @@ def test_a_perceptron_with_the_weights_of_the_links_lives_as_the_scheme_does(mak
     for name in ("Hunger", "Fatigue", "Fear"):
         found = weighed.cows.cogniton(name)
         np.testing.assert_array_equal(found, by_links.cows.cogniton(name))
+
+
+def test_such_a_perceptron_is_made_of_a_scheme():
+    made = linear_skill(SCHEME, GRAZING.WEIGHING)
+    assert made.genome.tolist() == MIND.skills["Weigh"].genome.tolist()
+    assert [str(one) for one in made.inputs] == [str(one) for one in MIND.skills["Weigh"].inputs]
+    with pytest.raises(ModelError, match="'Fear', which influences plans"):
+        linear_skill(SCHEME, Weighing({"Hunger": 1.0, "Fatigue": 1.0}))
 
 
 def test_both_speeds_and_a_checkpoint_give_the_same():
