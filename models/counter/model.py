@@ -25,7 +25,7 @@ from socialmind.worlds.plane import (
 
 COLLECT = load_file(model_folder("collect") / "model.py")
 away = COLLECT.away
-VALID_X, VALID_Y, VALID_HALF_WIDTH = 47.0, 47.0, 5.0
+VALID_X, VALID_Y, VALID_HALF_WIDTH = 55.0, 0.0, 5.0
 MOST = 4  # objects of a sequence
 SEQUENCE = 10.0  # what a correct sequence earns; an object earns 1
 
