@@ -340,10 +340,29 @@ def choose_next_plan(
     """
     scheme, minds = borrowed(scheme), borrowed(minds)
     weights, plans = borrowed(weights), borrowed(plans)
+    count = available_weights(scheme, minds, slot, weights, plans)
+    return choose_among(scheme, minds, slot, weights, plans, count)
+
+
+@_inlined
+def choose_among(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, weights: Floats, plans: Ints, count: int
+) -> int:
+    """Take the mind's next decision among plans that are weighed already; -1 for none.
+
+    Args:
+        scheme: the scheme's arrays; its maker decides.
+        minds: the society's arrays.
+        slot: the mind.
+        weights: the weights of the available plans, in the scheme's order; they are overwritten.
+        plans: these plans.
+        count: how many there are.
+    """
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    weights, plans = borrowed(weights), borrowed(plans)
     maker_code = int(scheme.maker[0])
     if maker_code > BIASED_WEIGHTED_STOCHASTIC:
         raise ValueError("choose_next_plan: a modeller's own decision maker has no compiled form")
-    count = available_weights(scheme, minds, slot, weights, plans)
     plan = -1
     if count > 0:
         u = 0.0 if maker_code == MAXIMUM_WEIGHT else next_draw(minds, slot)

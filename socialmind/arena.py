@@ -18,6 +18,7 @@ from socialmind.worlds.plane.sensors import RangeFinder
 if TYPE_CHECKING:
     from socialmind.mind.arrays import Assembly
     from socialmind.model import Model
+    from socialmind.worlds.plane.devices import Device
 
 ENGINES = ("compiled", "pymunk")
 """What moves the bodies."""
@@ -49,8 +50,10 @@ class Arena:
         self.shape: PlaneShape = model.shape.plane
         wide = self.shape.half_width
         self.half_width = float(model.context[wide]) if isinstance(wide, str) else float(wide)
-        self.settings = model.program.plane.settings  # type: ignore[union-attr]  # it has a plane
-        self.shifting: bool = model.program.plane.shifting  # type: ignore[union-attr]  # likewise
+        program: Any = model.program.plane
+        given = {name: float(model.context[name]) for name in model.shape.parameters}
+        self.settings: NDArray[np.float64] = program.settings_of(given)
+        self.shifting: bool = program.shifting
         self.senses: dict[str, NDArray[np.int64]] = {}
         self.motors: dict[str, NDArray[np.int64]] = {}
         for name, robots in self.shape.robots.items():
@@ -99,6 +102,11 @@ class Arena:
         if self.shape.obstacles is not None:
             found.append((None, self._model.tables[self.shape.obstacles]))
         return found
+
+    def reach_of(self, device: Device) -> float:
+        """Return how far a device of this model sees."""
+        reach = device.reach
+        return float(self._model.context[reach]) if isinstance(reach, str) else reach
 
     def eyes_of(self, name: str) -> int:
         """Return the address of the range finders of a population, 0 where it has none."""

@@ -53,6 +53,7 @@ OWN_NAMES = frozenset(
 SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "name": ((str,), "a text"),
     "ticks": ((int,), "a whole number, 0 or more"),
+    "score_every": ((int,), "a whole number, 0 or more"),
     "setup": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "schedule": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "rewards": ((dict,), "rewards by name, on a plane"),
@@ -158,7 +159,7 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
     elif name in SETTINGS:
         kinds, expected = SETTINGS[name]
         right = isinstance(value, kinds) and not isinstance(value, bool)
-        if not right or (name == "ticks" and value < 0):
+        if not right or (isinstance(value, int) and value < 0):
             alone = isinstance(value, PhaseDeclaration)
             remedy = f"write {name} = (…,), with a comma" if alone else None
             _refuse(cls, name, f"{name} = {value if alone else repr(value)}", expected, remedy)
@@ -246,7 +247,8 @@ def _check_phases(cls: type, name: str, phases: Any, populations: dict[str, Popu
         if not isinstance(phase, PhaseDeclaration):
             _refuse(cls, name, f"{phase!r} in {name}", "each(population, rule) or once(rule)")
         who = phase.population
-        if who is not None and not any(who is one for one in populations.values()):
+        # One that a subclass declares anew keeps the phases of that in whose place it stands.
+        if who is not None and not any(vars(base).get(who.name) is who for base in cls.__mro__):
             _refuse(
                 cls,
                 name,

@@ -26,6 +26,11 @@ def explained(model: Model, agent: int, tick: int) -> Receipt:
     if not model.schemes:
         raise SocialmindError(f"the agents of {model.name} have no minds")
     population = next(iter(model.schemes))
+    if model.populations[population].weighing is not None:
+        raise SocialmindError(
+            f"the hierarchies of {population!r} in {model.name} weigh the plans, not the "
+            "cognitons; look at what they command: agent.hierarchy, agent.mind.plan_weights()"
+        )
     seen = model.fresh()
     seen.engine.advance(tick)
     table = seen.tables[population]

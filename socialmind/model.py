@@ -72,6 +72,8 @@ class Model:
     Class attributes that a modeller declares:
 
     - `ticks`: how long a run is unless it says otherwise;
+    - `score_every`: where it is taught without a plane, after how many ticks its method `score()`
+      is asked again; 0, at the end alone;
     - parameters: `price: float = parameter(167.0, unit="wheat", low=0.0)`;
     - variables: `warmth: float = 0.0`;
     - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;
@@ -99,6 +101,7 @@ class Model:
 
     name: ClassVar[str] = ""
     ticks: ClassVar[int] = 1000
+    score_every: ClassVar[int] = 0
     setup: ClassVar[tuple[PhaseDeclaration, ...]] = ()
     schedule: ClassVar[tuple[PhaseDeclaration, ...]] = ()
     parameters: ClassVar[dict[str, Parameter]] = {}

@@ -19,8 +19,8 @@ def mind_columns(table: Table) -> dict[str, NDArray[Any]]:
 
     Returns:
         For every cogniton `cogniton_<Name>`, its value, and for every plan `weight_<Plan>`, its
-        weight by equation 3.2; NaN where the cogniton is inactive or the plan unavailable. Rows
-        are in order of birth.
+        weight by equation 3.2, or as the hierarchy weighed it at the agent's last decision; NaN
+        where the cogniton is inactive or the plan unavailable. Rows are in order of birth.
     """
     society = table.society
     if society is None:
@@ -40,6 +40,10 @@ def mind_columns(table: Table) -> dict[str, NDArray[Any]]:
         opened |= active[:, None] & arrays.conditional[place]
     for group in range(len(scheme.groups)):
         _add_culturons(society, slots, group, weights, opened)
+    if table.weighing is not None and table.minds is not None:
+        commands = table.minds.state.actuators[table.slots, :, 0]
+        reach = table.weighing.weighing_plans[0]
+        weights = (2.0 * commands[:, table.weighing.weighing_actuator] - 1.0) * reach
     weights[~opened] = np.nan
     for place, plan in enumerate(scheme.plans):
         columns[f"weight_{plan}"] = weights[:, place]

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from socialmind.language.program import Program
     from socialmind.mind.description import MindDescription
     from socialmind.mind.population_minds import PopulationMinds
+    from socialmind.mind.weighing import Weighing, WeighingPlaces
     from socialmind.model import Model
     from socialmind.worlds.plane.bodies import Disc
     from socialmind.worlds.plane.devices import Act, Sense
@@ -108,6 +109,8 @@ class Population:
         drive: the hierarchy's drive module, a plain function `drive(mind)`.
         own_genomes: whether each agent has its own weights.
         instances: how many instances there are of the groups that share variables.
+        weighing: how the hierarchy weighs the plans of the minds, in place of the scheme's
+            influence links; None where it does not.
         body: what its bodies are made of, where the world is a plane and they move on it.
         sensors: the sensors of each body, by name.
         actuators: the actuators of each body, by name.
@@ -125,6 +128,7 @@ class Population:
         drive: Callable[..., None] | None = None,
         own_genomes: bool = False,
         instances: int = 0,
+        weighing: Weighing | None = None,
         body: Disc | None = None,
         sensors: Mapping[str, Sense | RangeFinder] | None = None,
         actuators: Mapping[str, Act] | None = None,
@@ -139,6 +143,7 @@ class Population:
         self.drive = drive
         self.own_genomes = own_genomes
         self.instances = instances
+        self.weighing = weighing
         self.body = body
         self.sensors = dict(sensors or {})
         self.actuators = dict(actuators or {})
@@ -190,6 +195,18 @@ class Population:
                     None,
                     "give it one: hierarchy='mind'",
                 )
+        if self.weighing is not None and (self.mind is None or self.hierarchy is None):
+            raise ModelError(
+                f"weighing= for {self.name!r}, which has not both kinds of mind",
+                "a scheme, whose plans a hierarchy weighs",
+                "give it both: mind='scheme.yaml', hierarchy='mind'",
+            )
+        if self.weighing is not None and self.body is not None:
+            raise ModelError(
+                f"weighing= for {self.name!r}, whose hierarchies move bodies on a plane",
+                "a population without bodies",
+                "let a skill of the hierarchy be a CognitonScheme",
+            )
 
     def __get__(self, model: Any, owner: type) -> Any:
         return self if model is None else model.tables[self.name]
@@ -199,7 +216,12 @@ class Population:
         """What rules may know of the population."""
         fields = class_fields(self.agent)
         return PopulationShape(
-            self.name, fields, self.mind is not None, self.plans, self.hierarchy is not None
+            self.name,
+            fields,
+            self.mind is not None,
+            self.plans,
+            self.hierarchy is not None,
+            self.weighing is not None,
         )
 
 
@@ -257,6 +279,11 @@ class Table:
         self.counters[[COUNT, ENTRIES, ALIVE, NEXT_ID]] = size
         if society is not None:
             self.rows["_mind"][:size] = society.new_minds(size)
+        self.weighing: WeighingPlaces | None = None
+        weighing = model.populations[shape.name].weighing
+        if weighing is not None and society is not None and self.minds is not None:
+            description = self.minds.assembly.description
+            self.weighing = weighing.places(society.scheme, description)
         self.row_class = row_class(shape)
         self._scratch: dict[str, NDArray[Any]] = {}
         self._see_columns()
@@ -449,6 +476,8 @@ class Table:
                 "plans": np.zeros(len(scheme.plans), np.int64),
                 "functions": plan_functions(program, self.shape.name, scheme),
             }
+            if self.weighing is not None:
+                self._scratch |= vars(self.weighing)
         return self._scratch
 
     @property

@@ -10,6 +10,7 @@ from typing import Any
 from coglogo_py.mind import Mind
 from socialmind.fields import Field, presence
 from socialmind.language.shape import PopulationShape
+from socialmind.mind.kernel import weights
 
 
 class ArrayField:
@@ -92,11 +93,43 @@ class AgentMind(Mind):
         model = row._table.model
         if model.watch is not None and model.watch == (row._table.shape.name, row.id):
             model.watched = self.explain()
-        plan = super().choose_next_plan()
+        weighed = row._table.weighing is not None
+        plan = self._choose_weighed() if weighed else super().choose_next_plan()
         row._table.columns["_decided"][row._slot] = model.tick
         if plan is None:
             model.count_idle(row.id)
         return plan
+
+    def _choose_weighed(self) -> str | None:
+        """Let the hierarchy weigh the plans, and choose one."""
+        table, slot, society = self._row._table, self._row._slot, self.society
+        places, steps = table.weighing, table.minds.stepping
+        values = society.minds.values[self.slot].tolist()
+        for cogniton, sensor in enumerate(places.weighing_sensor.tolist()):
+            if sensor >= 0:
+                read = weights.sensed(values[cogniton], places.weighing_reach.item(cogniton))
+                steps.module.set_sensor(steps.address, slot, sensor, read)
+        steps.evaluate(slot)
+        count = self._count_available()
+        position = self._position_of_choice(count)
+        society.minds.draws[self.slot] += 1
+        return None if position is None else society.scheme.plans[society.plans_scratch[position]]
+
+    def _count_available(self) -> int:
+        """Leave the available plans and their weights in scratch space; how many.
+
+        Where a hierarchy weighs them, these are the weights of its last evaluation.
+        """
+        count = super()._count_available()
+        table, society = self._row._table, self.society
+        if table.weighing is not None:
+            commands = table.minds.state.actuators[self._row._slot, :, 0]
+            actuators = table.weighing.weighing_actuator
+            for place in range(count):
+                command = commands.item(actuators[society.plans_scratch[place]])
+                reach = table.weighing.weighing_plans.item(0)
+                society.weights_scratch[place] = weights.weighed(command, reach)
+        return count
 
 
 def _mind(row: Row) -> AgentMind:

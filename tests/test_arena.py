@@ -9,7 +9,7 @@ import pytest
 
 from socialmind import Agent, Model, ModelError, Population, RuleError, SocialmindError, each
 from socialmind.catalogue import load_file
-from socialmind.learning.episodes import with_genomes
+from socialmind.learning.pupils import with_genomes
 from socialmind.worlds.plane import (
     BALL,
     Act,

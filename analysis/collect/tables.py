@@ -95,11 +95,11 @@ TABLES = (
                 (
                     _structure("monolithic", "monolith", "Collect", 5.19, 0.68),
                     _structure("monolithic, more of Collect", "monolith", "More of Collect"),
-                    _structure("monolithic, still more", "monolith", "Still more of Collect"),
                     _structure("Avoid as in the curriculum", "hierarchy", "Collect", 4.63, 0.54),
                     _structure("Avoid with more ticks", "longer_avoid", "Collect", 5.31, 0.56),
                     _structure("Avoid in context", "hierarchy", "Avoid in context", 6.03, 0.90),
-                    _structure("then all skills in context", "hierarchy", "All in context"),
+                    _structure("choices in context", "in_context", "Choices in context"),
+                    _structure("all skills in context", "in_context", "All in context"),
                 ),
             ),
             Block(
@@ -108,11 +108,11 @@ TABLES = (
                 (
                     _structure("monolithic", "monolith", "Collect"),
                     _structure("monolithic, more of Collect", "monolith", "More of Collect"),
-                    _structure("monolithic, still more", "monolith", "Still more of Collect"),
                     _structure("Avoid as in the curriculum", "hierarchy", "Collect"),
                     _structure("Avoid with more ticks", "longer_avoid", "Collect"),
                     _structure("Avoid in context", "hierarchy", "Avoid in context"),
-                    _structure("then all skills in context", "hierarchy", "All in context"),
+                    _structure("choices in context", "in_context", "Choices in context"),
+                    _structure("all skills in context", "in_context", "All in context"),
                 ),
             ),
         ),

@@ -17,7 +17,7 @@ from typing import Any
 
 from socialmind.catalogue import load_file, model_folder
 from socialmind.errors import SocialmindError
-from socialmind.learning import Curriculum, Lesson, learn, resume
+from socialmind.learning import Curriculum, Lesson, Training, learn, resume
 from socialmind.mind import MindDescription
 
 from .controls import LESSONS, MONOLITH, AllAtOnce, hierarchy, monolith
@@ -26,12 +26,10 @@ HOME = Path(__file__).parent / "trainings"
 SEED = 6
 SIX = tuple(LESSONS.curriculum.items)
 """The lessons of the curriculum."""
-CONTEXT, WHOLE = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
-"""Avoid, then all skills below Collect, learned again while Collect steers (thesis, 6.2.2)."""
+CONTEXT, *FURTHER = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
+"""Avoid, as in the thesis (6.2.2), and then more of the hierarchy, learned while Collect steers."""
 MORE = "More of Collect"
 """The monolith's lesson in place of the first."""
-STILL_MORE = "Still more of Collect"
-"""And in place of the second."""
 AT_ONCE = 320_000_000
 """Ticks of the six lessons together, for learning all at once."""
 LONG = 0.98
@@ -79,12 +77,11 @@ def most_ticks(lesson: Lesson) -> int:
 
 def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
     """Return a lesson for the monolith, which goes on from what it knows, in fine steps."""
-    step = min(lesson.settings["step"], LESSONS.FINE["step"])
     return replace(
         lesson,
         skill=MONOLITH,
         master=MONOLITH,
-        settings={**LESSONS.FINE, "population": lesson.settings["population"], "step": step},
+        settings={**LESSONS.FINE, "population": lesson.settings["population"]},
         start="scratch" if first else "known",
     )
 
@@ -92,9 +89,7 @@ def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
 def for_monolith() -> Curriculum:
     """Return the curriculum for one network, then as many ticks more of Collect."""
     six = [by_monolith(lesson, place == 0) for place, lesson in enumerate(SIX)]
-    more = by_monolith(replace(CONTEXT, name=MORE))
-    still_more = by_monolith(replace(WHOLE, name=STILL_MORE))
-    return Curriculum((*six, more, still_more))
+    return Curriculum((*six, by_monolith(replace(CONTEXT, name=MORE))))
 
 
 def at_once(skills: tuple[str, ...], master: str) -> Curriculum:
@@ -126,6 +121,18 @@ def with_longer_avoid() -> Curriculum:
             )
         lessons.append(lesson)
     return Curriculum(tuple(lessons))
+
+
+def chosen() -> int:
+    """Return the kept attempt at the hierarchy whose mind is that of `collect`: the best one."""
+    done = kept_hierarchy().lessons
+    done = done[done["lesson"] == "Collect"]
+    return int(done.loc[done["score"].idxmax(), "attempt"])
+
+
+def kept_hierarchy() -> Training:
+    """Return the attempts at the hierarchy that are kept."""
+    return Training(HOME.parent / "results" / "trainings" / "hierarchy")
 
 
 def base_skills() -> Curriculum:
@@ -172,10 +179,10 @@ def power_plan(variant: str, folder: str) -> Plan:
 
 PLANS: Mapping[str, Plan] = {
     "hierarchy": Plan(
-        "the curriculum, then Avoid and all skills in context (6.1, 6.2)",
+        "the curriculum, then Avoid in context (6.1, 6.2)",
         10,
         hierarchy,
-        lambda: Curriculum((*SIX, CONTEXT, WHOLE)),
+        lambda: Curriculum((*SIX, CONTEXT)),
     ),
     "monolith": Plan(
         "the curriculum for one network, then more of Collect (6.1)", 10, monolith, for_monolith
@@ -190,6 +197,12 @@ PLANS: Mapping[str, Plan] = {
     ),
     "monolith_at_once": Plan(
         "the monolith, final task only (6.1)", 5, monolith, lambda: at_once((MONOLITH,), MONOLITH)
+    ),
+    "in_context": Plan(
+        "more of the hierarchy in context, on one attempt of it (6.2)",
+        3,
+        lambda: kept_hierarchy().mind(chosen(), CONTEXT.name),
+        lambda: Curriculum(FURTHER),
     ),
     "longer_avoid": Plan(
         "the curriculum with more ticks for Avoid (6.2)", 5, hierarchy, with_longer_avoid

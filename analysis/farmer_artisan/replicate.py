@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pandas as pd
-from measures import (
-    Floats,
-    Recovery,
-    first_reached,
-    nearest_distance,
-    rank_correlation,
-    recovery,
-)
+from measures import Floats, nearest_distance, rank_correlation
 from numpy.typing import NDArray
 
 from socialmind.catalogue import load_model
+from socialmind.experiments.recovery import Recovery, first_reached, recovery
+from socialmind.experiments.specialisation import Course
 from socialmind.worlds.torus import lattice
 
 if TYPE_CHECKING:
@@ -26,6 +22,8 @@ if TYPE_CHECKING:
 MIND_LEVEL = 30.0  # of |Farmer − Artisan|, which reaches 60
 LAND_LEVEL = 0.8  # of |t − w| / (t + w), which reaches 1
 WINDOW = 20_000  # ticks that levels before the shock and at the end are averaged over
+WANTED = {"farmer": 4, "artisan": 1}  # what the thesis found, 20 and 5: nobody wants it here
+WORK = {"GrowWheat": "wheat", "ProduceTools": "tools"}  # what an agent is seen doing, by its plan
 
 
 @dataclass(frozen=True)
@@ -46,6 +44,10 @@ class Replicate:
         artisans_shocked: (T,) their number in the run with the shock.
         turned: how many artisans the shock turned into farmers.
         recovery: of the number of artisans from the shock.
+        course: roles and work seen at the records of the undisturbed run.
+        course_shocked: those of the run with the shock.
+        delivered: tools that came to the village and went to others in the undisturbed run: of
+            each agent those that it sold, less those that it bought.
     """
 
     seed: int
@@ -61,6 +63,9 @@ class Replicate:
     artisans_shocked: NDArray[np.int64]
     turned: int
     recovery: Recovery
+    course: Course
+    course_shocked: Course
+    delivered: int
 
 
 def replicate(seed: int, ticks: int, shock: int, every: int) -> Replicate:
@@ -84,7 +89,7 @@ def replicate(seed: int, ticks: int, shock: int, every: int) -> Replicate:
     for tick in recorded:
         model.advance(int(tick) - model.tick)
         series.append(dict(model.series()))
-        people.append(pd.DataFrame(dict(model.agents())).set_index("agent"))
+        people.append(seen(model))
         if tick == shock:
             state = model.state()
     agents = people[0].index
@@ -108,11 +113,14 @@ def replicate(seed: int, ticks: int, shock: int, every: int) -> Replicate:
         raise SystemExit(f"the shock at tick {shock} is not at one of the records, every {every}")
     shocked.restore(state)
     turned = turn_half_of_the_artisans(shocked, seed)
-    after = int(shocked.series()["artisans"])
+    after, after_it = int(shocked.series()["artisans"]), seen(shocked)
     later = []
+    people_shocked = [now for now, tick in zip(people, recorded, strict=True) if tick < shock]
+    people_shocked.append(after_it)
     for tick in recorded[recorded > shock]:
         shocked.advance(int(tick) - shocked.tick)
         later.append(int(shocked.series()["artisans"]))
+        people_shocked.append(seen(shocked))
     artisans_shocked = np.concatenate([artisans[recorded <= shock], np.array(later, np.int64)])
     return Replicate(
         seed=seed,
@@ -128,6 +136,36 @@ def replicate(seed: int, ticks: int, shock: int, every: int) -> Replicate:
         artisans_shocked=artisans_shocked,
         turned=turned,
         recovery=recovery(recorded, artisans_shocked, shock, after, WINDOW),
+        course=course_of(people),
+        course_shocked=course_of(people_shocked, shocks=(shock,)),
+        delivered=int(np.maximum(model.humans.sold - model.humans.bought, 0).sum()),
+    )
+
+
+def seen(model: Model) -> pd.DataFrame:
+    """What is seen of each agent of a model, by its identity."""
+    return pd.DataFrame(dict(model.agents())).set_index("agent").assign(tick=model.tick)
+
+
+def course_of(people: Sequence[pd.DataFrame], shocks: Sequence[int] = ()) -> Course:
+    """Roles and work of a run.
+
+    An agent is what the greater of its two callings says, and does what its plan is at a record,
+    unless it trades.
+
+    Args:
+        people: what was seen at each record.
+        shocks: their ticks.
+    """
+    table = pd.concat(people).reset_index()
+    lead = np.sign(table["farmer"] - table["artisan"])
+    role = lead.map({1.0: "farmer", -1.0: "artisan", 0.0: "undecided"})
+    work = table["plan"].map(WORK)
+    return Course(
+        roles=table[["tick", "agent"]].assign(role=role),
+        tasks=table[["tick", "agent"]].assign(task=work).dropna(),
+        wanted=WANTED,
+        shocks=shocks,
     )
 
 

@@ -17,14 +17,20 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from measures import first_reached, mean_interval
+from measures import mean_interval
 from plots import draw
 from replicate import Replicate, replicate
 
 from socialmind.experiments import paper
+from socialmind.experiments.intervals import interval_of
+from socialmind.experiments.recovery import first_reached
 
 HERE = Path(__file__).parent
 BEGIN, END = "<!-- study: begin -->", "<!-- study: end -->"
+COURSE = (  # of the measures that `socialmind.experiments.specialisation` defines
+    "last_distance", "settling_ticks", "role_changes", "specialised", "agents_to_tasks",
+    "tasks_to_agents", "agents_to_tasks_by_chance",
+)  # fmt: skip
 
 
 def results(replicates: Sequence[Replicate], early: int) -> pd.DataFrame:
@@ -37,8 +43,10 @@ def results(replicates: Sequence[Replicate], early: int) -> pd.DataFrame:
     Returns:
         The table.
     """
-    return pd.DataFrame(
-        {
+    rows = []
+    for one in replicates:
+        course = one.course.measures()
+        row = {
             "seed": one.seed,
             "artisans": one.artisans[-1],
             "specialisation_at_early": one.specialisation[one.ticks >= early][0],
@@ -55,9 +63,12 @@ def results(replicates: Sequence[Replicate], early: int) -> pd.DataFrame:
             "share_recovered": one.recovery.share,
             "ticks_halfway": one.recovery.halfway,
             "ticks_full": one.recovery.full,
+            **{name: course[name] for name in COURSE},
+            "delivered": one.delivered,
+            "recovery_ticks": one.course_shocked.measures()["recovery_ticks_1"],
         }
-        for one in replicates
-    )
+        rows.append(row)
+    return pd.DataFrame(rows)
 
 
 def gain_times(replicates: Sequence[Replicate], shock: int) -> dict[str, float | None]:
@@ -127,6 +138,13 @@ def summary(replicates: Sequence[Replicate], table: pd.DataFrame, early: int, sh
         "ticks_of_mean_gain": gain_times(replicates, shock),
         "ticks_halfway": spread("ticks_halfway"),
         "ticks_full": spread("ticks_full"),
+        "settling_ticks": spread("settling_ticks"),
+        "recovery_ticks": spread("recovery_ticks"),
+        **{
+            name: interval_of(known).record() if len(known) else None
+            for name, known in ((name, table[name].dropna()) for name in (*COURSE, "delivered"))
+            if name != "settling_ticks"
+        },
     }
 
 
@@ -136,6 +154,10 @@ def as_markdown(found: dict) -> str:
 
     def mean(name: str, form: str = ".2f") -> str:
         part = found[name]
+        if part is None:
+            return "none"
+        if part["low"] is None:
+            return f"{part['mean']:{form}}"
         return f"{part['mean']:{form}} ({part['low']:{form}} – {part['high']:{form}})"
 
     def spread(name: str, form: str = ".2f") -> str:
@@ -185,6 +207,15 @@ def as_markdown(found: dict) -> str:
         ),
         ("ticks until half of the loss was made good", speed("ticks_halfway")),
         ("ticks until all of it was", speed("ticks_full")),
+        ("agents away from 20 farmers and 5 artisans, last quarter", mean("last_distance")),
+        ("ticks until within one agent of that for 5,000 ticks", speed("settling_ticks")),
+        ("the same after the shock", speed("recovery_ticks")),
+        ("role changes per agent and 10,000 ticks while settled", mean("role_changes", ".3f")),
+        ("share of agents specialised, last quarter", mean("specialised")),
+        ("division of labour, agents to work", mean("agents_to_tasks")),
+        ("the same by luck alone", mean("agents_to_tasks_by_chance", ".3f")),
+        ("division of labour, work to agents", mean("tasks_to_agents")),
+        ("tools delivered to others", mean("delivered", ",.0f")),
     ]
     return "\n".join(
         [

@@ -35,10 +35,12 @@ LARGEST_ACTIVITY = 25_500
 
 
 class Human(Agent):
-    """A villager: its stocks, the tool in its hands, its land and its nearest village."""
+    """A villager: its stocks, the tool in its hands, its trades, its land and its village."""
 
     wheat: float = 0.0
     tools: float = 0.0
+    bought: int = 0
+    sold: int = 0
     tool_state: float = 0.0
     timer: int = 0
     spacing: float = LAND_SPACING
@@ -174,6 +176,7 @@ def trade_wheat_for_tools(human, model, rng):
         if model.world.is_on(human, village.x, village.y):
             buy_ware(village, model.tool_price)
             human.tools += 1
+            human.bought += 1
             human.wheat -= model.tool_price
             human.mind.feed_back_from_plan("TradeWheatForTools", rng.uniform(0, LARGEST_REWARD))
             human.mind.activate_cogniton("ToolStock")
@@ -196,6 +199,7 @@ def trade_tools_for_wheat(human, model, rng):
         if model.world.is_on(human, village.x, village.y):
             sell_ware(village, model.tool_price)
             human.tools -= 1
+            human.sold += 1
             human.wheat += model.tool_price
             human.mind.feed_back_from_plan("TradeToolsForWheat", rng.uniform(0, LARGEST_REWARD))
             signal_demand(village, model.demand_intensity)

@@ -62,12 +62,12 @@ def _print_table(found: Score) -> None:
 
 
 def _number(value: float) -> str:
-    """Return a number as a table shows it.
+    """Return a number as a table shows it; NaN where there is none.
 
-    >>> _number(8.256), _number(0.9), _number(1234.5)
-    ('8.26', '0.90', '1,234.50')
+    >>> _number(8.256), _number(0.9), _number(1234.5), _number(float("nan"))
+    ('8.26', '0.90', '1,234.50', '–')
     """
-    return f"{value:,.2f}"
+    return f"{value:,.2f}" if value == value else "–"
 
 
 @contextmanager

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,22 +27,25 @@ GAP = 6.0
 
 
 class Drawing:
-    """The picture of a world, with the path of its robot.
+    """The picture of a world, with the paths of its robots.
 
     Args:
-        robots: the robot's population.
+        robots: the populations whose paths are drawn.
     """
 
-    def __init__(self, robots: str) -> None:
-        self._robots = robots
-        self._path: list[tuple[float, float]] = []
+    def __init__(self, robots: Sequence[str]) -> None:
+        self._robots = tuple(robots)
+        self._paths: dict[tuple[str, int], list[tuple[float, float]]] = {}
         self._picture: Picture | None = None
         self._canvas: Any = None
 
     def note(self, model: Model) -> None:
-        """Note where the robot is."""
-        row = model.tables[self._robots].rows[0]
-        self._path.append((float(row["x"]), float(row["y"])))
+        """Note where the robots are."""
+        for name in self._robots:
+            table = model.tables[name]
+            for row in table.rows[table.slots]:
+                place = float(row["x"]), float(row["y"])
+                self._paths.setdefault((name, int(row["_id"])), []).append(place)
 
     def pixels(self, model: Model) -> NDArray[np.uint8]:
         """Return the moment that the model is at, (height, width, 3)."""
@@ -49,9 +53,8 @@ class Drawing:
         with paper.style():
             if self._picture is None:
                 self._picture = self._begun(scene)
-            robot = scene.robot(team=self._robots)
-            key = (self._robots, 0 if robot is None else robot.identity)
-            self._picture.show(scene, {key: np.array(self._path)})
+            paths = {robot: np.array(path) for robot, path in self._paths.items()}
+            self._picture.show(scene, paths)
             self._canvas.draw()
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 

@@ -64,16 +64,13 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
         without: Sequence[str] = (),
         parameters: Mapping[str, Any] | None = None,
     ) -> None:
-        if render_mode not in (None, *self.metadata["render_modes"]):
-            raise SocialmindError(f"render_mode {render_mode!r}; expected 'rgb_array' or None")
+        check_render_mode(render_mode)
         self._class = class_of(model, environment)
         self._made_with = {"physics": physics, "without": without, **(parameters or {})}
         self._robots = robot_of(self._class, parameters)
         plane: Any = self._class.shape.plane
         robots = plane.robots[self._robots]
-        self._limit = self._class.ticks if ticks is None else ticks
-        if self._limit < 2:
-            raise SocialmindError(f"ticks {self._limit}; expected 2 or more, one for the reset")
+        self._limit = limit_of(self._class, ticks)
         self.observation_space = Box(0.0, 1.0, (len(robots.sensors),), np.float32)
         self.action_space = Box(0.0, 1.0, (len(robots.actuators),), np.float32)
         self.metadata = {**self.metadata, "render_fps": round(1 / plane.dt)}
@@ -144,7 +141,7 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
         if self._drawing is None:
             from socialmind.envs.drawing import Drawing
 
-            self._drawing = Drawing(self._robots)
+            self._drawing = Drawing([self._robots])
         self._drawing.note(self.model)
 
     def _column(self, name: str) -> Any:
@@ -161,6 +158,51 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
         model: Any = self.model
         told = {"world": self._world, "tick": model.tick, "score": self._column("score")}
         return {**told, "over": model.over}
+
+
+def check_render_mode(render_mode: str | None) -> None:
+    """Refuse a render mode that there is not.
+
+    Raises:
+        SocialmindError: so it is.
+    """
+    if render_mode not in (None, "rgb_array"):
+        raise SocialmindError(f"render_mode {render_mode!r}; expected 'rgb_array' or None")
+
+
+def limit_of(model_class: type[Model], ticks: int | None) -> int:
+    """Return the limit of an episode: `ticks`, or the model's own.
+
+    Raises:
+        SocialmindError: too few for a step after the reset.
+    """
+    limit = model_class.ticks if ticks is None else ticks
+    if limit < 2:
+        raise SocialmindError(f"ticks {limit}; expected 2 or more, one for the reset")
+    return limit
+
+
+def sizes_of(
+    model_class: type[Model], parameters: Mapping[str, Any] | None = None
+) -> dict[str, int]:
+    """Return how many robots of each population a model begins with.
+
+    Raises:
+        SocialmindError: it has no plane.
+    """
+    plane = model_class.shape.plane
+    if plane is None:
+        raise SocialmindError(
+            f"the model {model_class.name} has no plane; expected one that declares "
+            "world = Plane(…)"
+        )
+    known = {name: one.default for name, one in model_class.parameters.items()}
+    known |= parameters or {}
+    sizes = {}
+    for name in plane.robots:
+        size = model_class.populations[name].size
+        sizes[name] = int(known.get(size, 0) if isinstance(size, str) else size)
+    return sizes
 
 
 def class_of(model: type[Model] | str | Path, environment: str | None) -> type[Model]:
@@ -200,24 +242,15 @@ def robot_of(model_class: type[Model], parameters: Mapping[str, Any] | None = No
     Raises:
         SocialmindError: it has none, or several, or one without actuators.
     """
-    plane = model_class.shape.plane
-    if plane is None:
-        raise SocialmindError(
-            f"the model {model_class.name} has no plane; expected one that declares "
-            "world = Plane(…)"
-        )
-    known = {name: one.default for name, one in model_class.parameters.items()}
-    known |= parameters or {}
-    sizes = {}
-    for name in plane.robots:
-        size = model_class.populations[name].size
-        sizes[name] = known.get(size, 0) if isinstance(size, str) else size
+    sizes = sizes_of(model_class, parameters)
     if sum(sizes.values()) != 1:
         found = ", ".join(f"{count} {name}" for name, count in sizes.items()) or "no robots"
         raise SocialmindError(
-            f"{model_class.name} has {found}; an environment of Gymnasium has one robot"
+            f"{model_class.name} has {found}; an environment of Gymnasium has one robot, "
+            "PlaneParallelEnv any number"
         )
     (name,) = (name for name, size in sizes.items() if size == 1)
+    plane: Any = model_class.shape.plane
     if not plane.robots[name].actuators:
         raise SocialmindError(f"the robot of {model_class.name} has no actuators to steer")
     return name

@@ -138,25 +138,8 @@ class Capsule:
         Raises:
             SocialmindError: the folder holds something, or cannot be written.
         """
-        if out is not None:
-            target = out.expanduser().absolute()
-            refuse_unless_free(target)
-            try:
-                place(target, {**files, MANIFEST: manifest.content()})
-            except FileExistsError as error:
-                raise SocialmindError(str(error)) from error
-            return cls(target)
-        home = Path("runs").absolute()
-        number = 1
-        while True:
-            target = home / f"{manifest.model['name']}-{number:03d}"
-            if not target.exists():
-                try:
-                    place(target, {**files, MANIFEST: manifest.content()})
-                    return cls(target)
-                except FileExistsError:
-                    pass  # another run took this number just now
-            number += 1
+        content = {**files, MANIFEST: manifest.content()}
+        return cls(placed(out, "runs", str(manifest.model["name"]), content))
 
     @property
     def parts(self) -> Path:
@@ -205,6 +188,41 @@ def replace_file(path: Path, content: bytes) -> None:
     unfinished = path.with_name(path.name + ".partial")
     unfinished.write_bytes(content)
     unfinished.replace(path)
+
+
+def placed(out: Path | None, home: str, name: str, files: Mapping[str, bytes]) -> Path:
+    """Make a folder of files, at a given path or under the next free number.
+
+    Args:
+        out: a path where nothing is, or an empty folder; None for the next free number.
+        home: the folder of numbered folders.
+        name: which they begin with.
+        files: their content by name, the manifest's among them.
+
+    Returns:
+        The folder.
+
+    Raises:
+        SocialmindError: the folder holds something, or cannot be written.
+    """
+    if out is not None:
+        target = out.expanduser().absolute()
+        refuse_unless_free(target)
+        try:
+            place(target, files)
+        except FileExistsError as error:
+            raise SocialmindError(str(error)) from error
+        return target
+    number = 1
+    while True:
+        target = Path(home).absolute() / f"{name}-{number:03d}"
+        if not target.exists():
+            try:
+                place(target, files)
+                return target
+            except FileExistsError:
+                pass  # another program took this number just now
+        number += 1
 
 
 def place(target: Path, files: Mapping[str, bytes]) -> None:

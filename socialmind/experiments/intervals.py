@@ -10,6 +10,7 @@ distribution and √(n / (n − 1)).
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from statistics import NormalDist
 from typing import Any
@@ -48,43 +49,76 @@ class Interval:
         return {name: one if math.isfinite(one) else None for name, one in found.items()}
 
 
-def interval_of(values: ArrayLike, level: float = LEVEL) -> Interval:
-    """Return the mean of a sample with its interval.
+def interval_of(
+    values: ArrayLike,
+    level: float = LEVEL,
+    combine: Callable[..., float] | None = None,
+) -> Interval:
+    """Return the mean of a sample with its interval, or what is made of several means.
 
     The same sample always gives the same interval. Of a sample of equal numbers it is that number:
     nothing is known of how far others would lie.
 
     Args:
-        values: (n,), finite, at least one.
+        values: (n,), finite, at least one; or (n, k), for a function of k means.
         level: above 0 and below 1.
+        combine: makes a number of the k means, such as a ratio; NaN where there is none.
 
     >>> interval_of([3.0, 3.0, 3.0])
     Interval(mean=3.0, low=3.0, high=3.0)
     >>> found = interval_of([0, 1, 1, 1, 1, 1, 1, 1, 1, 1])
     >>> found.mean, found.low < 0.8, found.high <= 1.0
     (0.9, True, True)
+    >>> interval_of([[1, 2], [3, 6], [2, 4]], combine=lambda part, whole: part / whole)
+    Interval(mean=0.5, low=0.5, high=0.5)
     """
     sample = np.asarray(values, np.float64)
-    mean = float(sample.mean())
-    if len(sample) < 2:
+    sample = sample.reshape(len(sample), -1)
+    mean = _combined(sample.mean(axis=0)[None], combine).item()
+    if len(sample) < 2 or not math.isfinite(mean):
         return Interval(mean, math.nan, math.nan)
     if (sample == sample[0]).all():
-        value = float(sample[0])
+        value = _combined(sample[:1], combine).item()
         return Interval(value, value, value)
-    means = _means_of_resamples(sample)
+    means = _combined(_means_of_resamples(sample), combine)
+    # Where a draw has none, such as a ratio to nothing, the others speak.
+    means = means[np.isfinite(means)]
     # Means of counts are tied with that of the sample; half of those count as below it.
     above = means - mean
-    tied = np.abs(above) <= 1e-12 * np.abs(sample).max()
+    tied = np.abs(above) <= 1e-12 * max(np.abs(sample).max() if combine is None else 0, abs(mean))
     below = float((~tied & (above < 0)).mean() + tied.mean() / 2)
     bias = _NORMAL.inv_cdf(min(max(below, 1 / RESAMPLES), 1 - 1 / RESAMPLES))
-    deviation = sample - mean
-    squares = float((deviation**2).sum())
-    acceleration = float((deviation**3).sum()) / (6 * squares**1.5)
+    acceleration = _acceleration(sample, combine)
     wide = _wide(level, len(sample))
     ends = (bias - wide, bias + wide)
     bounds = [_NORMAL.cdf(bias + z / (1 - acceleration * z)) for z in ends]
     low, high = np.quantile(means, bounds).tolist()
     return Interval(mean, low, high)
+
+
+def _combined(
+    means: NDArray[np.float64], combine: Callable[..., float] | None
+) -> NDArray[np.float64]:
+    """Return a number for each row of means."""
+    if combine is None:
+        return means[:, 0]
+    return np.array([combine(*row) for row in means.tolist()], np.float64)
+
+
+def _acceleration(sample: NDArray[np.float64], combine: Callable[..., float] | None) -> float:
+    """Return how fast the standard error changes with the mean, by the jackknife."""
+    if combine is None:
+        deviation = sample[:, 0] - sample[:, 0].mean()
+    else:
+        without = _combined((sample.sum(axis=0) - sample) / (len(sample) - 1), combine)
+        without = without[np.isfinite(without)]
+        deviation = without.mean() - without
+    largest = np.abs(deviation).max(initial=0.0)
+    if largest == 0.0:
+        return 0.0
+    deviation = deviation / largest  # tiny ones would vanish when cubed
+    squares = float((deviation**2).sum())
+    return float((deviation**3).sum()) / (6 * squares**1.5)
 
 
 def _means_of_resamples(sample: NDArray[Any]) -> NDArray[np.float64]:
@@ -94,7 +128,10 @@ def _means_of_resamples(sample: NDArray[Any]) -> NDArray[np.float64]:
     parts = []
     for begin in range(0, RESAMPLES, each):
         count = min(each, RESAMPLES - begin)
-        parts.append(sample[rng.integers(0, n, (count, n))].mean(axis=1))
+        drawn = rng.integers(0, n, (count, n))
+        # A column at a time, so that a mean is the same alone and beside others.
+        columns = [column[drawn].mean(axis=1) for column in sample.T]
+        parts.append(np.stack(columns, axis=1))
     return np.concatenate(parts)
 
 

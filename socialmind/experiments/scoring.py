@@ -52,9 +52,10 @@ class Score:
     Attributes:
         model: the model's name.
         ticks: how long all episodes lasted together.
-        intervals: by measure, its mean over the episodes with its interval of 95 %.
+        intervals: by measure, its mean over the episodes with its interval of 95 %; of a measure
+            of several numbers, what is made of their means.
         frame: a row for each episode: `world`, the seed of `Model(seed=…)`; `ticks`; `over`, the
-            interruption that ended it, or None; and the measures.
+            interruption that ended it, or None; and the measures, NaN where an episode has none.
     """
 
     model: str
@@ -118,7 +119,8 @@ def score(
         ticks: the limit of an episode; the model's own by default.
         parameters: values of the model's parameters that differ from the defaults.
         workers: how many work side by side; one for each processor by default.
-        on_progress: called with the episodes done and their number.
+        on_progress: called with the episodes done and their number, those of minds that measures
+            are set against included.
 
     Raises:
         SocialmindError: a model without a plane, or an argument out of range.
@@ -144,10 +146,35 @@ def score(
         "record": tuple(dict.fromkeys(name for one in measures.values() for name in one.records)),
         "without": _without(model_class, on_collision),
     }
-    task = _Task(model_class, mind, options)
     worlds = seeds_for(episodes, SCORE, seed)
-    columns = _run(task, worlds, workers or cores(), on_progress)
-    return _score(model_class, measures, worlds, columns, task)
+    minds = _minds(measures, model_class.folder())
+    runs: list[Columns] = []
+    for one in (mind, *minds):
+
+        def count(done: int, _: int, before: int = len(runs) * episodes) -> None:
+            if on_progress is not None:
+                on_progress(before + done, (1 + len(minds)) * episodes)
+
+        runs.append(_run(_Task(model_class, one, options), worlds, workers or cores(), count))
+    return _score(model_class, measures, worlds, runs, minds, options)
+
+
+def _minds(measures: Mapping[str, Measure], folder: Path) -> list[Any]:
+    """Return the minds that measures are set against, each once; paths from the model's folder."""
+    found: list[Any] = []
+    for one in measures.values():
+        mind = _standing_in(one, folder)
+        if mind is not None and not any(mind is known or mind == known for known in found):
+            found.append(mind)
+    return found
+
+
+def _standing_in(measure: Measure, folder: Path) -> Any:
+    """Return the mind that a measure is set against."""
+    mind = measure.mind
+    if isinstance(mind, Mapping):
+        return {k: folder / one if isinstance(one, str | Path) else one for k, one in mind.items()}
+    return folder / mind if isinstance(mind, str | Path) else mind
 
 
 def measures_of(model_class: type[Model]) -> dict[str, Measure]:
@@ -186,7 +213,7 @@ def _without(model_class: type[Model], on_collision: str | None) -> tuple[str, .
 Columns = dict[str, np.ndarray[Any, Any]]
 
 
-def _run(task: _Task, worlds: Sequence[int], workers: int, on_progress: Progress | None) -> Columns:
+def _run(task: _Task, worlds: Sequence[int], workers: int, on_progress: Progress) -> Columns:
     """Run the episodes of all worlds, some side by side."""
     standing = task.episodes()  # also says here what is wrong with the mind
     step = max(1, min(PIECES[standing.physics], -(-len(worlds) // workers)))
@@ -195,8 +222,7 @@ def _run(task: _Task, worlds: Sequence[int], workers: int, on_progress: Progress
 
     def count(columns: Columns) -> None:
         done.append(columns)
-        if on_progress is not None:
-            on_progress(sum(len(one["ticks"]) for one in done), len(worlds))
+        on_progress(sum(len(one["ticks"]) for one in done), len(worlds))
 
     if workers == 1 or len(pieces) == 1:
         for piece in pieces:
@@ -304,30 +330,66 @@ def _score(
     model_class: type[Model],
     measures: Mapping[str, Measure],
     worlds: Sequence[int],
-    columns: Columns,
-    task: _Task,
+    runs: Sequence[Columns],
+    minds: Sequence[Any],
+    options: Mapping[str, Any],
 ) -> Score:
+    """Measure what minds came to.
+
+    Args:
+        model_class: the model.
+        measures: by name.
+        worlds: the seeds.
+        runs: the episodes of the mind, then those of the minds that measures are set against.
+        minds: these.
+        options: what the episodes were run with.
+    """
     import pandas as pd
 
+    values = [_values(model_class, one, options) for one in runs]
+    ended = pd.Series([one["over"] for one in values[0]], dtype=object)  # None stays None
+    frame = pd.DataFrame({"world": worlds, "ticks": runs[0]["ticks"], "over": ended})
+    intervals = {}
+    for name, one in measures.items():
+        numbers = np.array([_measured(name, one, row) for row in values[0]])
+        own = numbers.shape[1]
+        if one.mind is not None:
+            mind = _standing_in(one, model_class.folder())
+            place = next(n for n, known in enumerate(minds) if known is mind or known == mind)
+            others = [_measured(name, one, row) for row in values[1 + place]]
+            numbers = np.concatenate([numbers, np.array(others)], axis=1)
+
+        def combined(*means: float, one: Measure = one, own: int = own) -> float:
+            return one.combined(means[:own], means[own:])
+
+        frame[name] = [combined(*row) for row in numbers.tolist()]
+        alone = one.combine is None and one.mind is None
+        intervals[name] = interval_of(numbers, combine=None if alone else combined)
+    return Score(model_class.name, int(runs[0]["ticks"].sum()), intervals, frame)
+
+
+def _values(
+    model_class: type[Model], columns: Columns, options: Mapping[str, Any]
+) -> list[dict[str, Any]]:
+    """Return what measures may take, a dictionary for each episode."""
     names = [None, *model_class.interruptions]
-    over = [names[number] for number in columns["ended"].tolist()]
-    limit = task.options["ticks"] or model_class.ticks
-    rows = []
-    for place, ticks in enumerate(columns["ticks"].tolist()):
-        values = {"ticks": ticks, "limit": limit, "over": over[place]}
-        for name in task.options["record"]:
-            values[name] = columns[f"field {name}"][place]
-        rows.append({name: _measured(name, one, values) for name, one in measures.items()})
-    ended = pd.Series(over, dtype=object)  # None stays None
-    frame = pd.DataFrame({"world": worlds, "ticks": columns["ticks"], "over": ended})
-    frame = pd.concat([frame, pd.DataFrame(rows)], axis=1)
-    intervals = {name: interval_of(frame[name].to_numpy()) for name in measures}
-    return Score(model_class.name, int(columns["ticks"].sum()), intervals, frame)
+    limit = options["ticks"] or model_class.ticks
+    return [
+        {
+            "ticks": ticks,
+            "limit": limit,
+            "over": names[ended],
+            **{name: columns[f"field {name}"][place] for name in options["record"]},
+        }
+        for place, (ticks, ended) in enumerate(
+            zip(columns["ticks"].tolist(), columns["ended"].tolist(), strict=True)
+        )
+    ]
 
 
-def _measured(name: str, measure: Measure, values: Mapping[str, Any]) -> float:
+def _measured(name: str, measure: Measure, values: Mapping[str, Any]) -> tuple[float, ...]:
     try:
-        return measure.of(values)
+        return measure.parts(values)
     except (TypeError, ValueError, ArithmeticError) as error:
         code = getattr(measure.function, "__code__", None)
         raise ModelError(

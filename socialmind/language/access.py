@@ -124,7 +124,7 @@ def _mind_place_NAME(agent):
 
 @_inner
 def _mind_choose_next_plan_NAME(_model, agent):
-    plan = _decide_NAME(_model, _mind_place_NAME(agent))
+    plan = _decide_NAME(_model, agent)
     agent._decided = _model._tick
     if plan < 0:
         if _model._idle == 0:
@@ -133,22 +133,49 @@ def _mind_choose_next_plan_NAME(_model, agent):
         _model._idle += 1
     return plan"""
 
-_DECIDE = """_choose_NAME = _kernel.choose_next_plan
-
-
-@_inner
-def _decide_NAME(_model, slot):
+_DECIDE = """@_inner
+def _decide_NAME(_model, agent):
     return _choose_NAME(
-        _scheme_NAME(_model), _minds_NAME(_model), slot, _weights_NAME(_model), _plans_NAME(_model)
-    )"""
+        _scheme_NAME(_model),
+        _minds_NAME(_model),
+        _mind_place_NAME(agent),
+        _weights_NAME(_model),
+        _plans_NAME(_model),
+    )
 
-_DECIDE_BY_OWN_MAKER = """@_inner
-def _decide_NAME(_model, slot):
+
+_choose_NAME = _kernel.choose_next_plan"""
+
+_DECIDE_IN_STEPS = """@_inner
+def _decide_NAME(_model, agent):
+    slot = _mind_place_NAME(agent)
     scheme = _scheme_NAME(_model)
     minds = _minds_NAME(_model)
     weights = _weights_NAME(_model)
     plans = _plans_NAME(_model)
     count = _kernel.available_weights(scheme, minds, slot, weights, plans)
+    WEIGH
+    return _choose_NAME(scheme, minds, slot, weights, plans, count)"""
+
+_WEIGH = """@_inner
+def _weigh_NAME(_model, agent, slot, minds, weights, plans, count):
+    sensor = _weighing_sensor_NAME(_model)
+    reach = _weighing_reach_NAME(_model)
+    for cogniton in range(len(sensor)):
+        if sensor[cogniton] >= 0:
+            read = _weights.sensed(minds.values[slot, cogniton], reach[cogniton])
+            _hierarchy_set_sensor_NAME(_model, agent._slot, sensor[cogniton], read)
+    _hierarchy_evaluate_NAME(_model, agent._slot)
+    actuator = _weighing_actuator_NAME(_model)
+    most = _weighing_plans_NAME(_model)[0]
+    for place in range(count):
+        command = _hierarchy_actuator_NAME(_model, agent._slot, actuator[plans[place]])
+        weights[place] = _weights.weighed(command, most)"""
+
+_CHOOSE_AMONG = "_choose_NAME = _kernel.choose_among"
+
+_CHOOSE_BY_OWN_MAKER = """@_inner
+def _choose_NAME(scheme, minds, slot, weights, plans, count):
     plan = -1
     if count > 0:
         u = _kernel.next_draw(minds, slot)
@@ -200,7 +227,7 @@ def population_text(population: PopulationShape, own_maker: bool) -> str:
                 f"        agent._mind = -1"
             ),
         }
-        parts.append((_DECIDE_BY_OWN_MAKER if own_maker else _DECIDE).replace("NAME", name))
+        parts += [text.replace("NAME", name) for text in _decision(own_maker, population.weighed)]
         parts.append(_MINDS.replace("NAME", name))
         parts += [_command_text(name, command) for command in MIND if command != "choose_next_plan"]
     if population.hierarchy:
@@ -212,6 +239,16 @@ def population_text(population: PopulationShape, own_maker: bool) -> str:
     for mark, fill in fills.items():
         text = text.replace(mark, fill)
     return "\n\n\n".join([text.replace("NAME", name), *parts])
+
+
+def _decision(own_maker: bool, weighed: bool) -> list[str]:
+    """Return the functions that take a decision."""
+    if not own_maker and not weighed:
+        return [_DECIDE]
+    weigh = "_weigh_NAME(_model, agent, slot, minds, weights, plans, count)" if weighed else ""
+    steps = _DECIDE_IN_STEPS.replace("    WEIGH\n", f"    {weigh}\n" if weigh else "")
+    choose = _CHOOSE_BY_OWN_MAKER if own_maker else _CHOOSE_AMONG
+    return [*([_WEIGH] if weighed else []), choose, steps]
 
 
 _WITH_SCHEME = ("feed_back_from_plan", "create_and_join_group", "join_group")

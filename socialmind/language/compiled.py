@@ -56,6 +56,7 @@ _FILES = (
     "socialmind/mind/kernel/reach.py",
     "socialmind/mind/kernel/signals.py",
     "socialmind/mind/kernel/variables.py",
+    "socialmind/mind/kernel/weights.py",
 )
 
 

@@ -30,6 +30,13 @@ MIND_SCRATCH: dict[str, tuple[str, int]] = {
 }
 """Further arrays of a population with minds: room for a decision, the function of each plan."""
 
+WEIGHING: dict[str, tuple[str, int]] = {
+    "weighing_sensor": ("int64", 1),
+    "weighing_reach": ("float64", 1),
+    "weighing_actuator": ("int64", 1),
+    "weighing_plans": ("float64", 1),
+}
+"""Further arrays of a population whose hierarchies weigh plans, as `WeighingPlaces` has them."""
 
 ENGINE_ARRAYS: dict[str, tuple[str, int]] = {
     "influence": ("float64", 2),
@@ -67,6 +74,8 @@ def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]
     arrays = dict(TABLE_ARRAYS)
     if population.minded:
         arrays |= MIND_SCRATCH
+        if population.weighed:
+            arrays |= WEIGHING
         arrays |= {f"scheme_{name}": ENGINE_ARRAYS[name] for name in SchemeArrays._fields}
         arrays |= {f"minds_{name}": ENGINE_ARRAYS[name] for name in MindArrays._fields}
     return arrays

@@ -72,6 +72,7 @@ from socialmind.language import arithmetic as _arithmetic
 from socialmind.language.memory import as_pointer as _as_pointer
 from socialmind.language.memory import fetch_ahead as _fetch_ahead
 from socialmind.language.memory import some as _some
+from socialmind.mind.kernel import weights as _weights
 from socialmind.worlds import torus as _torus
 
 # What only compiled code calls needs no door for Python; each would cost time to compile.
@@ -252,7 +253,7 @@ def _prepare(models):
 {setup}    _end_tick(_model)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _advance(models, ticks):
     _model = models[0]
     rng = _stream(_model)

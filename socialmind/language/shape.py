@@ -22,6 +22,7 @@ class PopulationShape:
         minded: whether its agents have cogniton minds.
         plans: the function of each plan.
         hierarchy: whether its agents have hierarchies of skills.
+        weighed: whether these weigh the plans of its cogniton minds.
     """
 
     name: str
@@ -29,6 +30,7 @@ class PopulationShape:
     minded: bool = False
     plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
     hierarchy: bool = False
+    weighed: bool = False
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ what comes out does not depend on how many lanes there are, or in what order epi
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,8 +17,8 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.learning.batch import LANES, Batch, Crowded
 from socialmind.learning.outcome import Outcome
+from socialmind.learning.pupils import pupils_of
 from socialmind.mind.description import MindDescription
-from socialmind.mind.inhabitants import Steering
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -79,32 +78,12 @@ class Episodes:
                 raise ModelError(f"episodes with hierarchies of {name!r}", "those of robots alone")
         if lanes < 1:
             raise SocialmindError(f"lanes: found {lanes!r}; expected a whole number, 1 or more")
-        self.skills = (skill,) if isinstance(skill, str) else tuple(skill or ())
         minded = [n for n, one in model_class.shape.plane.robots.items() if one.hierarchy]
-        self.population = population or (minded[0] if minded else "")
-        if self.population not in minded:
-            hint = nearest(self.population, minded) if minded else "none has a hierarchy"
-            raise ModelError(f"the population {self.population!r} of {model_class.name!r}",
-                             "one with a hierarchy", hint)  # fmt: skip
+        self.pupils = pupils_of(model_class, minded, hierarchy, master, skill, drive, population)
+        self.skills, self.population = self.pupils.skills, self.pupils.population
+        self.steerings, self.genome_size = self.pupils.steerings, self.pupils.genome_size
         self.robots = model_class.shape.plane.robots
         self.recorded = {name: self._place(name) for name in self.record}
-        given = hierarchy
-        if hierarchy is not None and not isinstance(hierarchy, Mapping):
-            given = {self.population: hierarchy}
-        self.steerings = model_class.steerings(given)
-        mine, led = self.description, self.steerings[self.population]
-        for name in self.skills:
-            mine.skill(name)
-        self.steerings[self.population] = Steering(
-            _filled(mine, self.skills), master or led.master, drive or led.drive
-        )
-        reached = self.steerings[self.population].assembly.skills
-        for name in self.skills:
-            if name not in reached:
-                raise mine.skill(name).refused(
-                    f"which the master {self.steerings[self.population].master!r} does not reach"
-                )
-        self.genome_size = sum(mine.skills[name].genome_size for name in self.skills)
         self._batch: Batch | None = None
         self._room: dict[str, int] = {}
 
@@ -123,10 +102,7 @@ class Episodes:
     @property
     def description(self) -> MindDescription:
         """The mind that learns, with zeros where a genome is still to be learned."""
-        mind = self.steerings[self.population].mind
-        if not isinstance(mind, MindDescription):
-            return MindDescription.load(mind)
-        return mind
+        return self.pupils.description
 
     def run(self, genomes: ArrayLike | None, seeds: Sequence[int]) -> Outcome:
         """Judge individuals, each in the same worlds.
@@ -139,7 +115,7 @@ class Episodes:
             ModelError: genomes of another shape, or that are not finite numbers.
             SocialmindError: an episode failed.
         """
-        rows = self._rows(genomes)
+        rows = self.pupils.rows(genomes)
         individuals = 1 if genomes is None else len(rows)
         shape = (individuals, len(seeds))
         if 0 in shape:
@@ -168,31 +144,13 @@ class Episodes:
             seed: of the world.
             genome: (`genome_size`,), or None for the mind as it is.
         """
-        steerings = dict(self.steerings)
-        if genome is not None:
-            rows = self._rows(np.atleast_2d(genome))
-            mind = with_genomes(self.description, self.skills, rows[0])
-            steerings[self.population] = replace(steerings[self.population], mind=mind)
         return self.model_class(
             seed=int(seed),
-            hierarchy=steerings,
+            hierarchy=self.pupils.taught(genome),
             physics=self.physics,
             without=self.without,
             **self.parameters,
         )
-
-    def _rows(self, genomes: ArrayLike | None) -> NDArray[np.float64]:
-        if genomes is None:
-            return np.zeros((0, self.genome_size))
-        rows = np.ascontiguousarray(genomes, np.float64)
-        if rows.ndim != 2 or rows.shape[1] != self.genome_size:
-            raise ModelError(
-                f"genomes of the shape {rows.shape}",
-                f"(individuals, {self.genome_size}), the weights of {', '.join(self.skills)}",
-            )
-        if not np.isfinite(rows).all():
-            raise ModelError("a genome with a weight that is not finite", "finite numbers")
-        return rows
 
     def _one_by_one(
         self,
@@ -226,38 +184,3 @@ class Episodes:
         stacked = {name: np.array(values) for name, values in fields.items()}
         found = {name: a.reshape(*shape, *a.shape[1:]) for name, a in stacked.items()}
         return Outcome(score.reshape(shape), ticks.reshape(shape), ended.reshape(shape), found)
-
-
-def _filled(description: MindDescription, skills: Sequence[str]) -> MindDescription:
-    """Return a mind whose learning skills have some genome."""
-    size = sum(description.skills[name].genome_size for name in skills)
-    unset = [name for name in skills if description.skills[name].genome is None]
-    if not unset:
-        return description
-    zeros = np.zeros(size)
-    return with_genomes(description, skills, zeros, only=unset)
-
-
-def with_genomes(
-    description: MindDescription,
-    skills: Sequence[str],
-    genome: NDArray[np.float64],
-    only: Sequence[str] | None = None,
-) -> MindDescription:
-    """Return a mind with other weights of some skills.
-
-    Args:
-        description: the mind.
-        skills: whose genomes stand one after another in `genome`.
-        genome: (their sizes together,).
-        only: those to be replaced; all by default.
-    """
-    changed = []
-    first = 0
-    for name in skills:
-        skill = description.skills[name]
-        part = genome[first : first + skill.genome_size]
-        first += skill.genome_size
-        if only is None or name in only:
-            changed.append(replace(skill, genome=part))
-    return description.with_modules(skills=changed)

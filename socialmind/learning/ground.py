@@ -82,6 +82,10 @@ class Ground:
 
         if not issubclass(self.environment, Model):
             return self.environment(**arguments)
+        if self.environment.shape.plane is None:
+            from socialmind.learning.society_episodes import SocietyEpisodes
+
+            return SocietyEpisodes(self.environment, **arguments)
         from socialmind.learning.episodes import Episodes
 
         return Episodes(self.environment, **arguments)

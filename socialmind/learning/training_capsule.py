@@ -18,8 +18,7 @@ from socialmind.experiments.capsule import (
     MANIFEST,
     RUNNING,
     held,
-    place,
-    refuse_unless_free,
+    placed,
     replace_file,
 )
 
@@ -141,24 +140,7 @@ class TrainingCapsule:
         """
         files = {f"{MIND}/{name}": content for name, content in mind.items()}
         files[MANIFEST] = manifest.content()
-        if out is not None:
-            target = out.expanduser().absolute()
-            refuse_unless_free(target)
-            try:
-                place(target, files)
-            except FileExistsError as error:
-                raise SocialmindError(str(error)) from error
-            return cls(target)
-        number = 1
-        while True:
-            target = Path(HOME).absolute() / f"{manifest.model['name'] or KIND}-{number:03d}"
-            if not target.exists():
-                try:
-                    place(target, files)
-                    return cls(target)
-                except FileExistsError:
-                    pass  # another training took this number just now
-            number += 1
+        return cls(placed(out, HOME, manifest.model["name"] or KIND, files))
 
     @property
     def mind(self) -> Path:

@@ -40,7 +40,7 @@ def made(structure, benchmark):
 
 
 TABLE = tables.TABLES[1]
-ROW = TABLE.blocks[0].structures[-1]
+ROW = next(one for one in TABLE.blocks[0].structures if one.name == "Avoid in context")
 STANDING = made(ROW, tables.ENDS)
 
 

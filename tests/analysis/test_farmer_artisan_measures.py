@@ -47,11 +47,6 @@ def test_without_land_there_is_no_distance() -> None:
     assert np.isnan(measures.nearest_distance([np.nan], [np.nan], [(0, 0)], 33)).all()
 
 
-def test_unknown_values_have_not_reached_the_level() -> None:
-    values = [[np.nan, np.nan], [np.nan, 0.8]]
-    assert measures.first_reached([0, 5], values, 0.8).tolist() == [math.inf, 5.0]
-
-
 def test_correlation_agrees_with_scipy_and_ranks_the_late_last() -> None:
     distance = [3.0, 1.0, 4.0, 1.0, 5.0, 9.0]
     tick = [30.0, 20.0, 10.0, 20.0, math.inf, math.inf]
@@ -77,20 +72,3 @@ def test_interval_is_students() -> None:
     assert mean.tolist() == pytest.approx([7 / 3, 5.0])
     assert (low[0], high[0]) == pytest.approx(expected)
     assert (low[1], high[1]) == (5.0, 5.0)
-
-
-def test_no_recovery() -> None:
-    found = measures.recovery([0, 10, 20, 30], [6, 6, 3, 3], shock=10, after=3, window=10)
-    assert found.share == 0.0
-    assert found.halfway == math.inf
-    assert found.full == math.inf
-
-
-def test_recovery_in_two_steps() -> None:
-    ticks = [0, 10, 20, 30, 40, 50]
-    found = measures.recovery(ticks, [8, 8, 4, 6, 7, 8], shock=10, after=4, window=10)
-    assert found.before == 8.0
-    assert found.at_end == 7.5
-    assert found.share == pytest.approx(3.5 / 4)
-    assert found.halfway == 20.0  # 6 at tick 30
-    assert found.full == 40.0

@@ -36,12 +36,53 @@ def test_equal_numbers_and_one_alone_have_no_width():
     assert alone.record() == {"mean": 2.5, "low": None, "high": None}
 
 
+def test_of_several_means_it_is_that_of_what_they_are_combined_to():
+    draws = np.random.default_rng(5)
+    whole = draws.poisson(8.0, 300) + 1.0
+    part = draws.binomial(whole.astype(int), 0.3)
+    found = interval_of(np.stack([part, whole], axis=1), combine=lambda a, b: a / b)
+    assert found.mean == pytest.approx(part.sum() / whole.sum())
+    # A share of independent draws: the normal approximation holds.
+    half = 1.966 * math.sqrt(0.3 * 0.7 / whole.sum())
+    assert (found.low, found.high) == pytest.approx(
+        (found.mean - half, found.mean + half), abs=0.004
+    )
+    # A plain mean is the same by either way.
+    plain = interval_of(whole)
+    combined = interval_of(whole[:, None], combine=lambda a: a)
+    assert (plain.mean, plain.low, plain.high) == pytest.approx(
+        (combined.mean, combined.low, combined.high)
+    )
+
+
+def test_what_both_have_in_common_cancels_out():
+    hard = np.random.default_rng(6).normal(10.0, 3.0, 100)
+    pairs = np.stack([1.2 * hard, hard], axis=1)
+    found = interval_of(pairs, combine=lambda own, other: own / other)
+    assert (found.low, found.mean, found.high) == pytest.approx((1.2, 1.2, 1.2))
+
+
+def test_a_ratio_to_nothing_is_no_number():
+    found = interval_of([[0, 0], [0, 0]], combine=lambda a, b: a / b if b else math.nan)
+    assert math.isnan(found.mean) and math.isnan(found.low)
+    assert found.record() == {"mean": None, "low": None, "high": None}
+    some = interval_of([[1, 2], [0, 0], [0, 0]], combine=lambda a, b: a / b if b else math.nan)
+    assert some.mean == 0.5 and some.low == 0.5
+
+
 @given(st.lists(st.floats(0, 1), min_size=2, max_size=30))
 @settings(max_examples=30, deadline=None)
 def test_it_stays_within_what_was_seen_and_repeats_itself(values):
     found = interval_of(values)
     assert min(values) - 1e-12 <= found.low <= found.high <= max(values) + 1e-12
     assert found == interval_of(values)
+
+
+@pytest.mark.parametrize("unit", [1e-110, 1e110])
+def test_units_make_no_difference(unit):
+    values = np.array([0.0, 0.0, 1.0, 5.0, 7.0])
+    found, scaled = interval_of(values), interval_of(values * unit)
+    assert (scaled.low / unit, scaled.high / unit) == pytest.approx((found.low, found.high))
 
 
 def test_more_numbers_and_lower_levels_make_it_narrower():

@@ -8,12 +8,12 @@ import pytest
 from socialmind import Model, Population
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.experiments.intervals import interval_of
+from socialmind.experiments.intervals import Interval, interval_of
 from socialmind.experiments.scoring import COLLISION, SCORE, measures_of, score
 from socialmind.learning import keys
 from socialmind.learning.keys import seed_for
 from socialmind.mind import MindDescription, Perceptron, Skill
-from socialmind.worlds.plane import Disc, Measure, Plane, Robot, total, wheel
+from socialmind.worlds.plane import Disc, Measure, Plane, Robot, against, ratio, total, wheel
 
 ROVERS = Path(__file__).parent / "rovers"
 
@@ -130,6 +130,38 @@ def test_robots_have_measures_anyway():
         score(Wanderers, on_collision="end")
     with pytest.raises(ModelError, match="a model that other processes cannot load"):
         score(Wanderers, episodes=2, ticks=5, engine="pymunk", workers=2)
+
+
+def minus(own, other):
+    """Return how much more."""
+    return own - other
+
+
+def test_a_measure_is_set_against_another_mind_in_the_same_worlds(rovers, scored, tmp_path):
+    resting, told = other_mind(0.5, 0.5), []
+    resting.save(tmp_path / "resting")
+
+    measures = {
+        "pace": ratio("collisions", "delivered"),
+        "survived": against(rovers.measures["survived"], tmp_path / "resting"),
+        "ticks_lost": against(Measure(lambda ticks: ticks), resting, compare=minus),
+        "itself": against(total("delivered"), rovers.populations["rovers"].hierarchy),
+    }
+    compared = type("Compared", (rovers,), {"measures": measures})
+    found = score(
+        compared, episodes=12, seed=3, workers=1,
+        on_progress=lambda done, count: told.append((done, count)),
+    )  # fmt: skip
+    own = scored.frame
+    assert found.frame["world"].equals(own["world"]) and found.ticks == scored.ticks
+    # Who rests survives to the end, so the share is that of the mind itself.
+    assert found.frame["survived"].tolist() == own["survived"].tolist()
+    assert found.intervals["survived"].mean == pytest.approx(own["survived"].mean())
+    assert found.frame["ticks_lost"].tolist() == (own["ticks"] - 45).tolist()
+    pace = own["collisions"].sum() / own["objects"].sum()
+    assert found.intervals["pace"].mean == pytest.approx(pace)
+    assert found.intervals["itself"] == Interval(1.0, 1.0, 1.0)
+    assert told[-1] == (48, 48)
 
 
 def lost(delivered):

@@ -10,7 +10,8 @@ import pytest
 
 from socialmind import Model, ModelError, Population, RuleError, SocialmindError, each
 from socialmind.catalogue import load_file
-from socialmind.learning.episodes import Episodes, with_genomes
+from socialmind.learning.episodes import Episodes
+from socialmind.learning.pupils import with_genomes
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill
 from socialmind.worlds.plane import (
     Disc,
@@ -199,6 +200,34 @@ def test_an_interruption_ends_an_episode_and_the_next_one_begins():
 def test_what_does_not_fit_is_refused(changes, message):
     with pytest.raises(SocialmindError, match=message):
         Episodes(Runway, **{"skill": "Go", **changes})
+
+
+def point_ahead(mind):
+    """Write what no skill that is learned writes yet."""
+    mind.set_variable("Way", 0.75)
+
+
+def test_with_a_drive_skills_that_are_still_to_be_learned_are_left_out():
+    """A drive reaches all skills of a mind, so those need their weights; others do not."""
+    ways = ["MO:L", "MO:R"]
+    steer = Skill("Steer", ["VA:Way"], ways, Perceptron(layers=0), [1, 0, 1, 0])
+    decide = Skill("Decide", ["SE:S"], ["SK:Steer", "VA:Way"], Perceptron(layers=0))
+    top = Skill("Top", [], ["SK:Decide"], Programmed(always))
+    mind = MindDescription("m", ["S"], ["L", "R"], ["Way"], [steer, decide, top])
+    driven = Episodes(Runway, hierarchy=mind, master="Steer", drive=point_ahead)
+    assert list(driven.description.skills) == ["Steer"]
+    alone = MindDescription("m", ["S"], ["L", "R"], ["Way"], [steer])
+    same = Episodes(Runway, hierarchy=alone, master="Steer", drive=point_ahead)
+    assert driven.run(None, [1, 2]).score.tolist() == same.run(None, [1, 2]).score.tolist()
+    # What is reached, or ready, stays: a drive may influence it.
+    ready = mind.with_modules(skills=[decide.changed(genome=[0, 1, 0, 1])])
+    kept = Episodes(Runway, hierarchy=ready, master="Steer", drive=point_ahead)
+    assert set(kept.description.skills) == {"Steer", "Decide", "Top"}
+
+
+def always():
+    """Give all influence."""
+    return 1.0
 
 
 def test_genomes_and_seeds_that_do_not_fit_are_refused():

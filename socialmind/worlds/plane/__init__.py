@@ -10,7 +10,7 @@ from socialmind.worlds.plane.interruptions import (
     over_threshold,
     under_threshold,
 )
-from socialmind.worlds.plane.measures import Measure, survived, total
+from socialmind.worlds.plane.measures import Measure, against, ratio, survived, total
 from socialmind.worlds.plane.plane import Plane
 from socialmind.worlds.plane.rewards import (
     clear,
@@ -27,6 +27,7 @@ from socialmind.worlds.plane.sensors import (
     RangeFinder,
     active,
     battery,
+    carrying,
     constant,
     distance_to,
     identity,
@@ -34,8 +35,10 @@ from socialmind.worlds.plane.sensors import (
     in_zone,
     inside,
     moved,
+    noise,
     orientation,
     payoff,
+    signal_active,
     signal_distance,
     signal_orientation,
 )
@@ -56,7 +59,9 @@ __all__ = [
     "Zone",
     "active",
     "after",
+    "against",
     "battery",
+    "carrying",
     "claw",
     "clear",
     "closing",
@@ -73,11 +78,14 @@ __all__ = [
     "in_zone",
     "inside",
     "moved",
+    "noise",
     "orientation",
     "over_threshold",
     "paid",
     "payoff",
+    "ratio",
     "reached",
+    "signal_active",
     "signal_distance",
     "signal_orientation",
     "speed",

@@ -88,14 +88,15 @@ class Device:
         of: the population whose nearest member it sees.
         at: its place on the body, x ahead and y to the left of the centre.
         angle: its direction on the body, radians counterclockwise.
-        reach: how far it sees, above 0.
+        reach: how far it sees, above 0; or the name of a parameter of the model, 0 or more.
         sensor: the name of the sensor of the body that it reads.
         sensors: the names of sensors that stand next to each other in the body.
         memory: how many numbers it remembers, for each robot.
         free: whether carried members of `of` are left out; with False, those that the robot itself
             carries count.
         settings: the numbers that further parameters of the function take, as numbers with a
-            fraction; True and False are 1 and 0. Those left out take the function's defaults.
+            fraction; True and False are 1 and 0; a text is the name of a parameter of the model.
+            Those left out take the function's defaults.
 
     Raises:
         ModelError: what the function asks for and what the device says do not fit.
@@ -105,12 +106,12 @@ class Device:
     of: str | None = None
     at: tuple[float, float] = (0.0, 0.0)
     angle: float = 0.0
-    reach: float = math.inf
+    reach: float | str = math.inf
     sensor: str | None = None
     sensors: tuple[str, ...] = ()
     memory: int = 0
     free: bool = True
-    settings: Mapping[str, float] = field(default_factory=dict, hash=False)
+    settings: Mapping[str, float | str] = field(default_factory=dict, hash=False)
     word: ClassVar[str] = "device"
     further: ClassVar[tuple[str, ...]] = ()
     results: ClassVar[tuple[AnyType, ...]] = ()
@@ -188,7 +189,7 @@ class Device:
         return float(at[0]), float(at[1])
 
     def _check_numbers(self) -> None:
-        if not self.reach > 0:
+        if not isinstance(self.reach, str) and not self.reach > 0:
             raise self.error(f"reach={self.reach!r} of the {self.word} {self.name!r}", "above 0")
         if not math.isfinite(self.angle):
             raise self.error(f"angle={self.angle!r} of the {self.word} {self.name!r}", "radians")
@@ -198,7 +199,7 @@ class Device:
                 "a whole number, 0 or more",
             )
 
-    def _completed(self, parameters: Mapping[str, inspect.Parameter]) -> dict[str, float]:
+    def _completed(self, parameters: Mapping[str, inspect.Parameter]) -> dict[str, float | str]:
         """Return the settings with the function's defaults, in the order of its parameters."""
         found = dict(self.settings)
         for name, parameter in parameters.items():
@@ -219,12 +220,15 @@ class Device:
                     "a parameter of the function that is not given anyway",
                     nearest(name, named) if named else "leave it out: it has no settings",
                 )
+            if isinstance(value, str) and name in self.settings:
+                continue
             if not isinstance(value, bool | int | float) or math.isnan(value):
                 raise self.error(
                     f"{name}={value!r} of the {self.word} {self.name!r}",
-                    "a number or a truth value",
+                    "a number, a truth value or the name of a parameter of the model",
                 )
-        return {name: float(found[name]) for name in parameters if name in found}
+        given = {name: found[name] for name in parameters if name in found}
+        return {name: one if isinstance(one, str) else float(one) for name, one in given.items()}
 
     def _check_given(self, name: str) -> None:
         if name not in self.given:

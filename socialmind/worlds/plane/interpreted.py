@@ -119,7 +119,7 @@ def _sought(
     model: Model, stage: Stage, seek: Seek, robot: Any, slot: int, cos: float, sin: float
 ) -> tuple[Any, bool, float, float]:
     """Return the nearest target, whether there is one, and how far it is away in x and y."""
-    settings: Any = model.program.plane.settings  # type: ignore[union-attr]  # it has a plane
+    settings: Any = model.arena.settings  # type: ignore[union-attr]  # it has a plane
     ahead, aside, _, reach = settings[seek.settings : seek.settings + PLACED].tolist()
     x = mounted(robot.x, cos, sin, ahead, aside)
     y = mounted(robot.y, sin, -cos, ahead, aside)
@@ -152,7 +152,7 @@ def _call(
     turned: tuple[float, float],
 ) -> None:
     device = call.device
-    settings: Any = model.program.plane.settings  # type: ignore[union-attr]  # it has a plane
+    settings: Any = model.arena.settings  # type: ignore[union-attr]  # it has a plane
     _, _, angle, reach, *numbers = settings[
         call.settings : call.settings + PLACED + len(device.settings)
     ].tolist()

@@ -1,7 +1,8 @@
 """Drawing a plane, in the manner of figure 5.5 of the thesis, moment after moment.
 
 A robot is a circle with a line to its front; the lines around it are its range finders, each as
-long as it sees; the long ones lead to the targets of its orientation sensors. The path is blue.
+long as it sees; the long ones lead to the targets of its orientation sensors. The path is blue. Two
+rings are around a robot that emits a signal.
 """
 
 from __future__ import annotations
@@ -31,6 +32,10 @@ BORDER = 0.015
 """How thick the border is, as a share of the arena's half-width."""
 SMALLEST = 2.2
 """Points of the smallest radius that a robot or an object is drawn with."""
+RINGS = (1.8, 2.6)
+"""The radii of the rings around a robot that emits a signal, over its own."""
+CORNERS = 24
+"""Corners of a ring."""
 FOOT = 13.0
 """Points of room that the line below the Axes needs: the tick, and the scale."""
 
@@ -76,6 +81,7 @@ class Picture:
         self._targets.set_linestyle(look.line_style)
         self._fronts = self._lines(look.heading, 1.8, 4.5)
         self._fronts.set_capstyle("butt")
+        self._rings = self._lines(look.path, 0.9, 3.9)
         self._discs: dict[str, EllipseCollection] = {}
         self._colours = {"robots": cycle(look.robots), "objects": cycle(look.objects)}
         self._trails: dict[tuple[str, int], Line2D] = {}
@@ -106,6 +112,14 @@ class Picture:
             front = one.x + radius * math.cos(one.angle), one.y + radius * math.sin(one.angle)
             fronts.append([(one.x, one.y), front])
         self._fronts.set_segments(fronts)
+        self._rings.set_segments(
+            [
+                _ring(one.x, one.y, times * self._visible(one.radius))
+                for one in robots
+                if one.emits
+                for times in RINGS
+            ]
+        )
         for name, discs in scene.objects.items():
             self._put("objects", name, discs, 3.5)
         for name, several in teams.items():
@@ -266,6 +280,12 @@ def _standing(
         return Circle((x, y), half_width)
     corner, side = (x - half_width, y - half_width), 2 * half_width
     return Rectangle(corner, side, side, angle=math.degrees(angle), rotation_point="center")
+
+
+def _ring(x: float, y: float, radius: float) -> Floats:
+    """Return a circle as a line of many corners."""
+    round_about = np.linspace(0.0, math.tau, CORNERS + 1)
+    return np.stack([x + radius * np.cos(round_about), y + radius * np.sin(round_about)], axis=1)
 
 
 def _round_length(most: float) -> float:

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError
+from socialmind.worlds.plane.actuators import emit
 from socialmind.worlds.plane.bodies import Body, Obstacle, Robot, Zone
-from socialmind.worlds.plane.devices import Sense
+from socialmind.worlds.plane.devices import Act, Sense
 from socialmind.worlds.plane.sensors import RangeFinder
 
 if TYPE_CHECKING:
@@ -38,6 +39,7 @@ class RobotSeen:
         radius: of its body.
         rays: (range finders, 2, 2); from each the segment to what it detects, or to its reach.
         lines: (targets, 2, 2); the segments to what its orientation sensors point at.
+        emits: whether it emits a signal, on any channel.
     """
 
     team: str
@@ -48,6 +50,7 @@ class RobotSeen:
     radius: float
     rays: Floats = field(default_factory=_NO_SEGMENTS.copy)
     lines: Floats = field(default_factory=_NO_SEGMENTS.copy)
+    emits: bool = False
 
 
 @dataclass(frozen=True)
@@ -146,6 +149,12 @@ def _robots(model: Model, arena: Arena, name: str) -> Iterator[RobotSeen]:
             # Nothing is read before the first tick.
             rays=_rays(arena, table, slot) if model.tick else _NO_SEGMENTS,
             lines=_lines(model, arena, table, slot),
+            emits=any(
+                isinstance(one, Act)
+                and one.function is emit
+                and table.columns["signal"][slot][int(one.settings["channel"])] > 0.5
+                for one in arena.shape.robots[name].actuators.values()
+            ),
         )
 
 
@@ -203,6 +212,6 @@ def _target(
     x, y = others.columns["x"][slots], others.columns["y"][slots]
     distance = np.hypot(x - begin[0], y - begin[1])
     nearest = int(np.argmin(distance))
-    if distance[nearest] > sensor.reach:
+    if distance[nearest] > arena.reach_of(sensor):
         return None
     return float(x[nearest]), float(y[nearest])

@@ -92,8 +92,10 @@ class RangeFinder:
 # What is seen ---------------------------------------------------------------------------------
 
 
-def orientation(of: str, reach: float = math.inf) -> Sense:
+def orientation(of: str, reach: float | str = math.inf) -> Sense:
     """Where the nearest of a kind is: 0.5 − angle / 2π, 0.5 ahead, less to the left.
+
+    A reach, here and below, is a number or the name of a parameter of the model.
 
     Where there is none within reach it reads 0.5. For the nearest team mate, `of` is the robot's
     own population.
@@ -110,17 +112,17 @@ def turn_to(bearing: float) -> float:
     return 0.5 - bearing / math.tau
 
 
-def distance_to(of: str, reach: float = 100.0) -> Sense:
+def distance_to(of: str, reach: float | str = 100.0) -> Sense:
     """How far the nearest of a kind is, over the reach; 1 where there is none within reach."""
     return Sense(share_of_reach, of=of, reach=reach, settings={"largest": reach})
 
 
 def share_of_reach(distance: float, found: bool, largest: float) -> float:
     """Return a distance over the largest one, at most 1."""
-    return min(distance / largest, 1.0) if found else 1.0
+    return min(distance / largest, 1.0) if found and largest > 0.0 else 1.0
 
 
-def active(of: str, reach: float = math.inf, low: float = 0.0, high: float = 1.0) -> Sense:
+def active(of: str, reach: float | str = math.inf, low: float = 0.0, high: float = 1.0) -> Sense:
     """Whether there is one of a kind within reach."""
     return Sense(is_there, of=of, reach=reach, settings=_truth(low, high))
 
@@ -197,7 +199,7 @@ def in_zone(zone: Any, x: float, y: float) -> bool:
 # What is heard ---------------------------------------------------------------------------------
 
 
-def signal_orientation(of: str, channel: int = 0, reach: float = math.inf) -> Sense:
+def signal_orientation(of: str, channel: int = 0, reach: float | str = math.inf) -> Sense:
     """Where the nearest robot that emits a signal is; as `orientation`.
 
     Args:
@@ -226,7 +228,7 @@ def heard_from(robot: Any, members: Any, own: bool, channel: float, farthest: fl
     return reading
 
 
-def signal_distance(of: str, channel: int = 0, reach: float = 100.0) -> Sense:
+def signal_distance(of: str, channel: int = 0, reach: float | str = 100.0) -> Sense:
     """How far the nearest robot that emits a signal is, over the reach; 1 when none is heard.
 
     Args:
@@ -243,7 +245,44 @@ def heard_at(robot: Any, members: Any, own: bool, channel: float, farthest: floa
     for one in members:
         if one.signal[int(channel)] > 0.5 and not (own and one.id == robot.id):
             best = min(best, math.hypot(one.x - robot.x, one.y - robot.y))
-    return best / farthest
+    return best / farthest if farthest > 0.0 else 1.0
+
+
+def signal_active(
+    of: str,
+    channel: int = 0,
+    reach: float | str = math.inf,
+    low: float = 0.0,
+    high: float = 1.0,
+) -> Sense:
+    """Whether a robot that emits a signal is heard.
+
+    Args:
+        of: as for `signal_orientation`.
+        channel: likewise.
+        reach: likewise.
+        low: what it reads when none is heard.
+        high: what it reads when one is.
+    """
+    told = {"channel": channel, "farthest": reach, **_truth(low, high)}
+    return Sense(hears, of=of, settings=told)
+
+
+def hears(
+    robot: Any,
+    members: Any,
+    own: bool,
+    channel: float,
+    farthest: float,
+    low: float,
+    high: float,
+) -> float:
+    """Return `high` if a signal is within reach."""
+    for one in members:
+        emits = one.signal[int(channel)] > 0.5 and not (own and one.id == robot.id)
+        if emits and math.hypot(one.x - robot.x, one.y - robot.y) <= farthest:
+            return high
+    return low
 
 
 # What is felt ---------------------------------------------------------------------------------
@@ -318,6 +357,29 @@ def rank(slot: int, robots: float) -> float:
     return min(slot / (robots - 1), 1.0) if robots > 1 else 0.0
 
 
+def carrying(low: float = 0.0, high: float = 1.0) -> Sense:
+    """Whether the claw holds something."""
+    return Sense(holds, settings=_truth(low, high))
+
+
+def holds(robot: Any, low: float, high: float) -> float:
+    """Return `high` if the robot carries something."""
+    return high if robot.carrying != -1 else low
+
+
+def noise(every: int = 1) -> Sense:
+    """A number drawn uniformly from 0 … 1, anew every so many ticks."""
+    return Sense(drawn, memory=2, settings={"every": every})
+
+
+def drawn(rng: Any, memory: Any, every: float) -> float:
+    """Return a random number; the memory holds the ticks since it was drawn, and the number."""
+    if memory[0] == 0.0:
+        memory[1] = rng.random()
+    memory[0] = (memory[0] + 1.0) % every
+    return memory[1]
+
+
 def payoff(scale: float = 1.0) -> Sense:
     """The robot's reward of this tick: 0.5 for none, 1 for `scale` or more, 0 for −`scale`."""
     return Sense(felt_reward, settings={"scale": scale})
@@ -338,15 +400,18 @@ SENSORS: dict[str, Callable[..., Sense]] = {
         inside,
         signal_orientation,
         signal_distance,
+        signal_active,
         battery,
         moved,
         constant,
         identity,
+        carrying,
+        noise,
         payoff,
     )
 }
 """What makes sensors, by name; beside them there is the `RangeFinder`."""
 
 
-def _truth(low: float, high: float) -> dict[str, float]:
+def _truth(low: float, high: float) -> dict[str, float | str]:
     return {"low": low, "high": high}

@@ -7,6 +7,7 @@ compiled module, `interpreted` walks through it in Python.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from socialmind.errors import ModelError
+from socialmind.language.nodes import nearest
 from socialmind.streams import phase_tags
 from socialmind.worlds.plane.devices import Device, typed
 from socialmind.worlds.plane.plane import PlaneShape, RobotShape, memory_field
@@ -89,14 +92,34 @@ class PlaneProgram:
     Attributes:
         shape: the plane.
         stages: by the robots' population, then the stage's name.
-        settings: the numbers of all devices.
+        settings: the numbers of all devices; NaN where a parameter of the model gives it.
+        named: of those, the places, and the devices and parameters that they belong to.
         shifting: whether obstacles may change in a tick, so that they are looked at anew.
     """
 
     shape: PlaneShape
     stages: Mapping[str, Mapping[str, Stage]]
     settings: NDArray[np.float64]
+    named: Mapping[int, tuple[str, str]]
     shifting: bool
+
+    def settings_of(self, parameters: Mapping[str, float]) -> NDArray[np.float64]:
+        """Return the numbers of all devices in a model.
+
+        Args:
+            parameters: the values of the model's parameters, by name.
+
+        Raises:
+            ModelError: a reach below 0.
+        """
+        if not self.named:
+            return self.settings
+        found = self.settings.copy()
+        for place, (what, name) in self.named.items():
+            found[place] = parameters[name]
+            if what and not found[place] >= 0:
+                raise ModelError(f"{name}={parameters[name]:g} as the reach of {what}", "0 or more")
+        return found
 
 
 def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
@@ -106,6 +129,7 @@ def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
         ModelError: a function outside the language, or that returns other than it should.
     """
     settings: list[float] = []
+    named: dict[int, tuple[str, str]] = {}
     tags: list[tuple[str, str, str]] = [
         (robots, stage, name)
         for robots, one in shape.robots.items()
@@ -122,18 +146,22 @@ def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
             for number, (name, device) in enumerate(getattr(one, stage).items()):
                 if not isinstance(device, Device):
                     continue  # a range finder
+                what = f"the {device.word} {name!r} of {robots!r}"
                 first = len(settings)
-                settings += [*device.at, device.angle, device.reach]
-                settings += [float(value) for value in device.settings.values()]
+                settings += [*device.at, device.angle]
+                for key, value in (("reach", device.reach), *device.settings.items()):
+                    if isinstance(value, str):
+                        _check_parameter(program, device, f"{key}={value!r} of {what}", value)
+                        named[len(settings)] = what if key == "reach" else "", value
+                    settings.append(math.nan if isinstance(value, str) else float(value))
                 place = None
                 if device.of is not None and device.seeks:
-                    key = (device.of, device.free, device.at, device.reach)
-                    if key not in seeks:
+                    sought = (device.of, device.free, device.at, device.reach)
+                    if sought not in seeks:
                         carried = device.of in shape.bodies
                         same = device.of == robots
-                        seeks[key] = Seek(device.of, device.free, first, same, carried)
-                    place = list(seeks).index(key)
-                what = f"the {device.word} {name!r} of {robots!r}"
+                        seeks[sought] = Seek(device.of, device.free, first, same, carried)
+                    place = list(seeks).index(sought)
                 symbol = typed(program, device, robots, list(one.sensors), what)
                 if stage == "interruptions":
                     number = shape.interruptions.index(name)
@@ -148,4 +176,16 @@ def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
     shifting = obstacles is not None and any(
         program.changed_by(symbol, obstacles) for symbol in symbols
     )
-    return PlaneProgram(shape, stages, np.array([*settings, 0.0]), shifting)
+    return PlaneProgram(shape, stages, np.array([*settings, 0.0]), named, shifting)
+
+
+def _check_parameter(program: Program, device: Device, found: str, name: str) -> None:
+    """Refuse the name of a parameter that the model has not.
+
+    Raises:
+        ModelError: so it is.
+    """
+    known = list(program.shape.parameters)
+    if name not in known:
+        remedy = nearest(name, known) if known else "it has none; write a number"
+        raise device.error(found, "a number or the name of a parameter of the model", remedy)

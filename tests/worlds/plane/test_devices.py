@@ -30,6 +30,8 @@ ARGUMENTS = {
     "inside": ("zones",),
     "signal_orientation": ("robots", 1),
     "signal_distance": ("robots", 1, 40.0),
+    "signal_active": ("robots", 1, 8.0),
+    "noise": (3,),
     "moved": (5, 3),
     "constant": (0.3,),
     "identity": (4,),
@@ -177,6 +179,7 @@ def world(seed, stand_in):
         battery=rng.choice((0.0, rng.random(), 1.0)),
         reward=rng.uniform(-2, 2),
         earned=rng.choice((0.0, 1.0)),
+        carrying=rng.choice((-1, 2)),
     )
     return {
         "robot": robot,
@@ -375,7 +378,7 @@ class TestRefusals:
                 "the setting 'wieght'",
                 "did you mean 'weight'?",
             ),
-            (lambda: Sense(weigh, settings={"weight": "much"}), "weight='much'", "a number"),
+            (lambda: Sense(weigh, settings={"weight": [1]}), "weight=[1]", "a number"),
             (lambda: Sense(weigh, settings={"weight": math.nan}), "weight=nan", "a number"),
             (lambda: Sense(weigh, settings={"weight": 1, "robot": 2}), "'robot'", "given anyway"),
             (lambda: Sense(label), "text='near'", "a number"),

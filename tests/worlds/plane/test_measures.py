@@ -1,20 +1,22 @@
 """What a measure takes and gives, and where a model may declare one."""
 
+import math
+
 import numpy as np
 import pytest
 
 from socialmind import Agent, Model, Population
 from socialmind.errors import ModelError
-from socialmind.worlds.plane import Measure, Plane, survived, total
+from socialmind.worlds.plane import Measure, Plane, against, ratio, survived, total
 
 
-def ratio(ticks, length, over):
+def pace(ticks, length, over):
     """Return the length a tick, or 0 of an episode that was ended."""
     return 0.0 if over else length / ticks
 
 
 def test_a_measure_takes_what_its_function_names():
-    measure = Measure(ratio)
+    measure = Measure(pace)
     assert measure.takes == ("ticks", "length", "over")
     assert measure.records == ("length",)
     assert measure.of({"ticks": 4, "length": 10, "over": None, "other": 1}) == 2.5
@@ -28,9 +30,34 @@ def test_a_total_adds_up_robots_and_survival_is_a_share():
     assert survived().of({"ticks": 30, "limit": 120}) == 0.25
 
 
+def test_a_ratio_is_one_of_totals():
+    measure = ratio("correct", "scouts.ended")
+    assert measure.records == ("correct", "scouts.ended")
+    values = {"correct": np.array([1, 1]), "scouts.ended": np.array([4])}
+    assert measure.parts(values) == (2.0, 4.0)
+    assert measure.of(values) == 0.5
+    assert measure.combined((3.0, 4.0)) == 0.75
+    assert math.isnan(measure.combined((0.0, 0.0)))
+
+
+def test_a_measure_is_set_against_another_mind():
+    measure = against(ratio("path", "delivered"), mind="plain")
+    assert measure.records == ("path", "delivered")
+    assert measure.combined((120.0, 4.0), (100.0, 5.0)) == 1.5
+    assert math.isnan(measure.combined((120.0, 4.0), (100.0, 0.0)))
+    lead = against(total("delivered"), "plain", compare=lambda own, other: own - other)
+    assert lead.combined((6.0,), (8.0,)) == -2.0
+    with pytest.raises(ModelError, match="a measure against a mind, set against another"):
+        against(measure, mind="other")
+    with pytest.raises(ModelError, match="a measure against no mind"):
+        against(survived(), mind=None)
+
+
 def test_what_is_wrong_is_refused_when_the_class_is_made():
     with pytest.raises(ModelError, match="3 as the function of a measure; expected a function"):
         Measure(3)
+    with pytest.raises(ModelError, match="3 as the combine of a measure; expected a function"):
+        Measure(pace, ("ticks",), combine=3)
     for given, where, said in [
         ({"objects": 3}, Plane(), "3 as 'objects'; expected one of the measures"),
         ({"ticks": survived()}, Plane(), "a measure called 'ticks'"),

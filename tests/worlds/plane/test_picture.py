@@ -1,6 +1,7 @@
 """Pictures of planes: which colour is seen where."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from socialmind.worlds.plane.look import PAPER, THESIS
-from socialmind.worlds.plane.picture import Picture
+from socialmind.worlds.plane.picture import RINGS, Picture
 from socialmind.worlds.plane.scene import RobotSeen, Scene
 
 PIXELS = 400
@@ -75,6 +76,18 @@ def test_a_line_leads_to_the_target():
     assert shows(drawn, THESIS.line, -6, 6)
     drawn.show(scene(robots=(RobotSeen("robots", 0, 0.0, 0.0, 0.0, 1.0),)))
     assert shows(drawn, THESIS.ground, -6, 6)
+
+
+def test_rings_are_around_a_robot_that_emits_a_signal():
+    silent = scene()
+    (robot,) = silent.robots
+    radius = RINGS[1] * 1.0
+    drawn = picture(silent, PAPER)
+    assert not shows(drawn, PAPER.path, -radius, 0.0)
+    drawn.show(replace(silent, robots=(replace(robot, emits=True),)))
+    assert shows(drawn, PAPER.path, -radius, 0.0)
+    drawn.show(silent)
+    assert not shows(drawn, PAPER.path, -radius, 0.0)
 
 
 def test_what_moves_is_shown_where_it_has_gone():

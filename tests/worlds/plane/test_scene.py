@@ -9,6 +9,7 @@ import pytest
 from socialmind import Agent, Model, Population
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
+from socialmind.worlds.plane import Disc, Plane, Robot, emitter
 from socialmind.worlds.plane.scene import RobotSeen, Scene, scene_of
 
 SEEKERS = Path(__file__).parent / "seekers"
@@ -80,6 +81,25 @@ def test_the_dead_are_not_shown(seekers):
     scene = scene_of(seekers)
     assert [one.identity for one in scene.robots] == [1]
     assert len(scene.obstacles) == 1
+
+
+class Beacon(Robot):
+    signal: list[float] = [0.0, 0.0]  # noqa: RUF012
+
+
+class Beacons(Model):
+    """Three robots that can emit on the second channel alone."""
+
+    world = Plane(20.0)
+    beacons = Population(Beacon, 3, body=Disc(), actuators={"Signal": emitter(1)})
+
+
+def test_who_emits_a_signal_is_known():
+    model = Beacons(compiled=False)
+    for robot, signal in zip(model.beacons, ([1.0, 0.5], [0.0, 0.6], [0.0, 0.0]), strict=True):
+        for channel in (0, 1):
+            robot.signal[channel] = signal[channel]
+    assert [one.emits for one in scene_of(model).robots] == [False, True, False]
 
 
 def test_an_interruption_has_its_name(seekers):

@@ -1,6 +1,7 @@
 """What sensors read, computed by hand."""
 
 import math
+import random
 
 import pytest
 
@@ -9,14 +10,17 @@ from socialmind.worlds.plane.sensors import (
     RangeFinder,
     active,
     battery,
+    carrying,
     constant,
     distance_to,
     identity,
     in_claw,
     inside,
     moved,
+    noise,
     orientation,
     payoff,
+    signal_active,
     signal_distance,
     signal_orientation,
 )
@@ -175,12 +179,35 @@ class TestSignals:
         assert self.heard(stand_in, signal_orientation("robots", reach=19.0), other) == 0.5
         assert self.heard(stand_in, signal_orientation("robots", reach=21.0), other) == 0.25
 
+    def test_whether_one_is_heard(self, stand_in):
+        other = stand_in.body(0, 20, id=1, signal=[1.0, 0.0])
+        assert self.heard(stand_in, signal_active("robots", reach=19.0), other) == 0.0
+        assert self.heard(stand_in, signal_active("robots", reach=21.0), other) == 1.0
+        assert self.heard(stand_in, signal_active("robots", 1, low=0.2), other) == 0.2
+        assert self.heard(stand_in, signal_active("robots")) == 0.0
+
+    def test_a_reach_of_0_hears_nothing(self, stand_in):
+        other = stand_in.body(0, 20, id=1, signal=[1.0, 0.0])
+        assert self.heard(stand_in, signal_orientation("robots", reach=0.0), other) == 0.5
+        assert self.heard(stand_in, signal_distance("robots", reach=0.0), other) == 1.0
+
     def test_another_team_with_the_same_identity_is_heard(self, stand_in):
         other = stand_in.body(50, 0, id=7, signal=[1.0, 0.0])
         assert self.heard(stand_in, signal_distance("others"), other, own=False) == 0.5
 
 
 class TestWhatIsFelt:
+    def test_what_the_claw_holds_is_felt(self, stand_in):
+        held = [stand_in.call(carrying(), robot=stand_in.body(carrying=one)) for one in (-1, 0, 3)]
+        assert held == [0.0, 1.0, 1.0]
+
+    def test_noise_is_drawn_every_so_many_ticks(self, stand_in):
+        rng, memory = random.Random(3), [0.0, 0.0]
+        read = [stand_in.call(noise(3), rng=rng, memory=memory) for _ in range(300)]
+        assert read[::3] == read[1::3] == read[2::3]
+        assert len(set(read)) == 100
+        assert 0.4 < sum(read) / 300 < 0.6 and min(read) < 0.1 and max(read) > 0.9
+
     @pytest.mark.parametrize(
         ("charge", "reading"),
         [(1.0, 1.0), (0.391, 0.4), (0.4, 0.4), (0.07, 0.07), (0.00001, 0.01), (0, 0), (1.3, 1.0)],

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from socialmind import Model, ModelError, Population, each
+from socialmind import Model, ModelError, Population, each, parameter
 from socialmind.catalogue import load_file
 from socialmind.worlds.plane import (
     BALL,
@@ -17,11 +17,13 @@ from socialmind.worlds.plane import (
     Robot,
     Sense,
     Zone,
+    active,
     claw,
     distance_to,
     in_claw,
     orientation,
 )
+from socialmind.worlds.plane.scene import scene_of
 from socialmind.worlds.plane.stages import PLACED, STAGES
 
 MENAGERIE = load_file(Path(__file__).parent / "menagerie" / "model.py").Menagerie
@@ -79,6 +81,78 @@ def test_the_numbers_of_a_device_stand_behind_its_place():
     (call,) = [c for c in plan.stages["robots"]["sensors"].calls if c.name == "ahead"]
     found = plan.settings[call.settings : call.settings + PLACED + 1].tolist()
     assert found == [1.0, 2.0, 0.0, float("inf"), 8.0]
+
+
+def put(ball):
+    ball.x = 4.0
+
+
+class Sighted(Model):
+    """A robot at 0 with a ball at 4; how far it sees is a parameter."""
+
+    sight: float = parameter(5.0)
+    largest: int = parameter(8)
+    world = Plane(20.0)
+    balls = Population(Body, 1, body=BALL)
+    robots = Population(
+        Robot,
+        1,
+        body=Disc(),
+        sensors={
+            "near": distance_to("balls", reach="sight"),
+            "there": active("balls", reach="sight"),
+            "far": active("balls", reach=5.0),
+            "share": Sense(bright, of="balls", settings={"wide": "largest"}),
+        },
+    )
+    setup = (each(balls, put),)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize(
+    ("given", "readings"),
+    [
+        ({}, [0.8, 1.0, 1.0, 0.5]),
+        ({"sight": 3.0}, [1.0, 0.0, 1.0, 0.5]),
+        ({"sight": 0.0, "largest": 16}, [1.0, 0.0, 1.0, 0.25]),
+    ],
+)
+def test_parameters_of_the_model_can_be_numbers_of_devices(compiled, given, readings):
+    model = Sighted(compiled=compiled, **given)
+    model.advance(1)
+    assert model.tables["robots"].rows["readings"][0].tolist() == pytest.approx(readings)
+
+
+def test_a_line_is_drawn_to_what_is_within_such_a_reach():
+    class Aiming(Sighted):
+        robots = Population(
+            Robot, 1, body=Disc(), sensors={"where": orientation("balls", reach="sight")}
+        )
+
+    assert [len(scene_of(Aiming(sight=one)).robots[0].lines) for one in (3.0, 5.0)] == [0, 1]
+
+
+def test_parameters_that_do_not_fit_are_refused():
+    class Blind(Sighted):
+        robots = Population(
+            Robot, 1, body=Disc(), sensors={"near": distance_to("balls", reach="sigth")}
+        )
+
+    with pytest.raises(ModelError, match=r"reach='sigth' of the sensor 'near'.*mean 'sight'"):
+        Blind()
+
+    class Faint(Sighted):
+        robots = Population(
+            Robot,
+            1,
+            body=Disc(),
+            sensors={"share": Sense(bright, of="balls", settings={"wide": "much"})},
+        )
+
+    with pytest.raises(ModelError, match=r"wide='much' of the sensor 'share'.*there is sight, la"):
+        Faint()
+    with pytest.raises(ModelError, match=r"sight=-1 as the reach of the sensor 'near' of 'robots'"):
+        Sighted(sight=-1.0)
 
 
 def test_every_device_draws_from_a_stream_of_its_own():

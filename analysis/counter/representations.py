@@ -1,0 +1,124 @@
+"""What the variable of each attempt holds, step by step, and how well it counts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.experiments import paper, score
+from socialmind.learning import Training
+from socialmind.studies import write_figure
+
+from .trainings import PLANS, wanted_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+FIGURES = load_file(model_folder("counter") / "figures.py")
+MEASURES = ("correct_sequences", "sequences", "objects", "survived")
+STEPS = ("brings the first", "delivered it", "brings the second", "delivered it", "validated")
+WATCHED = 10
+"""Runs of an attempt in which a correct sequence is looked for."""
+GOOD = 0.9
+"""The share of correct sequences from which an attempt counts as one that learned to count."""
+
+Row = dict[str, Any]
+
+
+def row_of(training: Training, name: str, attempt: int, worlds: int, seed: int) -> Row:
+    """Return what an attempt comes to: its measures, and the variable's value in each step.
+
+    Args:
+        training: the training.
+        name: of its plan.
+        attempt: its number.
+        worlds: how many it is scored in.
+        seed: of these worlds.
+    """
+    model = load_model("counter")
+    mind = training.mind(attempt)
+    parameters = {"wanted": wanted_of(name)}
+    found = score(model, mind, episodes=worlds, seed=seed, parameters=parameters)
+    row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": seed}
+    row |= {key: round(found.intervals[key].mean, 4) for key in MEASURES}
+    values: list[float] = []
+    two = found.frame.sort_values("sequences", ascending=False, kind="stable")["world"]
+    for world in two[:WATCHED].tolist():
+        memory = FIGURES.watched(model(seed=world, hierarchy=mind, **parameters), model.ticks)
+        shown = [one for one in FIGURES.sequences(memory) if len(one) == len(STEPS)]
+        if shown:
+            # The last one: a first sequence may begin from another value than all others.
+            values = memory.value[shown[-1]].tolist()
+            break
+    for number in range(len(STEPS)):
+        row[f"step {number + 1}"] = round(values[number], 4) if values else None
+    return row
+
+
+def write_representations(
+    trainings: Mapping[str, Path], worlds: int, seed: int, out: Path
+) -> list[Path]:
+    """Write a row for each attempt, a figure, and what they say.
+
+    Args:
+        trainings: folders by plan.
+        worlds: how many each attempt is scored in.
+        seed: of these worlds.
+        out: the folder.
+    """
+    rows = []
+    for name, folder in trainings.items():
+        training = Training(folder)
+        done = sorted(training.lessons["attempt"].unique().tolist())
+        rows += [row_of(training, name, attempt, worlds, seed) for attempt in done]
+    written = write_figure("representations", draw(rows), rows, out)
+    page = out / "representations.md"
+    page.write_text("\n".join(lines_of(rows)) + "\n", "utf-8")
+    return [*written, page]
+
+
+def lines_of(rows: list[Row]) -> list[str]:
+    """Return what the attempts come to, in words and a table."""
+    lines = ["# Attempts at learning to count", ""]
+    for name in dict.fromkeys(row["training"] for row in rows):
+        own = [row for row in rows if row["training"] == name]
+        shares = np.nan_to_num([row["correct_sequences"] for row in own])
+        good = int((shares >= GOOD).sum())
+        kinds = {tuple(row[f"step {n + 1}"] for n in range(len(STEPS))) for row in own
+                 if row["correct_sequences"] >= GOOD and row["step 1"] is not None}  # fmt: skip
+        lines.append(
+            f"- `{name}`, {PLANS[name].about}: {good} of {len(own)} attempts with {GOOD:.0%} of "
+            f"their sequences correct or more (best {shares.max():.2f}); {len(kinds)} different "
+            "representations among them."
+        )
+    heads = ["training", "attempt", *MEASURES, *(f"{n}: {what}" for n, what in enumerate(STEPS, 1))]
+    lines += ["", f"| {' | '.join(heads)} |", "|" + "---|" * len(heads)]
+    for row in rows:
+        cells = [row[key] for key in ("training", "attempt", *MEASURES)]
+        cells += [row[f"step {number + 1}"] for number in range(len(STEPS))]
+        lines.append(f"| {' | '.join('–' if one is None else str(one) for one in cells)} |")
+    return lines
+
+
+def draw(rows: list[Row]) -> Figure:
+    """Draw the variable step by step, a line for each attempt, a panel for each training."""
+    names = list(dict.fromkeys(row["training"] for row in rows))
+    with paper.style():
+        figure = paper.figure(paper.PAGE, 62)
+        panels = figure.subplots(1, len(names), squeeze=False, sharey=True)[0]
+        for place, (axes, name) in enumerate(zip(panels, names, strict=True)):
+            for row in rows:
+                if row["training"] != name or row["step 1"] is None:
+                    continue
+                colour = paper.BLUE if row["correct_sequences"] >= GOOD else paper.GREY
+                values = [row[f"step {number + 1}"] for number in range(len(STEPS))]
+                axes.plot(range(1, len(STEPS) + 1), values, color=colour, linewidth=0.8, marker=".")
+            axes.set_xticks(range(1, len(STEPS) + 1))
+            axes.set_xlabel("step")
+            paper.panel_title(axes, "abcdef"[place], name)
+        panels[0].set_ylabel("variable Count (0 … 1)")
+    return figure

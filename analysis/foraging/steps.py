@@ -1,0 +1,152 @@
+"""Figures 8.3 and 8.4 of the thesis: eight steps of a robot that forages with others.
+
+A run is searched for a robot that does what the thesis tells of its robot: it searches, sees
+objects, grips one, leaves their sight with it, brings it home, turns to a signal that it hears,
+comes nearer, and sees objects again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from socialmind.catalogue import load_model
+from socialmind.errors import SocialmindError
+from socialmind.experiments import run
+from socialmind.experiments.page import Style
+from socialmind.experiments.rendering import draw_moments
+
+SEEDS = range(1, 21)
+"""Of the runs that are searched, one after another."""
+EVERY = 5
+"""Ticks between two looks at the robots."""
+BEFORE = 100
+"""Ticks before it sees objects, for the first step."""
+TRAIL = 400
+"""Ticks of the path that are drawn."""
+TOLD = (
+    "it searches: neither object nor signal",
+    "it sees objects, and emits a signal",
+    "it has gripped one",
+    "it leaves the sight of the objects, and its signal ends",
+    "it has brought the object home",
+    "it turns to a signal",
+    "it comes nearer to the signal",
+    "it sees objects again",
+)
+
+
+@dataclass(frozen=True)
+class Steps:
+    """A robot's eight steps.
+
+    Attributes:
+        seed: of the run.
+        robot: the robot's identity.
+        ticks: of the steps.
+    """
+
+    seed: int
+    robot: int
+    ticks: tuple[int, ...]
+
+
+def found(seeds: Sequence[int] = SEEDS, ticks: int | None = None) -> Steps:
+    """Return the first robot of the first run that goes through all steps.
+
+    Args:
+        seeds: of the runs.
+        ticks: of a run; the model's by default.
+
+    Raises:
+        SocialmindError: none does.
+    """
+    for seed in seeds:
+        records = _recorded(seed, ticks)
+        several = [
+            (moments, robot)
+            for robot in range(len(records[0][1]))
+            if (moments := _steps_of([(tick, rows[robot]) for tick, rows in records]))
+        ]
+        if several:
+            moments, robot = min(several)
+            return Steps(seed, robot, moments)
+    raise SocialmindError(
+        f"none of the robots of {len(seeds)} runs brought an object home and came back to a signal"
+    )
+
+
+def _recorded(seed: int, ticks: int | None) -> list[tuple[int, list[dict[str, bool]]]]:
+    """Return what each robot of a run sees, hears and holds, moment by moment."""
+    model_class = load_model("foraging")
+    model: Any = model_class(seed=seed)
+    names = list(model_class.populations["robots"].sensors)
+    rows = model.tables["robots"].rows
+    places = {name: names.index(name) for name in ("ACTOBJ", "ACTSIG", "HOLDS")}
+    records = []
+    while model.tick < (ticks or model_class.ticks):
+        model.advance(EVERY)
+        told = [
+            {name: bool(row["readings"][place] > 0.5) for name, place in places.items()}
+            for row in rows
+        ]
+        records.append((model.tick, told))
+    return records
+
+
+def _steps_of(records: Sequence[tuple[int, dict[str, bool]]]) -> tuple[int, ...] | None:
+    """Return the ticks of the eight steps of a robot, or None."""
+    wanted: tuple[tuple[str, bool], ...] = (
+        ("ACTOBJ", True), ("HOLDS", True), ("ACTOBJ", False), ("HOLDS", False), ("ACTSIG", True),
+        ("ACTOBJ", True),
+    )  # fmt: skip
+    moments: list[int] = []
+    at = 0
+    for name, value in wanted:
+        while at < len(records) and records[at][1][name] is not value:
+            at += 1
+        if at == len(records):
+            return None
+        moments.append(records[at][0])
+    sees, grips, leaves, home, hears, again = moments
+    turned = hears + (again - hears) // 3
+    nearer = hears + 2 * (again - hears) // 3
+    if sees <= BEFORE or again - hears < 6 * EVERY:
+        return None
+    return sees - BEFORE, sees, grips, leaves, home, turned, nearer, again
+
+
+def draw(out: Path, steps: Steps) -> list[Path]:
+    """Draw the steps, the plane on the left and the robot's hierarchy on the right.
+
+    Args:
+        out: the folder.
+        steps: which.
+
+    Returns:
+        A PDF for the first four and one for the others, and a page that tells of them.
+    """
+    out.mkdir(parents=True, exist_ok=True)
+    style = Style(mind=True, robot=("robots", steps.robot), trail=TRAIL)
+    files = []
+    with TemporaryDirectory() as folder:
+        made = run(load_model("foraging"), steps.ticks[-1], steps.seed, out=Path(folder) / "run")
+        for name, ticks in (("8.3", steps.ticks[:4]), ("8.4", steps.ticks[4:])):
+            files.append(draw_moments(made, out / f"figure-{name}.pdf", ticks, style))
+    lines = [
+        "# Figures 8.3 and 8.4: a robot forages with others",
+        "",
+        f"Robot {steps.robot} of the run with seed {steps.seed}; "
+        "by `socialmind reproduce figure-8.3`.",
+        "",
+    ]
+    lines += [
+        f"{number}. Tick {tick:,}: {text}."
+        for number, (tick, text) in enumerate(zip(steps.ticks, TOLD, strict=True), 1)
+    ]
+    page = out / "figure-8.3.md"
+    page.write_text("\n".join(lines) + "\n", "utf-8")
+    return [*files, page]

@@ -1,0 +1,145 @@
+"""The trainings behind the comparison of foraging robots, each with the command that makes it.
+
+python -m analysis.foraging.trainings foraging          # all its attempts, gone on with if begun
+python -m analysis.foraging.trainings all
+
+They lie in `trainings/`, and begin with what `results/` holds of them. `keep` puts what they came
+to into `results/`, and `ship` the best attempt's mind into the model.
+"""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from socialmind.catalogue import load_file, model_folder
+from socialmind.errors import SocialmindError
+from socialmind.learning import Curriculum, Lesson, Training
+from socialmind.mind import MindDescription
+
+COLLECT = Path(__file__).parents[1] / "collect"
+MAKING = load_file(COLLECT / "trainings.py")
+KEEPING = load_file(COLLECT / "results.py")
+LESSONS = load_file(model_folder("foraging") / "lessons.py")
+MINDS = load_file(model_folder("foraging") / "minds.py")
+HOME = Path(__file__).parent / "trainings"
+KEPT = Path(__file__).parent / "results" / "trainings"
+SEED = MAKING.SEED
+ATTEMPTS = 3
+SHIPPED = "foraging"
+DEAF, BLIND = {"hearing": 0.0}, {"company": 0.0}
+"""The worlds of robots that hear no signals, and of robots that do not see each other."""
+
+Change = Callable[[Lesson], Lesson | None]
+
+
+def curriculum(change: Change) -> Curriculum:
+    """Return the lessons of the model, changed; those changed to None are left out."""
+    changed = (change(lesson) for lesson in LESSONS.curriculum.lessons)
+    return Curriculum(tuple(lesson for lesson in changed if lesson is not None))
+
+
+def same(lesson: Lesson) -> Lesson:
+    """Leave a lesson as it is."""
+    return lesson
+
+
+def without(parameters: Mapping[str, float]) -> Change:
+    """Return what sets parameters of the group's lessons; a robot alone learns as ever."""
+
+    def change(lesson: Lesson) -> Lesson:
+        if lesson.environment is LESSONS.ReachSignal:
+            return lesson
+        return lesson.changed(parameters={**lesson.parameters, **parameters})
+
+    return change
+
+
+def at_random(lesson: Lesson) -> Lesson | None:
+    """Leave searching out of a lesson, or the lesson where nothing else learns."""
+    skills = tuple(one for one in lesson.skills if one != MINDS.SEARCH)
+    return replace(lesson, skill=skills) if skills else None
+
+
+def walker() -> MindDescription:
+    """Return the foraging mind whose Search is a random walk."""
+    mind: MindDescription = MINDS.walking_at_random(MINDS.forager())
+    return mind
+
+
+def plan(about: str, change: Change, mind: Callable[[], MindDescription] = MINDS.forager) -> Any:
+    """Return a training of all lessons, changed."""
+    return MAKING.Plan(about, ATTEMPTS, mind, lambda: curriculum(change), "foraging")
+
+
+PLANS: Mapping[str, Any] = {
+    SHIPPED: plan("all lessons, with signals and in sight of each other", same),
+    "deaf": plan("all lessons without signals", without(DEAF)),
+    "blind": plan("all lessons without seeing each other", without(BLIND)),
+    "random": plan("all lessons with a random walk in place of Search", at_random, walker),
+}
+
+
+def make(name: str, folder: Path, quick: bool = False) -> Training:
+    """Make a training, or go on with it.
+
+    Args:
+        name: of the plan.
+        folder: of the training.
+        quick: whether it is a small one.
+    """
+    planned = PLANS[name]
+    MAKING.train(name, folder, MAKING.small(planned) if quick else planned, on_lesson=MAKING.told)
+    return Training(folder)
+
+
+def best_of(training: Training) -> int:
+    """Return the attempt that did best in the finals of its last lesson."""
+    table = training.lessons
+    last = table[table["lesson"] == table["lesson"].iloc[-1]]
+    finished = last.sort_values(["score", "attempt"], ascending=[False, True])
+    return int(finished["attempt"].iloc[0])
+
+
+def keep(name: str) -> Path:
+    """Keep what a training came to, small enough for the repository."""
+    kept: Path = KEEPING.keep(HOME / name, KEPT)
+    return kept
+
+
+def ship(name: str = SHIPPED) -> Path:
+    """Give the model the mind of the best attempt."""
+    training = Training(HOME / name)
+    target = model_folder("foraging") / "mind"
+    shutil.rmtree(target, ignore_errors=True)
+    training.mind(best_of(training)).save(target)
+    return target
+
+
+def main(arguments: list[str]) -> None:
+    """Make trainings, keep them, or ship the mind of one."""
+    if arguments[:1] == ["ship"]:
+        print(ship(*arguments[1:2]), flush=True)
+        return
+    keeps = arguments[:1] == ["keep"]
+    names = arguments[1:] if keeps else arguments
+    for name in PLANS if names == ["all"] else names:
+        if name not in PLANS:
+            raise SocialmindError(
+                f"no training called {name!r}; expected one of {', '.join(PLANS)}"
+            )
+        if keeps:
+            print(keep(name), flush=True)
+            continue
+        folder = HOME / name
+        if not folder.is_dir():
+            KEEPING.take_out(name, folder, KEPT)
+        print(name, make(name, folder).folder, flush=True)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

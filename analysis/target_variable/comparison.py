@@ -1,0 +1,93 @@
+"""How far robots go for an object, by the function of CollectVariable."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from socialmind.catalogue import load_model
+from socialmind.experiments import paper, score
+from socialmind.learning import Training
+from socialmind.studies import write_figure
+
+from .trainings import FUNCTIONS, known
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MEASURES = ("path_ratio", "path", "objects", "survived")
+MARK = 1.3
+"""How much longer than those of the plain hierarchy ways may be."""
+
+Row = dict[str, Any]
+
+
+def write_comparison(
+    trainings: Mapping[str, Path], worlds: int, seed: int, out: Path
+) -> list[Path]:
+    """Write a row for each attempt, a figure, and what they say.
+
+    Args:
+        trainings: folders by plan.
+        worlds: how many each attempt is scored in.
+        seed: of these worlds.
+        out: the folder.
+    """
+    rows: list[Row] = []
+    for name, folder in trainings.items():
+        training = Training(folder)
+        for attempt in sorted(training.lessons["attempt"].unique().tolist()):
+            found = score(
+                load_model("target_variable"), training.mind(attempt), episodes=worlds, seed=seed
+            )
+            row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": seed}
+            for key in MEASURES:
+                row[key] = round(found.intervals[key].mean, 4)
+            row["path_ratio_low"] = round(found.intervals["path_ratio"].low, 4)
+            row["path_ratio_high"] = round(found.intervals["path_ratio"].high, 4)
+            rows.append(row)
+    written = write_figure("target-functions", draw(rows), rows, out)
+    page = out / "target-functions.md"
+    page.write_text("\n".join(lines_of(rows)) + "\n", "utf-8")
+    return [*written, page]
+
+
+def lines_of(rows: list[Row]) -> list[str]:
+    """Return what the attempts come to, in words and a table."""
+    lines = ["# Functions of CollectVariable", ""]
+    for name in dict.fromkeys(row["training"] for row in rows):
+        own = np.array([row["path_ratio"] for row in rows if row["training"] == name], float)
+        objects = np.array([row["objects"] for row in rows if row["training"] == name])
+        size = known(FUNCTIONS[name][1]).skills["CollectVariable"].genome_size
+        lines.append(
+            f"- `{name}`, {FUNCTIONS[name][0]}, {size} weights: ways of {np.nanmean(own):.2f} "
+            f"({np.nanmin(own):.2f} to {np.nanmax(own):.2f}) times those of the plain hierarchy; "
+            f"{int((own <= MARK).sum())} of {len(own)} attempts within {MARK}; "
+            f"{objects.mean():.1f} objects."
+        )
+    heads = ["training", "attempt", *MEASURES]
+    lines += ["", f"| {' | '.join(heads)} |", "|" + "---|" * len(heads)]
+    lines += [f"| {' | '.join(str(row[key]) for key in heads)} |" for row in rows]
+    return lines
+
+
+def draw(rows: list[Row]) -> Figure:
+    """Draw the ratio of each attempt, with its interval over worlds."""
+    names = list(dict.fromkeys(row["training"] for row in rows))
+    with paper.style():
+        figure = paper.figure(paper.COLUMN, 60)
+        axes = figure.subplots()
+        for place, name in enumerate(names):
+            own = [row for row in rows if row["training"] == name]
+            for number, row in enumerate(own):
+                at = place + 0.5 * ((number + 0.5) / len(own) - 0.5)
+                axes.plot([at, at], [row["path_ratio_low"], row["path_ratio_high"]],
+                          color=paper.GREY, linewidth=0.8)  # fmt: skip
+                axes.plot(at, row["path_ratio"], "o", color=paper.BLUE, markersize=3)
+        axes.axhline(MARK, color=paper.RED, linewidth=0.6, linestyle=(0, (3, 2)))
+        axes.set_xticks(range(len(names)), [name.replace("_", "\n") for name in names])
+        axes.set_ylabel("way for an object, over the plain one's")
+    return figure

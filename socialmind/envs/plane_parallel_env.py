@@ -1,0 +1,266 @@
+"""The world of several robots on a plane as a parallel environment of PettingZoo."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import gymnasium
+import numpy as np
+from gymnasium.spaces import Box
+from gymnasium.utils.seeding import np_random
+from numpy.typing import NDArray
+
+from socialmind.envs.plane_env import check_render_mode, class_of, limit_of, sizes_of
+from socialmind.errors import SocialmindError
+from socialmind.model import Model
+
+
+class MissingPettingZooError(SocialmindError, ImportError):
+    """The library `pettingzoo` is not installed."""
+
+
+if find_spec("pettingzoo") is None:
+    raise MissingPettingZooError(
+        "parallel environments need PettingZoo: pip install 'socialmind[pettingzoo]'"
+    )
+
+from pettingzoo import ParallelEnv  # noqa: E402  # needs PettingZoo
+
+if TYPE_CHECKING:
+    from socialmind.envs.drawing import Drawing
+
+Numbers = NDArray[np.float32]
+
+
+class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
+    """A world with any number of robots, each of which is steered from outside.
+
+    An agent is a robot that is there from the start and has actuators; the second of the population
+    `robots` is called `robots_1`. Its observation is what its sensors read, its action what its
+    actuators are told, both 0 … 1 and in the body's order, and its reward what the model's rewards
+    give that robot in the tick. Where an agent gets no action its actuators are told 0.5, as are
+    those of robots that are born on the way.
+
+    A step is a tick, and the first tick belongs to `reset`, as for `PlaneEnv`. An interruption
+    terminates the episode for all agents, a robot's death for that one, and the limit of ticks
+    truncates it.
+
+    Args:
+        model: a model's class, name or folder.
+        environment: the name of a class in its `lessons.py`, in place of the model itself.
+        render_mode: None, or "rgb_array".
+        ticks: the limit of an episode; the model's own by default.
+        physics: what moves the bodies, "compiled" or "pymunk".
+        without: names of interruptions that are not heeded.
+        parameters: values of the model's parameters that differ from the defaults.
+
+    Attributes:
+        model: the running model, once `reset` was called.
+        possible_agents: the names of all agents.
+        agents: those whose episode goes on.
+
+    Raises:
+        SocialmindError: no such model or lesson; no plane, or no robots to steer.
+    """
+
+    # As PettingZoo declares it; an instance has its own.
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 30}  # noqa: RUF012
+
+    def __init__(
+        self,
+        model: type[Model] | str | Path,
+        environment: str | None = None,
+        render_mode: str | None = None,
+        ticks: int | None = None,
+        physics: str = "compiled",
+        without: Sequence[str] = (),
+        parameters: Mapping[str, Any] | None = None,
+    ) -> None:
+        check_render_mode(render_mode)
+        self._class = class_of(model, environment)
+        self._made_with = {"physics": physics, "without": without, **(parameters or {})}
+        sizes = sizes_of(self._class, parameters)
+        plane: Any = self._class.shape.plane
+        steered = {name: one for name, one in plane.robots.items() if one.actuators}
+        self._place = {
+            f"{name}_{number}": (name, number) for name in steered for number in range(sizes[name])
+        }
+        if not self._place:
+            raise SocialmindError(f"{self._class.name} has no robots with actuators to steer")
+        self._limit = limit_of(self._class, ticks)
+        self._counts = {
+            name: (len(one.sensors), len(one.actuators)) for name, one in steered.items()
+        }
+        # Each agent has spaces of its own, whose draws do not disturb those of others.
+        spaces = {
+            agent: [Box(0.0, 1.0, (count,), np.float32) for count in self._counts[name]]
+            for agent, (name, _) in self._place.items()
+        }
+        self.observation_spaces = {agent: one for agent, (one, _) in spaces.items()}
+        self.action_spaces = {agent: one for agent, (_, one) in spaces.items()}
+        self.metadata = {
+            **self.metadata,
+            "name": f"{self._class.name}_v0",
+            "render_fps": round(1 / plane.dt),
+        }
+        self.render_mode = render_mode
+        self.possible_agents = list(self._place)
+        self.agents: list[str] = []
+        self.model: Model | None = None
+        self._random, _ = np_random(None)
+        self._identity: dict[str, int] = {}
+        self._pending: dict[str, float] = {}
+        self._world = 0
+        self._drawing: Drawing | None = None
+
+    def observation_space(self, agent: str) -> Box:
+        """Return the space of what an agent's sensors read."""
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent: str) -> Box:
+        """Return the space of what an agent's actuators are told."""
+        return self.action_spaces[agent]
+
+    def reset(
+        self, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[dict[str, Numbers], dict[str, dict[str, Any]]]:
+        """Begin an episode.
+
+        Args:
+            seed: of this world and those of later episodes.
+            options: `{"world": seed}` for the world of `Model(seed=…)`.
+
+        Returns:
+            By agent what its sensors read; and `world`, the seed of the world, `tick`, the robot's
+            `score` and `over`, the name of the interruption that has ended the episode or None.
+        """
+        if seed is not None:
+            self._random, _ = np_random(seed)
+        drawn = int(self._random.integers(2**63))
+        self._world = int((options or {}).get("world", drawn))
+        self.model = self._class(seed=self._world, hierarchy=False, **self._made_with)
+        self._identity = {
+            agent: int(self.model.tables[name].rows["_id"][number])
+            for agent, (name, number) in self._place.items()
+        }
+        self.model.advance()
+        self.agents = [agent for agent in self.possible_agents if self._slot(agent) is not None]
+        self._pending = {agent: self._reward(agent) for agent in self.agents}
+        self._drawing = None
+        self._draw()
+        return self._observations(self.agents), self._infos(self.agents)
+
+    def step(
+        self, actions: dict[str, Numbers]
+    ) -> tuple[
+        dict[str, Numbers],
+        dict[str, float],
+        dict[str, bool],
+        dict[str, bool],
+        dict[str, dict[str, Any]],
+    ]:
+        """Run a tick.
+
+        Args:
+            actions: (actuators,) by agent, held to 0 … 1.
+
+        Returns:
+            By agent what its sensors read, its reward, whether its episode has ended, whether its
+            ticks are up, and what `reset` tells.
+        """
+        if self.model is None:
+            raise gymnasium.error.ResetNeeded("call reset() before the first step()")
+        acting = list(self.agents)
+        rewards, self._pending = {agent: self._pending.pop(agent, 0.0) for agent in acting}, {}
+        if self.model.over is None and acting:
+            self._steer(actions)
+            self.model.advance()
+            for agent in acting:
+                rewards[agent] += self._reward(agent)
+            self._draw()
+        over = self.model.over is not None
+        ended = {agent: over or self._slot(agent) is None for agent in acting}
+        up = dict.fromkeys(acting, self.model.tick >= self._limit)
+        self.agents = [agent for agent in acting if not (ended[agent] or up[agent])]
+        return self._observations(acting), rewards, ended, up, self._infos(acting)
+
+    def render(self) -> Any:
+        """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
+        if self._drawing is None or self.model is None:
+            return None
+        return self._drawing.pixels(self.model)
+
+    def close(self) -> None:
+        """Let the world go."""
+        self.model = self._drawing = None
+        self.agents = []
+
+    def _steer(self, actions: Mapping[str, Numbers]) -> None:
+        """Tell each living robot's actuators the action of its agent."""
+        unknown = [agent for agent in actions if agent not in self._place]
+        if unknown:
+            raise SocialmindError(
+                f"an action for {unknown[0]!r}; expected agents among "
+                f"{', '.join(self.possible_agents)}"
+            )
+        model: Any = self.model
+        for name, (_, count) in self._counts.items():
+            table = model.tables[name]
+            commands = np.full((len(table.rows), count), 0.5)
+            for agent in self.agents:
+                if self._place[agent][0] == name and agent in actions:
+                    told = np.asarray(actions[agent], np.float64)
+                    if told.shape != (count,):
+                        raise SocialmindError(
+                            f"an action of {agent!r} of shape {told.shape}; expected {(count,)}"
+                        )
+                    commands[self._slot(agent)] = np.clip(told, 0.0, 1.0)
+            model.steer(name, commands[table.slots])
+
+    def _slot(self, agent: str) -> int | None:
+        """Return where the robot of an agent is in its table, None once it is dead."""
+        model: Any = self.model
+        table = model.tables[self._place[agent][0]]
+        found = np.flatnonzero(table.alive & (table.rows["_id"] == self._identity[agent]))
+        return int(found[0]) if len(found) else None
+
+    def _row(self, agent: str) -> Any:
+        """Return the robot of an agent, as it was at last if it is dead; None if that is lost."""
+        model: Any = self.model
+        rows = model.tables[self._place[agent][0]].rows
+        found = np.flatnonzero(rows["_id"] == self._identity[agent])
+        return rows[found[0]] if len(found) else None
+
+    def _reward(self, agent: str) -> float:
+        row = self._row(agent)
+        return 0.0 if row is None else float(row["reward"])
+
+    def _observations(self, agents: Sequence[str]) -> dict[str, Numbers]:
+        found = {}
+        for agent in agents:
+            count, row = self._counts[self._place[agent][0]][0], self._row(agent)
+            readings = np.zeros(count) if row is None else row["readings"][:count]
+            found[agent] = readings.astype(np.float32)
+        return found
+
+    def _infos(self, agents: Sequence[str]) -> dict[str, dict[str, Any]]:
+        model: Any = self.model
+        told = {"world": self._world, "tick": model.tick, "over": model.over}
+        rows = {agent: self._row(agent) for agent in agents}
+        return {
+            agent: {**told, "score": 0.0 if row is None else float(row["score"])}
+            for agent, row in rows.items()
+        }
+
+    def _draw(self) -> None:
+        """Note where the robots are for the picture's paths."""
+        if self.render_mode is None or self.model is None:
+            return
+        if self._drawing is None:
+            from socialmind.envs.drawing import Drawing
+
+            self._drawing = Drawing(list(self._counts))
+        self._drawing.note(self.model)
