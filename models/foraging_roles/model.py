@@ -35,6 +35,7 @@ NEAREST, FARTHEST, ASIDE = 35.0, 60.0, 50.0  # where objects are: units to the s
 SPARE = 3  # objects of a kind more than robots
 COUNTED = 3.0  # objects delivered a robot that have been counted before the start
 PAYOFF = 0.15  # how much of the payoff sensor's range a perceived demand of 1 takes
+PUSHED = 2.0  # units that an object may be pushed away from where it was put
 AHEAD = 2.1  # units within which what a robot carries is
 FARTHEST_OFF = 3  # robots off the wanted split up to which it is watched
 HOLD = 5000  # ticks within one robot of the wanted split that count as settled
@@ -47,7 +48,9 @@ class Forager(Robot):
 
     `load` is the kind of object in its claw (1 for A, 2 for B, 0 for none) and `cargo` its
     identity. `paid` says that it has just delivered one, `payoff` what the last one was worth (0 …
-    1, 0.5 as it should be), `role` the variable ROLE of its mind: B from 0.5 on, else A.
+    1, 0.5 as it should be), `role` the variable ROLE of its mind: B from 0.5 on, else A. `since`
+    are the ticks since it has picked up or let go of anything, `rescues` how often that was too
+    long.
     """
 
     role: float = 0.5
@@ -56,9 +59,18 @@ class Forager(Robot):
     paid: bool = False
     load: int = 0
     cargo: int = -1
+    since: int = 0
+    rescues: int = 0
     delivered_a: int = 0
     delivered_b: int = 0
     changes: int = 0
+
+
+class Ball(Body):
+    """An object, and the place where it was put."""
+
+    home_x: float = 0.0
+    home_y: float = 0.0
 
 
 # Setup ------------------------------------------------------------------------------------------
@@ -90,11 +102,16 @@ def open_market(market, model, rng):
 
 def arrive(robot, model, rng):
     """Put a robot near the middle, with the role that it has at the start."""
+    stand(robot, rng)
+    take_role(robot, model.began_as, rng)
+
+
+def stand(robot, rng):
+    """Put a robot near the middle."""
     way = rng.uniform(-math.pi, math.pi)
     robot.x = RING * math.cos(way)
     robot.y = RING * math.sin(way)
     robot.angle = rng.uniform(-math.pi, math.pi)
-    take_role(robot, model.began_as, rng)
 
 
 def take_role(robot, start, rng):
@@ -141,6 +158,8 @@ def place(ball, model, rng, side):
                 free = False
     ball.vx = 0
     ball.vy = 0
+    ball.home_x = ball.x
+    ball.home_y = ball.y
 
 
 # A tick -----------------------------------------------------------------------------------------
@@ -149,6 +168,7 @@ def place(ball, model, rng, side):
 def work(robot, model, rng):
     """Notice what a robot picks up, pay it for what it delivers, and look at its role."""
     robot.paid = False
+    robot.since += 1
     if robot.carrying >= 0:
         if robot.cargo != robot.carrying:
             robot.cargo = robot.carrying  # its object is put ahead of it in the next tick
@@ -158,6 +178,8 @@ def work(robot, model, rng):
         let_go_of_a(robot, model, rng)
     elif robot.load == 2:
         let_go_of_b(robot, model, rng)
+    if robot.since > model.patience:
+        rescue(robot, model, rng)
     look_at_role(robot)
 
 
@@ -168,8 +190,7 @@ def let_go_of_a(robot, model, rng):
         robot.delivered_a += 1
         pay(robot, model)
         place_a(ball, model, rng)
-    robot.load = 0
-    robot.cargo = -1
+    empty(robot)
 
 
 def let_go_of_b(robot, model, rng):
@@ -179,17 +200,60 @@ def let_go_of_b(robot, model, rng):
         robot.delivered_b += 1
         pay(robot, model)
         place_b(ball, model, rng)
+    empty(robot)
+
+
+def empty(robot):
+    """Let a robot have nothing in its claw."""
     robot.load = 0
     robot.cargo = -1
+    robot.since = 0
 
 
 def pick_up(robot, model):
     """Find out which kind of object a robot has in its claw: the one just ahead of it."""
+    robot.since = 0
     robot.load = 2
     if model.objects_a.contains(robot.cargo):
         ball = model.objects_a[robot.cargo]
         if ball.carrier_kind >= 0 and COLLECT.away(ball, robot.x, robot.y) < AHEAD:
             robot.load = 1
+
+
+def rescue(robot, model, rng):
+    """Put a robot that is stuck back near the middle, without what it carries."""
+    if robot.load == 1:
+        release(model.objects_a[robot.cargo])
+    elif robot.load == 2:
+        release(model.objects_b[robot.cargo])
+    robot.carrying = -1
+    robot.closed = False
+    empty(robot)
+    robot.rescues += 1
+    stand(robot, rng)
+
+
+def release(ball):
+    """Let nobody carry an object."""
+    ball.carrier_kind = -1
+    ball.carrier = -1
+
+
+def tidy_a(ball, model, rng):
+    """Put an object of the kind A that is astray elsewhere on its side."""
+    if astray(ball):
+        place_a(ball, model, rng)
+
+
+def tidy_b(ball, model, rng):
+    """Put an object of the kind B that is astray elsewhere on its side."""
+    if astray(ball):
+        place_b(ball, model, rng)
+
+
+def astray(ball):
+    """Say whether an object was pushed away, or dropped on the way: obstacles may be too near."""
+    return ball.carrier_kind == -1 and COLLECT.away(ball, ball.home_x, ball.home_y) > PUSHED
 
 
 def delivered(ball, model):
@@ -368,6 +432,9 @@ class ForagingRoles(Model):
     decay: float = parameter(
         0.0005, unit="of the counts", low=0.0, high=1.0, doc="what a tick takes of them"
     )
+    patience: int = parameter(
+        3000, unit="ticks", low=1, doc="without picking up or delivering until a robot is rescued"
+    )
     start: int = parameter(
         ANY,
         unit="of five",
@@ -402,8 +469,8 @@ class ForagingRoles(Model):
     obstacles = Population(Obstacle, COLLECT.SIDE * COLLECT.SIDE)
     drop_zones = Population(Zone, 1)
     markets = Population(Market, 1)
-    objects_a = Population(Body, 0, body=BALL)
-    objects_b = Population(Body, 0, body=BALL)
+    objects_a = Population(Ball, 0, body=BALL)
+    objects_b = Population(Ball, 0, body=BALL)
     robots = Population(
         Forager,
         "foragers",
@@ -424,6 +491,7 @@ class ForagingRoles(Model):
         "objects_a": total("delivered_a"),
         "objects_b": total("delivered_b"),
         "collisions": total("collisions"),
+        "rescues": total("rescues"),
     }
 
     setup = (
@@ -435,7 +503,14 @@ class ForagingRoles(Model):
         each(objects_a, place_a),
         each(objects_b, place_b),
     )
-    schedule = (each(robots, work), each(markets, forget), each(markets, shock), once(watch))
+    schedule = (
+        each(robots, work),
+        each(objects_a, tidy_a),
+        each(objects_b, tidy_b),
+        each(markets, forget),
+        each(markets, shock),
+        once(watch),
+    )
 
     def series(self):
         """Return the split of roles, what is wanted, and what the market holds."""

@@ -96,6 +96,19 @@ def test_a_mind_thinks_of_its_role_after_a_delivery_alone():
     assert deliveries == 3
 
 
+def test_robots_that_are_stuck_are_rescued_and_objects_astray_put_elsewhere():
+    model = ForagingRoles(seed=3, compiled=False, foragers=2, patience=8, hierarchy=staying())
+    ball = model.objects_a[0]
+    ball.x += 2.5
+    model.advance(8)
+    assert ball.x == ball.home_x
+    assert model.robots.rescues.tolist() == [0, 0]
+    model.advance(1)
+    assert model.robots.rescues.tolist() == [1, 1]
+    assert np.hypot(model.robots.x, model.robots.y) == pytest.approx(2.5)
+    assert model.robots.since.tolist() == [0, 0]
+
+
 # Shocks -----------------------------------------------------------------------------------------
 
 
