@@ -70,8 +70,8 @@ class Model:
     Class attributes that a modeller declares:
 
     - `ticks`: how long a run is unless it says otherwise;
-    - `score_every`: where it is taught without a plane, after how many ticks its method `score()` is
-      asked again; 0, at the end alone;
+    - `score_every`: where it is taught without a plane, after how many ticks its method `score()`
+      is asked again; 0, at the end alone;
     - parameters: `price: float = parameter(167.0, unit="wheat", low=0.0)`;
     - variables: `warmth: float = 0.0`;
     - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;

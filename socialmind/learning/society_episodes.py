@@ -1,9 +1,9 @@
 """Episodes of societies: genomes judged in models without a plane.
 
 An episode is a model from its setup to its last tick; all agents of the population that learns
-share the genome. What it was worth is what the model's method `score()` says at its end, or the mean
-of what it says every `score_every` ticks. Worlds run one after another, compiled; a genome is data,
-so that nothing is compiled anew for it.
+share the genome. What it was worth is what the model's method `score()` says at its end, or the
+mean of what it says every `score_every` ticks. Worlds run one after another, compiled; a genome is
+data, so that nothing is compiled anew for it.
 """
 
 from __future__ import annotations
