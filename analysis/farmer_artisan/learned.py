@@ -6,7 +6,7 @@
 
 Three societies on the same seeds: the scheme that was written, the mind that was learned, and what
 was distilled from it. Writes learned.csv (one row a society and seed), comparison.csv (each against
-the learned one), distilled.yaml, learned.json and the table in learned.md.
+the learned one), distilled.yaml, learned.json, and the table in README.md.
 """
 
 import argparse
@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 from replicate import course_of, seen
+from study import write_between
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_model, model_folder
@@ -34,6 +35,7 @@ from socialmind.learning.distilling import (
 from socialmind.mind import MindDescription
 
 HERE = Path(__file__).parent
+BEGIN, END = "<!-- learned: begin -->", "<!-- learned: end -->"
 COMFORT = 800.0  # wheat that leaves no need
 STATE_SEEDS = range(10_000, 10_004)  # of the societies whose states the mind is asked in
 STATE_TICKS = range(100, 3_001, 100)
@@ -159,7 +161,7 @@ def main() -> None:
     }
     (out / "learned.json").write_text(json.dumps(summary, indent=1) + "\n")
     text = as_markdown(table, summary)
-    (out / "learned.md").write_text(text, encoding="utf-8")
+    write_between(out / "README.md", text, BEGIN, END)
     print(text)
 
 

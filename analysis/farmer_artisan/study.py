@@ -236,13 +236,24 @@ def write(replicates: Sequence[Replicate], found: dict, table: pd.DataFrame, out
     table.to_csv(out / "results.csv", index=False, float_format="%.6g")
     (out / "summary.json").write_text(json.dumps(found, indent=1) + "\n")
     paper.save({"study": draw(replicates, found["shock"])}, out / "figures")
-    readme = out / "README.md"
-    text = readme.read_text(encoding="utf-8") if readme.exists() else f"{BEGIN}\n{END}\n"
-    if BEGIN not in text or END not in text:
-        raise SystemExit(f"{readme}: found no lines {BEGIN} and {END} to write between")
-    head, _, rest = text.partition(BEGIN)
-    tail = rest.partition(END)[2]
-    readme.write_text(f"{head}{BEGIN}\n\n{as_markdown(found)}\n\n{END}{tail}", encoding="utf-8")
+    write_between(out / "README.md", as_markdown(found), BEGIN, END)
+
+
+def write_between(readme: Path, content: str, begin: str, end: str) -> None:
+    """Put text between two lines of a file, which is made where there is none.
+
+    Args:
+        readme: the file.
+        content: what is put there.
+        begin: the line above.
+        end: the line below.
+    """
+    text = readme.read_text(encoding="utf-8") if readme.exists() else f"{begin}\n{end}\n"
+    if begin not in text or end not in text:
+        raise SystemExit(f"{readme}: found no lines {begin} and {end} to write between")
+    head, _, rest = text.partition(begin)
+    tail = rest.partition(end)[2]
+    readme.write_text(f"{head}{begin}\n\n{content.strip()}\n\n{end}{tail}", encoding="utf-8")
 
 
 def run(seeds: int, ticks: int, shock: int, every: int, workers: int) -> list[Replicate]:

@@ -33,7 +33,7 @@ class Prosperity(FarmerArtisanLearned):
     for so long at the beginning, and none later: a society that starves soon after.
     """
 
-    ticks = 6_000
+    ticks = 4_000
     score_every = 500
 
     def score(self):
@@ -47,10 +47,10 @@ curriculum = Curriculum(
             "Decide",
             Prosperity,
             optimiser="CMAES",
-            generations=100,
-            repetitions=2,
-            finalists=4,
-            finals=8,
+            generations=45,
+            repetitions=1,
+            finalists=2,
+            finals=3,
         ),
     ),
     mind=MIND,

@@ -10,8 +10,11 @@ from pathlib import Path
 
 import pandas as pd
 
+from coglogo_py import CognitiveScheme
+
 ROOT = Path(__file__).parents[2]
 STUDY = ROOT / "analysis" / "farmer_artisan" / "study.py"
+LEARNED = STUDY.with_name("learned.py")
 
 
 def test_a_small_study_writes_its_results(tmp_path: Path) -> None:
@@ -35,3 +38,27 @@ def test_a_small_study_writes_its_results(tmp_path: Path) -> None:
     assert "| seeds with 3 to 9 artisans |" in (tmp_path / "README.md").read_text(encoding="utf-8")
     for suffix in ("pdf", "png"):
         assert (tmp_path / "figures" / f"study.{suffix}").stat().st_size > 0
+
+
+def test_a_learned_mind_is_compared_and_distilled(tmp_path: Path) -> None:
+    command = [sys.executable, str(LEARNED), "--seeds", "2", "--ticks", "2000", "--every", "200"]
+    done = subprocess.run(
+        [*command, "--out", str(tmp_path)],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT), *sys.path])},
+    )
+    assert done.returncode == 0, done.stderr
+    table = pd.read_csv(tmp_path / "learned.csv")
+    assert table["society"].tolist() == ["written", "learned", "distilled"] * 2
+    assert (table["prosperity"] > 0).all()
+    against = pd.read_csv(tmp_path / "comparison.csv").set_index(["society", "measure"])
+    # Far apart in what the scheme of others does, near where it is the mind's own.
+    away = against["difference"].abs()
+    assert away["distilled", "prosperity"] < away["written", "prosperity"]
+    found = json.loads((tmp_path / "learned.json").read_text())
+    assert found["overlap"] > 0.9
+    scheme = CognitiveScheme.load(tmp_path / "distilled.yaml")
+    assert sum(len(one.influence) for one in scheme.cognitons) == found["links"]
+    assert "| division of labour" in (tmp_path / "README.md").read_text(encoding="utf-8")
