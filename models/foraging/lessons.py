@@ -109,8 +109,6 @@ class ForageTogether(Foraging):
 COARSE, FINE = LESSONS.COARSE, LESSONS.FINE
 GENTLE = {**FINE, "step": 0.2, "mutation": 0.1, "narrowing": 0.97}
 """For all skills together: small steps, as little must change in base skills to lose the way."""
-NEAR = {"half_width": 90.0}
-"""A smaller arena, in which there is more to bring home in the same time."""
 SEARCHING = (SEARCH, SEARCH_AVOID)
 
 curriculum = Curriculum(
@@ -147,10 +145,8 @@ curriculum = Curriculum(
             FORAGE,
             ForageTogether,
             repetitions=8,
-            ticks=4000,
             generations=40,
             settings=FINE,
-            parameters=NEAR,
             finals=64,
         ),
         Lesson(
