@@ -143,12 +143,13 @@ def over_time(memory: Memory) -> Figure:
         at = np.flatnonzero(np.diff(what, prepend=0) > 0)
         name = "object delivered" if mark == "o" else "correct sequence"
         upper.plot(time[at], memory.value[at], mark, color=colour, markersize=3, label=name)
-    upper.set_ylim(-0.04, 1.04)
+    # Room for the legend above what the variable comes to.
+    upper.set_ylim(-0.04, min(1.4, 1.6 * max(0.2, float(memory.value.max(initial=0.0)))))
     upper.set_ylabel(f"variable {VARIABLE} (0 … 1)")
     upper.legend(loc="upper right", ncols=2)
     for name, colour in TASKS.items():
         lower.step(time, memory.influence[name], where="post", color=colour, label=name)
-    lower.set_ylim(-0.04, 1.04)
+    lower.set_ylim(-0.04, 1.4)
     lower.set_ylabel("influence (0 … 1)")
     lower.legend(loc="upper right", ncols=2)
     return figure

@@ -42,7 +42,7 @@ def hierarchy(regulation=COUNTING, function=DECIDING, inputs=(), folder="collect
     Args:
         regulation: of the variable Count.
         function: the internal function of CountObjects.
-        inputs: what CountObjects reads beside the three presence sensors and the variable.
+        inputs: sensors that CountObjects reads beside three presence sensors and the variable.
         folder: the model whose mind it stands on.
     """
     known = MindDescription.load(model_folder(folder) / "mind")
@@ -68,7 +68,7 @@ def hierarchy(regulation=COUNTING, function=DECIDING, inputs=(), folder="collect
         ),
     ]
     whole = known.with_modules(
-        sensors=["RADVZ", "SENSVZ", "WANTED"],
+        sensors=["RADVZ", "SENSVZ", *(Input.parse(one).name for one in inputs)],
         variables=[Variable("Count", regulation)],
         skills=skills,
     )

@@ -77,8 +77,8 @@ def judge(robot, model, rng):
 def reckon(robot, model, rng, validates):
     """Keep the score of a robot that is in the validation zone, or is not."""
     if robot.delivered > robot.counted:
+        robot.collected += robot.delivered - robot.counted
         robot.counted = robot.delivered
-        robot.collected += 1
         if robot.collected > robot.wanted:
             robot.ended += 1
             robot.overdone = True
