@@ -88,6 +88,7 @@ TAKEN_NAMES = frozenset(
         "shape",
         "slot_of",
         "society",
+        "weighing",
     )
 )
 """What an agent, and a population's table, keep under these names beside its methods."""

@@ -32,6 +32,7 @@ COLLECT = load_file(model_folder("collect") / "model.py")
 ZONE_HALF_WIDTH = 5.0  # the drop zone is in the middle
 RING = 2.5  # units from the middle at which the robots start
 NEAREST, FARTHEST, ASIDE = 35.0, 60.0, 50.0  # where objects are: units to the side, and across
+MOST = 36  # robots at the start
 SPARE = 3  # objects of a kind more than robots
 COUNTED = 3.0  # objects delivered a robot that have been counted before the start
 PAYOFF = 0.15  # how much of the payoff sensor's range a perceived demand of 1 takes
@@ -128,11 +129,20 @@ def take_role(robot, start, rng):
     robot.is_b = role >= 0.5
 
 
-def provide(model):
-    """Let there be more objects of each kind than robots."""
-    for _ in range(len(model.robots) + SPARE):
-        model.objects_a.create()
-        model.objects_b.create()
+def lay_a(ball, model, rng):
+    """Put an object of the kind A on its side, unless there are enough."""
+    if ball.id < len(model.robots) + SPARE:
+        place_a(ball, model, rng)
+    else:
+        ball.die()
+
+
+def lay_b(ball, model, rng):
+    """Put an object of the kind B on its side, unless there are enough."""
+    if ball.id < len(model.robots) + SPARE:
+        place_b(ball, model, rng)
+    else:
+        ball.die()
 
 
 def place_a(ball, model, rng):
@@ -469,8 +479,8 @@ class ForagingRoles(Model):
     obstacles = Population(Obstacle, COLLECT.SIDE * COLLECT.SIDE)
     drop_zones = Population(Zone, 1)
     markets = Population(Market, 1)
-    objects_a = Population(Ball, 0, body=BALL)
-    objects_b = Population(Ball, 0, body=BALL)
+    objects_a = Population(Ball, MOST + SPARE, body=BALL)
+    objects_b = Population(Ball, MOST + SPARE, body=BALL)
     robots = Population(
         Forager,
         "foragers",
@@ -498,10 +508,9 @@ class ForagingRoles(Model):
         each(obstacles, lay),
         each(drop_zones, mark),
         each(markets, open_market),
-        once(provide),
         each(robots, arrive),
-        each(objects_a, place_a),
-        each(objects_b, place_b),
+        each(objects_a, lay_a),
+        each(objects_b, lay_b),
     )
     schedule = (
         each(robots, work),

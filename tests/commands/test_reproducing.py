@@ -80,7 +80,7 @@ def test_the_list_says_what_can_be_made_and_makes_nothing(socialmind, tmp_path):
 
 def test_unknown_names_are_met_before_anything_is_made(refused, tmp_path):
     line = refused("reproduce", "figure-4.7", "figure-4.66")
-    assert line == "socialmind: no study called figure-4.66; did you mean figure-4.6 or figure-6.6?"
+    assert line == "socialmind: no study called figure-4.66; did you mean figure-4.6 or figure-8.6?"
     assert list(tmp_path.iterdir()) == []
 
 

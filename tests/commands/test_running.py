@@ -58,7 +58,7 @@ def test_compiled_and_interpreted_runs_are_equal(socialmind, grazers, done, tmp_
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["farmer_artizan"], "no model called farmer_artizan; did you mean farmer_artisan?"),
+        (["farmer_artizan"], "no model called farmer_artizan; did you mean farmer_artisan"),
         (["./nowhere"], "nowhere: no such folder; a model is a folder with a model.py"),
         ([], "which model? give a name (`socialmind list` shows them) or a folder"),
         (["tutorial", "--set", "rewards=2"], "no parameter called rewards; did you mean reward?"),
