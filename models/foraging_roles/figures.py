@@ -120,7 +120,7 @@ def steps(run: Run) -> Figure:
     figure = paper.figure(paper.PAGE, 112)
     panels = figure.subplots(2, MOMENTS // 2, squeeze=False).flat
     model = model_of(Capsule(run.folder))
-    for axes, tick in zip(panels, moments.tolist(), strict=False):
+    for tick, axes in zip(moments.tolist(), panels, strict=False):
         model.advance(tick - model.tick)
         Picture(axes, scene_of(model))
         _colour_by_role(axes, model)

@@ -23,7 +23,7 @@ LEGENDS = {
 def recorded(tmp_path_factory):
     """A run of the robot up to its first delivery, every fifth tick recorded."""
     out = tmp_path_factory.mktemp("runs") / "run"
-    return Run(run(load_model("collect"), 1000, 1, every=5, agents_every=5, out=out))
+    return Run(run(load_model("collect"), 1000, 4, every=5, agents_every=5, out=out))
 
 
 @pytest.fixture(scope="module")
@@ -101,13 +101,14 @@ def test_deliveries_are_steps_and_name_what_ended_the_run(course):
 
 def test_a_collision_is_named(tmp_path):
     model = load_model("collect")
-    for seed in range(60, 90):  # until one collides early
-        society = model(seed)
+    mind = model_folder("collect") / "mind_constant"
+    for seed in range(90, 120):  # until one collides early
+        society = model(seed, hierarchy=mind)
         society.advance(2500)
         if society.over:
             break
     assert society.over == "collision"
-    recorded = Run(run(model, 3000, seed, out=tmp_path / "run"))
+    recorded = Run(run(model, 3000, seed, hierarchy=mind, out=tmp_path / "run"))
     course = FIGURES.course_of(recorded)
     assert course.tick[-1] < 2505
     with paper.style():
