@@ -87,7 +87,6 @@ class Engine:
         """
         if not self.compiled:
             for _ in range(ticks):
-                self._make_room()  # as compiled, so that states are equal in this too
                 run_tick(self.model, self.functions)
             return
         if self.model.physics != "compiled":
