@@ -190,7 +190,7 @@ def work(robot, model, rng):
         let_go_of_b(robot, model, rng)
     if robot.since > model.patience:
         rescue(robot, model, rng)
-    look_at_role(robot)
+    look_at_role(robot, model)
 
 
 def let_go_of_a(robot, model, rng):
@@ -302,12 +302,13 @@ def worth(scarcity):
     return 0.5 + PAYOFF * scarcity
 
 
-def look_at_role(robot):
+def look_at_role(robot, model):
     """See what the robot's mind says of its role, and count its changes."""
     robot.role = robot.hierarchy.variable("ROLE")
     is_b = robot.role >= 0.5
     if is_b != robot.is_b:
         robot.changes += 1
+        model.changed += 1
         robot.is_b = is_b
 
 
@@ -350,13 +351,12 @@ def watch(model):
     """See how far the split of roles is from the wanted one, and whether it has settled."""
     robots = 0
     in_b = 0
-    changes = 0
     for robot in model.robots:
         robots += 1
-        changes += robot.changes
         if robot.is_b:
             in_b += 1
     model.in_b = in_b
+    model.present = robots
     model.off = abs(in_b - model.wanted * robots)
     for beyond in range(FARTHEST_OFF):
         if model.off > beyond + 1 + 1e-9:
@@ -366,7 +366,7 @@ def watch(model):
     else:
         if model.within_since == -1:
             model.within_since = model.tick
-            model.changes_before = changes
+            model.changes_before = model.changed
         if model.settled_at == -1 and model.tick - model.within_since >= HOLD:
             model.settled_at = model.within_since
             model.changes_settled = model.changes_before
@@ -381,13 +381,13 @@ def stays_within(robots):
     return Measure(within)
 
 
-def changes_after_settling(changes, changes_settled, settled_at, ticks):
+def changes_after_settling(changed, present, changes_settled, settled_at, ticks):
     """Return the changes of roles for each robot and 10,000 ticks after settling.
 
-    All of the run counts where the roles never settled.
+    All of the run counts where the roles never settled; the robots are those at the end.
     """
     since, before = (settled_at, changes_settled) if settled_at >= 0 else (0, 0)
-    return (changes.sum() - before) / len(changes) / max(ticks - since, 1) * 10_000
+    return (changed - before) / max(present, 1) / max(ticks - since, 1) * 10_000
 
 
 def ticks_to_settle(settled_at, began_at, ticks):
@@ -467,6 +467,8 @@ class ForagingRoles(Model):
     wanted: float = 0.5
     began_as: int = 0
     in_b: int = 0
+    present: int = 0
+    changed: int = 0
     off: float = 0.0
     last_beyond: list[int] = [-1] * FARTHEST_OFF
     began_at: int = 0

@@ -164,9 +164,8 @@ def test_the_last_quarter_counts_as_within_one_or_not():
 
 
 def test_changes_are_those_after_settling():
-    changes = np.array([3, 2, 0])
-    assert MODEL.changes_after_settling(changes, 2, 10_000, 20_000) == pytest.approx(1.0)
-    assert MODEL.changes_after_settling(changes, 2, -1, 20_000) == pytest.approx(5 / 3 / 2)
+    assert MODEL.changes_after_settling(5, 3, 2, 10_000, 20_000) == pytest.approx(1.0)
+    assert MODEL.changes_after_settling(5, 3, 2, -1, 20_000) == pytest.approx(5 / 3 / 2)
 
 
 def test_ticks_to_settle_count_from_the_last_shock():
