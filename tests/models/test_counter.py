@@ -119,7 +119,7 @@ def in_outline(function):
     known = LESSONS.hierarchy()
     master = known.skills[LESSONS.MASTER]
     skill = Skill(master.name, master.inputs, master.outputs, Programmed(function))
-    mind = SKETCH.on_stand_ins(known.with_modules(skills=[skill]), master.name)
+    mind = known.with_modules(skills=[skill]).on_stand_ins(master.name, SKETCH.STAND_INS)
     model = SKETCH.Sketch(seed=2, hierarchy=mind, compiled=False)
     while model.over is None and model.tick < model.ticks:
         model.advance(1)
