@@ -10,10 +10,10 @@ import numpy as np
 
 from socialmind.catalogue import load_file, load_model, model_folder
 from socialmind.experiments import paper, score
-from socialmind.learning import Training
+from socialmind.mind import MindDescription
 from socialmind.studies import write_figure
 
-from .trainings import PLANS, wanted_of
+from .trainings import COLLECT, PLANS, wanted_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -29,18 +29,17 @@ GOOD = 0.9
 Row = dict[str, Any]
 
 
-def row_of(training: Training, name: str, attempt: int, worlds: int, seed: int) -> Row:
+def row_of(name: str, attempt: int, mind: MindDescription, worlds: int, seed: int) -> Row:
     """Return what an attempt comes to: its measures, and the variable's value in each step.
 
     Args:
-        training: the training.
-        name: of its plan.
+        name: of the training.
         attempt: its number.
+        mind: what it learned.
         worlds: how many it is scored in.
         seed: of these worlds.
     """
     model = load_model("counter")
-    mind = training.mind(attempt)
     parameters = {"wanted": wanted_of(name)}
     found = score(model, mind, episodes=worlds, seed=seed, parameters=parameters)
     row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": seed}
@@ -70,11 +69,7 @@ def write_representations(
         seed: of these worlds.
         out: the folder.
     """
-    rows = []
-    for name, folder in trainings.items():
-        training = Training(folder)
-        done = sorted(training.lessons["attempt"].unique().tolist())
-        rows += [row_of(training, name, attempt, worlds, seed) for attempt in done]
+    rows = [row_of(*attempt, worlds, seed) for attempt in COLLECT.attempts_of(trainings)]
     written = write_figure("representations", draw(rows), rows, out)
     page = out / "representations.md"
     page.write_text("\n".join(lines_of(rows)) + "\n", "utf-8")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from functools import partial
 from pathlib import Path
 
@@ -34,13 +33,9 @@ def attempts(quick: bool, out: Path) -> list[Path]:
     from .representations import write_representations
     from .trainings import COLLECT, PLANS
 
-    trainings = {}
-    for name, plan in PLANS.items():
-        one = COLLECT.small(plan) if quick else plan
-        print(f"{name}: {one.about}; {one.attempts} attempts", file=sys.stderr, flush=True)
-        home = out / ("small_trainings" if quick else "trainings")
-        trainings[name] = COLLECT.train(name, home / name, one, on_lesson=COLLECT.told)
-    return write_representations(trainings, 10 if quick else WORLDS, SEED, out)
+    return write_representations(
+        COLLECT.made(PLANS, out, quick), 10 if quick else WORLDS, SEED, out
+    )
 
 
 studies = (

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from functools import partial
 from pathlib import Path
 
@@ -36,13 +35,7 @@ def functions(quick: bool, out: Path) -> list[Path]:
     from .comparison import write_comparison
     from .trainings import COLLECT, PLANS
 
-    trainings = {}
-    for name, plan in PLANS.items():
-        one = COLLECT.small(plan) if quick else plan
-        print(f"{name}: {one.about}; {one.attempts} attempts", file=sys.stderr, flush=True)
-        home = out / ("small_trainings" if quick else "trainings")
-        trainings[name] = COLLECT.train(name, home / name, one, on_lesson=COLLECT.told)
-    return write_comparison(trainings, 10 if quick else WORLDS, SEED, out)
+    return write_comparison(COLLECT.made(PLANS, out, quick), 10 if quick else WORLDS, SEED, out)
 
 
 studies = (

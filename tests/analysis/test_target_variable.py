@@ -11,6 +11,8 @@ from socialmind.studies import studies_in
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "target_variable"
 TRAJECTORIES = load_file(FOLDER / "trajectories.py")
+COMPARISON = load_file(FOLDER / "comparison.py")
+TRAININGS = load_file(FOLDER / "trainings.py")
 
 
 @pytest.fixture(scope="module")
@@ -52,3 +54,32 @@ def test_the_figure_has_a_panel_for_each_way(found):
     ]  # fmt: skip
     tops = [axes.get_position().y0 for axes in figure.axes]
     assert tops[0] == tops[1] > tops[2] == tops[3]
+
+
+def row(training, attempt, ratio, objects):
+    return {
+        "training": training, "attempt": attempt, "worlds": 10, "seed": 1, "path_ratio": ratio,
+        "path": 160.0, "objects": objects, "survived": 0.5, "path_ratio_low": ratio - 0.1,
+        "path_ratio_high": ratio + 0.1,
+    }  # fmt: skip
+
+
+def test_attempts_that_bring_nothing_home_are_told_apart():
+    rows = [row("selecting", 1, 1.1, 4.0), row("selecting", 2, 1.4, 2.0),
+            row("linear", 1, np.nan, 0.0), row("linear", 2, np.nan, 0.0)]  # fmt: skip
+    text = "\n".join(COMPARISON.lines_of(rows))
+    assert "1.25 (1.10 to 1.40) times those of the plain hierarchy; 1 of 2 attempts" in text
+    assert "15 weights: no attempt brings an object home." in text
+    (axes,) = COMPARISON.draw(rows).axes
+    assert sum(line.get_marker() == "x" for line in axes.lines) == 2
+    assert sum(line.get_marker() == "o" for line in axes.lines) == 2
+    low, high = axes.get_ylim()
+    assert low < 1.0 < COMPARISON.MARK < high
+
+
+def test_each_function_has_a_training_above_the_same_skills():
+    minds = [plan.mind() for plan in TRAININGS.PLANS.values()]
+    assert [one.skills["CollectVariable"].genome for one in minds] == [None] * 4
+    for name in TRAININGS.LESSONS.BELOW:
+        first, *others = (one.skills[name].genome for one in minds)
+        assert all(np.array_equal(first, other) for other in others)
