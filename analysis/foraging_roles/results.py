@@ -152,9 +152,11 @@ def pictures(name: str, genome: NDArray[np.float64], ticks: int, out: Path) -> l
                     every=EVERY, agents_every=EVERY, out=Path(folder) / part))
             for part, length in (("long", ticks), ("short", shown))
         )  # fmt: skip
-        over_time = figures.roles(long.series, long.agents)
+        # Who is in which role is counted at the end of a tick.
+        series, agents = (one[one["tick"] > 0] for one in (long.series, long.agents))
+        over_time = figures.roles(series, agents)
         steps = figures.steps(short)
-        rows = long.series.to_dict("records")
+        rows = series.to_dict("records")
     written = write_figure("figure-8.6", over_time, rows, out)
     return [*written, *paper.save({"figure-8.6-steps": steps}, out)]
 
