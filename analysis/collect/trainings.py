@@ -217,20 +217,39 @@ PLANS: Mapping[str, Plan] = {
 }
 
 
-def small(plan: Plan) -> Plan:
-    """Return a plan of a minute or so: its results show that all works, and nothing else."""
+def small(
+    plan: Plan,
+    attempts: int = 2,
+    generations: int = 15,
+    population: int = 40,
+    repetitions: int = 3,
+    ticks: int | None = None,
+) -> Plan:
+    """Return a plan of a minute or so: its results show that all works, and nothing else.
+
+    Args:
+        plan: the whole one.
+        attempts: how many.
+        generations: of each lesson, at most.
+        population: individuals of a generation.
+        repetitions: worlds of an individual.
+        ticks: of an episode at most; as many as in the whole plan by default.
+    """
 
     def change(lesson: Lesson) -> Lesson:
         return lesson.changed(
-            generations=min(lesson.generations, 15),
+            generations=min(lesson.generations, generations),
             budget=None,
-            repetitions=3,
+            repetitions=repetitions,
+            ticks=lesson.ticks if ticks is None else min(lesson.episode_ticks, ticks),
             finals=8,
             validation=min(lesson.validation, 16),
-            settings={**lesson.settings, "population": 40, "elite": 3},
+            settings={**lesson.settings, "population": population, "elite": 3},
         )
 
-    return replace(plan, attempts=2, curriculum=lambda: plan.curriculum().with_lessons(change))
+    return replace(
+        plan, attempts=attempts, curriculum=lambda: plan.curriculum().with_lessons(change)
+    )
 
 
 # Training ---------------------------------------------------------------------------------------
