@@ -24,6 +24,7 @@ from socialmind.worlds.plane import (
     total,
 )
 
+from .deciding import collect_a, collect_b, is_learned
 from .measures import (
     FARTHEST_OFF,
     changes_after_settling,
@@ -47,7 +48,7 @@ class Forager(Robot):
     identity. `paid` says that it has just delivered one, `payoff` what the last one was worth (0 …
     1, 0.5 as it should be), `role` the variable ROLE of its mind: B from 0.5 on, else A. `since`
     are the ticks since it has picked up or let go of anything, `rescues` how often that was too
-    long.
+    long. `programmed` says that a cogniton scheme decides about its role.
     """
 
     role: float = 0.5
@@ -61,6 +62,7 @@ class Forager(Robot):
     delivered_a: int = 0
     delivered_b: int = 0
     changes: int = 0
+    programmed: bool = False
 
 
 class Ball(Body):
@@ -75,9 +77,9 @@ def last_payoff(robot):
     return robot.payoff
 
 
-def just_paid(robot):
-    """Return 1 in the tick after a delivery."""
-    return robot.paid
+def just_paid(robot, model):
+    """Return 1 in the tick after a delivery, where it is the learned mind that decides then."""
+    return robot.paid and is_learned(robot, model)
 
 
 SENSORS = {
@@ -132,6 +134,16 @@ class ForagingRoles(Model):
     )
     add_at: int = parameter(-1, unit="ticks", low=-1, doc="when robots are added; -1 for never")
     shift: int = parameter(3, unit="robots", low=0, doc="how many are taken away, or added")
+    programmed: float = parameter(
+        0.0, unit="of the robots", low=0.0, high=1.0, doc="the share whose roles a scheme decides"
+    )
+    unlearned: int = parameter(
+        0,
+        unit="of four",
+        low=0,
+        high=3,
+        doc="decides in the others: 0 the learned mind, 1 nobody, 2 chance, 3 the last payoff",
+    )
 
     wanted: float = 0.5
     began_as: int = 0
@@ -160,6 +172,8 @@ class ForagingRoles(Model):
         actuators=ACTUATORS,
         hierarchy="mind",
         master="Forage",
+        mind="scheme.yaml",
+        plans={"CollectA": collect_a, "CollectB": collect_b},
     )
 
     rewards = {"delivered": paid()}

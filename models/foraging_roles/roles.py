@@ -1,5 +1,6 @@
 """Roles: what they are at the start, and what a robot's mind says of its own."""
 
+from .deciding import FIXED, appoint, begin_plan, fixed_in_b
 from .places import stand
 
 ALL_A, ALL_B, UNDECIDED, RANDOM, ANY = 0, 1, 2, 3, 4
@@ -16,17 +17,22 @@ def choose_start(model, rng):
 def arrive(robot, model, rng):
     """Put a robot near the middle, with the role that it has at the start."""
     stand(robot, rng)
-    take_role(robot, model.began_as, rng)
+    appoint(robot, model)
+    take_role(robot, model, rng)
+    if robot.programmed:
+        begin_plan(robot)
 
 
-def take_role(robot, start, rng):
-    """Give a robot the role of a start."""
+def take_role(robot, model, rng):
+    """Give a robot the role that it has at the start."""
     role = rng.random()
-    if start == ALL_A:
+    if model.unlearned == FIXED and not robot.programmed:
+        role = 1.0 if fixed_in_b(robot, model) else 0.0
+    elif model.began_as == ALL_A:
         role = 0.0
-    elif start == ALL_B:
+    elif model.began_as == ALL_B:
         role = 1.0
-    elif start == UNDECIDED:
+    elif model.began_as == UNDECIDED:
         role = 0.5
     robot.hierarchy.set_variable("ROLE", role)
     robot.role = role

@@ -2,6 +2,7 @@
 
 from socialmind.worlds.plane import in_zone
 
+from .deciding import decide
 from .payoff import pay
 from .places import COLLECT, place_a, place_b, stand
 from .roles import look_at_role
@@ -10,7 +11,7 @@ AHEAD = 2.1  # units within which what a robot carries is
 
 
 def work(robot, model, rng):
-    """Notice what a robot picks up, pay it for what it delivers, and look at its role."""
+    """Notice what a robot picks up, pay it for what it delivers, and let it decide."""
     robot.paid = False
     robot.since += 1
     if robot.carrying >= 0:
@@ -24,6 +25,8 @@ def work(robot, model, rng):
         let_go_of_b(robot, model, rng)
     if robot.since > model.patience:
         rescue(robot, model, rng)
+    if robot.paid:
+        decide(robot, model, rng)
     look_at_role(robot, model)
 
 
