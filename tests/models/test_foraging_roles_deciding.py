@@ -140,6 +140,17 @@ def test_programmed_robots_decide_after_deliveries_alone_and_divide_the_work():
     assert (np.isfinite(model.robots.cogniton("CallingB")) == model.robots.is_b).all()
 
 
+def test_the_decision_of_a_programmed_robot_is_explained():
+    model = ForagingRoles(seed=4, programmed=1.0, start=0)
+    model.advance(3000)
+    changed = model.robots.id[model.robots.changes > 0].tolist()
+    assert 0 < len(changed) < 9
+    for robot in (changed[0], min(set(range(9)) - set(changed))):
+        receipt = model.explain(robot, 3000)
+        assert receipt.choice == model.plans(model.robots)[robot]
+        assert [one.name for one in receipt.plans] == ["CollectA", "CollectB"]
+
+
 def test_both_speeds_agree_with_both_minds(differences):
     given = {"programmed": 0.5, "start": 0, "add_at": 700}
     compiled, interpreted = ForagingRoles(6, **given), ForagingRoles(6, False, **given)
