@@ -35,11 +35,15 @@ def decisions(model, ticks):
 # Who decides --------------------------------------------------------------------------------------
 
 
-def test_by_default_the_learned_mind_decides_in_all():
-    model = ForagingRoles(seed=1)
-    assert not model.robots.programmed.any()
-    assert model.plans(model.robots) == [None] * 9
-    assert not np.isfinite(model.robots.cogniton("CallingA")).any()
+def test_by_default_the_learned_mind_decides_in_all_and_no_scheme_wakes():
+    model = ForagingRoles(seed=3, start=0, hierarchy=always_b())
+    model.advance(3000)
+    robots = model.robots
+    assert robots.changes.tolist() == robots.is_b.tolist() == [1] * 9
+    assert not robots.programmed.any()
+    assert model.plans(robots) == [None] * 9
+    for one in model.schemes["robots"].cognitons:
+        assert not np.isfinite(robots.cogniton(one.name)).any()
 
 
 @pytest.mark.parametrize(
