@@ -8,7 +8,7 @@ comes nearer, and sees objects again.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -29,6 +29,8 @@ BEFORE = 100
 """Ticks before it sees objects, for the first step."""
 AROUND = 60.0
 """Units of the arena that are drawn around the robot, each way: about half of it."""
+PIXELS = 1400
+"""Width of a bitmap."""
 TRAIL = 400
 """Ticks of the path that are drawn."""
 TOLD = (
@@ -136,15 +138,16 @@ def draw(out: Path, steps: Steps) -> list[Path]:
     out.mkdir(parents=True, exist_ok=True)
     style = Style(mind=True, robot=("robots", steps.robot), around=AROUND, trail=TRAIL,
                   plane_first=True)  # fmt: skip
+    styles = {".pdf": style, ".png": replace(style, width=PIXELS)}
     captions = [f"Step {n}: {told}." for n, told in enumerate(TOLD, 1)]
     files = []
     with TemporaryDirectory() as folder:
         made = run(load_model("foraging"), steps.ticks[-1], steps.seed, out=Path(folder) / "run")
         for name, part in (("8.3", slice(0, 4)), ("8.4", slice(4, 8))):
             files += [
-                draw_moments(made, out / f"figure-{name}{end}", steps.ticks[part], style,
+                draw_moments(made, out / f"figure-{name}{end}", steps.ticks[part], one,
                              captions=captions[part])
-                for end in (".pdf", ".png")
+                for end, one in styles.items()
             ]  # fmt: skip
     lines = [
         "# Figures 8.3 and 8.4: a robot forages with others",
