@@ -19,7 +19,8 @@ from socialmind.learning.outcome import Outcome
 from socialmind.mind import MindDescription
 from socialmind.mind.minds import Minds
 
-from .model import ALL_A, ALL_B, COUNTED, RANDOM, UNDECIDED, scarcity_of_a, worth
+from .payoff import COUNTED, scarcity_of_a, worth
+from .roles import ALL_A, ALL_B, RANDOM, UNDECIDED
 
 TICKS = 60_000
 DECAY = 0.0005  # of the counts in a tick, as in the model

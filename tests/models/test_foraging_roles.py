@@ -10,7 +10,8 @@ from socialmind.catalogue import load_figures, load_file, load_model, model_fold
 from socialmind.experiments import Run, run
 
 FOLDER = model_folder("foraging_roles")
-MODEL = load_file(FOLDER / "model.py")
+PAYOFF = load_file(FOLDER / "payoff.py")
+MEASURES = load_file(FOLDER / "measures.py")
 ForagingRoles = load_model("foraging_roles")
 FORAGE_ROLE = "ForageRole"
 STAY = np.zeros(39)
@@ -27,18 +28,18 @@ def staying():
 
 def test_payoffs_tell_what_is_scarce():
     # 20 B and 10 A are as wanted; of 30 objects 10 A are plenty, at a price of 2 B.
-    assert MODEL.scarcity_of_a(20.0, 10.0, 2 / 3) == pytest.approx(0.0, abs=1e-12)
-    assert MODEL.scarcity_of_a(30.0, 0.0, 2 / 3) == pytest.approx(1.5)
-    assert MODEL.scarcity_of_a(0.0, 30.0, 2 / 3) == pytest.approx(-3.0)
-    assert MODEL.worth(0.0) == 0.5
-    assert MODEL.worth(1.0) == pytest.approx(0.5 + MODEL.PAYOFF)
+    assert PAYOFF.scarcity_of_a(20.0, 10.0, 2 / 3) == pytest.approx(0.0, abs=1e-12)
+    assert PAYOFF.scarcity_of_a(30.0, 0.0, 2 / 3) == pytest.approx(1.5)
+    assert PAYOFF.scarcity_of_a(0.0, 30.0, 2 / 3) == pytest.approx(-3.0)
+    assert PAYOFF.worth(0.0) == 0.5
+    assert PAYOFF.worth(1.0) == pytest.approx(0.5 + PAYOFF.PAYOFF)
 
 
 @pytest.mark.parametrize(("wanted", "b"), [(0.2, 3.0), (0.5, 9.0), (0.75, 1.0)])
 def test_kinds_are_treated_alike(wanted, b):
-    scarce = MODEL.scarcity_of_a(b, 10.0 - b, wanted)
+    scarce = PAYOFF.scarcity_of_a(b, 10.0 - b, wanted)
     assert scarce == pytest.approx((b / 10 - wanted) / (wanted * (1 - wanted)))
-    assert MODEL.scarcity_of_a(10.0 - b, b, 1 - wanted) == pytest.approx(-scarce)
+    assert PAYOFF.scarcity_of_a(10.0 - b, b, 1 - wanted) == pytest.approx(-scarce)
 
 
 @pytest.mark.parametrize(("start", "in_b"), [(0, 0), (1, 9), (2, 9)])
@@ -76,8 +77,8 @@ def test_robots_bring_what_their_roles_say_and_are_paid():
     assert robots.delivered_b.sum() == 0
     market = model.markets
     # The last decay came after the delivery, and took the same share of both counts.
-    scarcity = MODEL.scarcity_of_a(market.staple[0], market.ware[0], model.wanted)
-    assert robots.payoff[paid][0] == pytest.approx(0.5 + MODEL.PAYOFF * scarcity)
+    scarcity = PAYOFF.scarcity_of_a(market.staple[0], market.ware[0], model.wanted)
+    assert robots.payoff[paid][0] == pytest.approx(0.5 + PAYOFF.PAYOFF * scarcity)
     assert market.staple[0] == pytest.approx(staple * (1 - model.decay) ** model.tick)
     model.advance(1)
     assert not model.robots.paid.any()
@@ -159,19 +160,19 @@ def test_the_last_quarter_counts_as_within_one_or_not():
         ([45_000, 45_000, 0], 1.0, 1.0), ([45_001, 45_000, 0], 0.0, 1.0), ([-1, -1, -1], 1.0, 1.0)
     ):  # fmt: skip
         values = {"last_beyond": np.array(beyond), "ticks": 60_000}
-        assert MODEL.stays_within(1).of(values) == one
-        assert MODEL.stays_within(2).of(values) == two
+        assert MEASURES.stays_within(1).of(values) == one
+        assert MEASURES.stays_within(2).of(values) == two
 
 
 def test_changes_are_those_after_settling():
-    assert MODEL.changes_after_settling(5, 3, 2, 10_000, 20_000) == pytest.approx(1.0)
-    assert MODEL.changes_after_settling(5, 3, 2, -1, 20_000) == pytest.approx(5 / 3 / 2)
+    assert MEASURES.changes_after_settling(5, 3, 2, 10_000, 20_000) == pytest.approx(1.0)
+    assert MEASURES.changes_after_settling(5, 3, 2, -1, 20_000) == pytest.approx(5 / 3 / 2)
 
 
 def test_ticks_to_settle_count_from_the_last_shock():
-    assert MODEL.ticks_to_settle(settled_at=700, began_at=0, ticks=60_000) == 700
-    assert MODEL.ticks_to_settle(settled_at=31_000, began_at=30_000, ticks=60_000) == 1_000
-    assert MODEL.ticks_to_settle(settled_at=-1, began_at=30_000, ticks=60_000) == 30_000
+    assert MEASURES.ticks_to_settle(settled_at=700, began_at=0, ticks=60_000) == 700
+    assert MEASURES.ticks_to_settle(settled_at=31_000, began_at=30_000, ticks=60_000) == 1_000
+    assert MEASURES.ticks_to_settle(settled_at=-1, began_at=30_000, ticks=60_000) == 30_000
 
 
 @pytest.mark.parametrize(("start", "off", "settled"), [(0, 2.0, -1), (1, 1.0, 0)])
