@@ -1,0 +1,173 @@
+"""All worlds of the study, run side by side; each society and condition is kept when it is done.
+
+What is kept lies in a folder named by a hash of the model, the minds and what is measured. So a
+study that was stopped goes on where it was, and nothing stale is ever taken for a result.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+import socialmind
+from socialmind.catalogue import model_folder, source_hash
+from socialmind.experiments.elsewhere import side_by_side
+
+from .societies import CONDITIONS, MIXED, SEED, SOCIETIES, Size
+from .worlds import EVERY, SHOWN_EVERY, lived
+
+TABLES = ("worlds", "course", "kinds", "spells")
+KEYS = ("society", "condition", "share")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A society under a condition.
+
+    Attributes:
+        society: its name; "mixed" for one of both kinds.
+        condition: its name.
+        share: of programmed robots.
+        parameters: of the model.
+        weights: of the mind that was learned as in the thesis; None for others.
+    """
+
+    society: str
+    condition: str
+    share: float
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    weights: tuple[float, ...] | None = None
+
+    @property
+    def name(self) -> str:
+        """How its files are called."""
+        share = f"-{self.share:.3f}" if self.society == "mixed" else ""
+        return f"{self.society}{share}-{self.condition}"
+
+
+def cells_of(size: Size, weights: Sequence[float]) -> list[Cell]:
+    """Return all there is to run, each once.
+
+    Args:
+        size: of the study.
+        weights: of the mind that was learned as in the thesis.
+    """
+    found = [
+        Cell(
+            one.name,
+            condition,
+            float(one.parameters.get("programmed", 0.0)),
+            one.parameters,
+            tuple(weights) if one.thesis else None,
+        )
+        for one in SOCIETIES.values()
+        for condition in CONDITIONS
+    ]
+    found += [
+        Cell("mixed", condition, share, {"programmed": share})
+        for share in size.shares
+        for condition in MIXED
+        if 0 < share < 1  # of one kind alone they are societies above
+    ]
+    return found
+
+
+@dataclass(frozen=True)
+class Records:
+    """What was seen of all worlds.
+
+    Attributes:
+        worlds: `society`, `condition`, `share`, `seed` and the measures, a row a world.
+        course: likewise `seed`, `tick`, `distance`.
+        kinds: likewise `seed`, `kind` and what became of it.
+        spells: likewise `seed`, `agent`, `since`, `until`, `role`, of the first world.
+    """
+
+    worlds: pd.DataFrame
+    course: pd.DataFrame
+    kinds: pd.DataFrame
+    spells: pd.DataFrame
+
+    def mixed(self, table: str) -> pd.DataFrame:
+        """Return what a table holds of mixed societies, those of one kind alone among them."""
+        frame: pd.DataFrame = getattr(self, table)
+        alike = frame["society"].isin(["mixed", "learned", "programmed"])
+        return frame[alike & frame["condition"].isin(MIXED)]
+
+
+def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = None) -> Records:
+    """Run all worlds that are not kept yet.
+
+    Args:
+        cells: societies under conditions.
+        size: of the study.
+        home: where results are kept.
+        workers: processes; one for each processor by default.
+
+    Returns:
+        What was seen, as it is kept.
+    """
+    seeds = range(SEED, SEED + size.worlds)
+    calls: list[tuple[Any, ...]] = []
+    missing: list[tuple[Cell, Path]] = []
+    folders = {cell.name: home / stamp(cell, size.ticks) / cell.name for cell in cells}
+    for cell in cells:
+        if not all(_file(folders[cell.name], size, table).is_file() for table in TABLES):
+            missing.append((cell, folders[cell.name]))
+            parameters = dict(cell.parameters)
+            calls += [(cell.condition, one, size.ticks, parameters, cell.weights) for one in seeds]
+    answers = side_by_side(lived, calls, workers)
+    for done, (cell, folder) in enumerate(missing, 1):
+        _keep([next(answers) for _ in seeds], folder, size)
+        print(f"{cell.name} ({done} of {len(missing)})", file=sys.stderr, flush=True)
+    return Records(
+        *(
+            pd.concat(
+                [_read(_file(folders[cell.name], size, table), cell) for cell in cells],
+                ignore_index=True,
+            )
+            for table in TABLES
+        )
+    )
+
+
+def stamp(cell: Cell, ticks: int) -> str:
+    """Return a hash of all that decides what comes of a cell: code, minds and parameters."""
+    model, what = model_folder("foraging_roles"), CONDITIONS[cell.condition]
+    shock = what.parameters(ticks // 2), what.wanted(ticks // 2).to_dict("records")
+    known = (socialmind.__version__, source_hash(model), dict(cell.parameters), cell.weights)
+    total = hashlib.sha256(repr((*known, shock, ticks, EVERY, SHOWN_EVERY)).encode())
+    others = (Path(__file__).with_name("worlds.py"), *sorted(model.rglob("*")))
+    for path in others:
+        if path.is_file() and path.suffix not in (".md", ".py", ".pyc") or path == others[0]:
+            total.update(f"{path.name}\0".encode() + path.read_bytes())
+    return total.hexdigest()[:12]
+
+
+def _file(folder: Path, size: Size, table: str) -> Path:
+    return folder / f"{size.worlds}-{table}.csv"
+
+
+def _keep(answers: Sequence[Mapping[str, list[dict[str, Any]]]], folder: Path, size: Size) -> None:
+    """Write what came of a cell, the last table last of all."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for table in TABLES:
+        several = answers[:1] if table == "spells" else answers
+        frame = pd.DataFrame([row for one in several for row in one[table]])
+        path = _file(folder, size, table)
+        begun = path.with_suffix(".part")
+        frame.to_csv(begun, index=False, float_format="%.9g")
+        begun.replace(path)
+
+
+def _read(path: Path, cell: Cell) -> pd.DataFrame:
+    frame = pd.read_csv(path)
+    for place, name in enumerate(KEYS):
+        frame.insert(place, name, getattr(cell, name))
+    return frame
