@@ -51,7 +51,6 @@ def course(over_time: pd.DataFrame, settled: pd.DataFrame, size: Size) -> Figure
             upper.plot(x, part["mean"], color=colour, linestyle=DASHES.get(society, "-"))
         for shock in condition.shocks(size.half):
             upper.axvline(shock / unit, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
-        upper.set_ylim(0, None)
         paper.panel_title(upper, LETTERS[place], condition.title)
         left = size.half if condition.parameter else size.ticks
         unit = paper.time_axis(lower, [0, left])
@@ -60,12 +59,14 @@ def course(over_time: pd.DataFrame, settled: pd.DataFrame, size: Size) -> Figure
                 part["ticks"] / unit, part["share"], where="post",
                 color=SOCIETIES[society].colour, linestyle=DASHES.get(society, "-"),
             )  # fmt: skip
-        lower.set_ylim(0, 1.04)
         since = "since the shock" if condition.parameter else "since the start"
         lower.set_xlabel(f"{since} (thousand ticks)" if unit > 1 else f"{since} (ticks)")
-        paper.panel_title(lower, LETTERS[place + len(CONDITIONS)], "settled")
-    panels[0, 0].set_ylabel("distance to the wanted split (robots)")
-    panels[1, 0].set_ylabel("worlds that have settled (share)")
+        title = "settled again" if condition.parameter else "settled"
+        paper.panel_title(lower, LETTERS[place + len(CONDITIONS)], title)
+    panels[0, 0].set_ylim(*paper.limits_with_zero(over_time["high"].tolist()))
+    panels[0, 0].set_ylabel("distance (robots)")
+    panels[1, 0].set_ylim(0, 1.04)
+    panels[1, 0].set_ylabel("worlds (share)")
     _legend(figure, [_line(one) for one in SOCIETIES])
     return figure
 
@@ -113,8 +114,7 @@ def measures(table: pd.DataFrame) -> Figure:
         axes.set_yticks(list(rows.values()), [SOCIETIES[one].title for one in rows])
         axes.tick_params(axis="y", length=0)
         axes.spines["left"].set_visible(False)
-        axes.xaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
-        axes.set_xlim(*paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]]))
+        _across(axes, own)
         axes.set_xlabel(measured.unit)
         paper.panel_title(axes, letter, measured.title)
     _legend(figure, [
@@ -123,6 +123,15 @@ def measures(table: pd.DataFrame) -> Figure:
         for one in CONDITIONS.values()
     ])  # fmt: skip
     return figure
+
+
+def _across(axes: Axes, own: pd.DataFrame) -> None:
+    """Set the x axis so that all means with their intervals are seen, and 0."""
+    low, high = paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]])
+    air = 0.03 * (high - low)  # so that a mark at 0 is whole
+    axes.set_xlim(low - air, high + air)
+    axes.xaxis.set_major_locator(MaxNLocator(3, steps=(1, 2, 5, 10)))
+    axes.xaxis.set_major_formatter("{x:,g}")
 
 
 def _dot(axes: Axes, row: float, found: Any, colour: str, marker: str = "o") -> None:
@@ -189,7 +198,7 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
                 (societies["measure"] == name) & (societies["condition"] == condition)
             ].sort_values("share")
             _over_share(axes, own, paper.INK, condition, sign * nudge)
-        axes.set_ylim(*paper.limits_with_zero([*axes.get_ylim()]))
+        _upwards(axes, societies[societies["measure"] == name])
         axes.set_ylabel(measured.unit)
         paper.panel_title(axes, letter, measured.title)
     for letter, axes, (name, (title, unit)) in zip(
@@ -203,7 +212,7 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
                     & (kinds["kind"] == kind)
                 ].sort_values("share")
                 _over_share(axes, own, colour, condition, sign * nudge)
-        axes.set_ylim(*paper.limits_with_zero([*axes.get_ylim()]))
+        _upwards(axes, kinds[kinds["measure"] == name])
         axes.set_ylabel(unit)
         axes.set_xlabel("programmed (share)")
         axes.set_xlim(-0.05, 1.05)
@@ -218,6 +227,14 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
               Patch(color=paper.BLUE, label="learned robots")]  # fmt: skip
     _legend(figure, lines)
     return figure
+
+
+def _upwards(axes: Axes, own: pd.DataFrame) -> None:
+    """Set the y axis so that all means with their intervals are seen, and 0."""
+    low, high = paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]])
+    axes.set_ylim(low - 0.03 * (high - low), high)
+    axes.yaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
+    axes.yaxis.set_major_formatter("{x:,g}")
 
 
 def _dashed(condition: str) -> Any:
@@ -282,8 +299,7 @@ def villagers(over_time: pd.DataFrame, table: pd.DataFrame, size: Size) -> Figur
         axes.set_ylim(len(FARMERS) - 0.5, -0.5)
         axes.set_yticks([])
         axes.spines["left"].set_visible(False)
-        axes.xaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
-        axes.set_xlim(*paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]]))
+        _across(axes, own)
         axes.set_xlabel(measured.unit)
         paper.panel_title(axes, letter, measured.title)
     _legend(figure, [Line2D([], [], color=colour, marker="o", markersize=3, label=one)

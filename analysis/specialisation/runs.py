@@ -1,4 +1,4 @@
-"""All worlds of the study, run side by side; each society and condition is kept when it is done.
+"""All worlds of the study, run side by side; a block of a society's worlds is kept when it is done.
 
 What is kept lies in a folder named by a hash of the model, the minds and what is measured. So a
 study that was stopped goes on where it was, and nothing stale is ever taken for a result.
@@ -24,6 +24,8 @@ from .worlds import EVERY, SHOWN_EVERY, lived
 
 TABLES = ("worlds", "course", "kinds", "spells")
 KEYS = ("society", "condition", "share")
+BLOCK = 10
+"""Worlds of a society and condition that are kept together."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +86,7 @@ class Records:
 
     Attributes:
         worlds: `society`, `condition`, `share`, `seed` and the measures, a row a world.
-        course: likewise `seed`, `tick`, `distance`.
+        course: likewise `seed`, `tick`, `distance`, `specialised`.
         kinds: likewise `seed`, `kind` and what became of it.
         spells: likewise `seed`, `agent`, `since`, `until`, `role`, of the first world.
     """
@@ -102,7 +104,7 @@ class Records:
 
 
 def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = None) -> Records:
-    """Run all worlds that are not kept yet.
+    """Run all worlds that are not kept yet, a block of worlds of all societies after the other.
 
     Args:
         cells: societies under conditions.
@@ -113,23 +115,33 @@ def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = Non
     Returns:
         What was seen, as it is kept.
     """
-    seeds = range(SEED, SEED + size.worlds)
-    calls: list[tuple[Any, ...]] = []
-    missing: list[tuple[Cell, Path]] = []
+    last = SEED + size.worlds
+    blocks = [range(first, min(first + BLOCK, last)) for first in range(SEED, last, BLOCK)]
     folders = {cell.name: home / stamp(cell, size.ticks) / cell.name for cell in cells}
-    for cell in cells:
-        if not all(_file(folders[cell.name], size, table).is_file() for table in TABLES):
-            missing.append((cell, folders[cell.name]))
-            parameters = dict(cell.parameters)
-            calls += [(cell.condition, one, size.ticks, parameters, cell.weights) for one in seeds]
+    missing = [
+        (cell, seeds)
+        for seeds in blocks
+        for cell in cells
+        if not all(_file(folders[cell.name], table, seeds).is_file() for table in TABLES)
+    ]
+    calls: list[tuple[Any, ...]] = [
+        (cell.condition, seed, size.ticks, dict(cell.parameters), cell.weights)
+        for cell, seeds in missing
+        for seed in seeds
+    ]
     answers = side_by_side(lived, calls, workers)
-    for done, (cell, folder) in enumerate(missing, 1):
-        _keep([next(answers) for _ in seeds], folder, size)
-        print(f"{cell.name} ({done} of {len(missing)})", file=sys.stderr, flush=True)
+    for done, (cell, seeds) in enumerate(missing, 1):
+        _keep([next(answers) for _ in seeds], folders[cell.name], seeds)
+        told = f"{cell.name}, worlds {seeds[0]} to {seeds[-1]} ({done} of {len(missing)})"
+        print(told, file=sys.stderr, flush=True)
     return Records(
         *(
             pd.concat(
-                [_read(_file(folders[cell.name], size, table), cell) for cell in cells],
+                [
+                    _read(_file(folders[cell.name], table, seeds), cell)
+                    for cell in cells
+                    for seeds in (blocks[:1] if table == "spells" else blocks)
+                ],
                 ignore_index=True,
             )
             for table in TABLES
@@ -150,17 +162,19 @@ def stamp(cell: Cell, ticks: int) -> str:
     return total.hexdigest()[:12]
 
 
-def _file(folder: Path, size: Size, table: str) -> Path:
-    return folder / f"{size.worlds}-{table}.csv"
+def _file(folder: Path, table: str, seeds: range) -> Path:
+    return folder / f"{table}-{seeds[0]}-{seeds[-1]}.csv"
 
 
-def _keep(answers: Sequence[Mapping[str, list[dict[str, Any]]]], folder: Path, size: Size) -> None:
-    """Write what came of a cell, the last table last of all."""
+def _keep(
+    answers: Sequence[Mapping[str, list[dict[str, Any]]]], folder: Path, seeds: range
+) -> None:
+    """Write what came of a block of worlds, each table at once."""
     folder.mkdir(parents=True, exist_ok=True)
     for table in TABLES:
         several = answers[:1] if table == "spells" else answers
         frame = pd.DataFrame([row for one in several for row in one[table]])
-        path = _file(folder, size, table)
+        path = _file(folder, table, seeds)
         begun = path.with_suffix(".part")
         frame.to_csv(begun, index=False, float_format="%.9g")
         begun.replace(path)

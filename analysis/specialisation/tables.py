@@ -41,7 +41,7 @@ MEASURED = {
     one.name: one
     for one in (
         Measured(
-            "last_distance", "Distance to the wanted split", "robots, last quarter",
+            "last_distance", "Distance", "robots, last quarter",
             "Robots that would have to change roles for the wanted split, Σ |n_r − w_r · n| / 2 "
             "over the roles r; the mean over the records of the last quarter.",
             2, "farther from the wanted split", "nearer to the wanted split",
@@ -84,7 +84,7 @@ MEASURED = {
             0, "with more objects delivered", "with fewer objects delivered",
         ),
         Measured(
-            "in_ratio", "Delivered in the wanted ratio", "objects",
+            "in_ratio", "In the ratio", "objects",
             "Of the objects delivered in each half, the largest part with that half's wanted "
             "ratio.",
             0, "with more objects in the wanted ratio", "with fewer objects in the wanted ratio",

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 EVERY = 100
 """Ticks between two records of roles and of what was delivered; a trip takes some 800."""
 SHOWN_EVERY = 500
-"""Ticks between two records of the distance that are kept."""
+"""Ticks between two records of the distance, and of how many are specialised, that are kept."""
 
 
 def lived(
@@ -45,8 +45,9 @@ def lived(
         weights: of the mind that was learned as in the thesis; None for the model's own.
 
     Returns:
-        Rows by table: `worlds`, the measures of the run; `course`, the distance over time; `kinds`,
-        what became of the programmed and the learned; `spells`, the roles of each robot.
+        Rows by table: `worlds`, the measures of the run; `course`, distance and specialised robots
+        over time; `kinds`, what became of the programmed and the learned; `spells`, the roles of
+        each robot.
     """
     what, half = CONDITIONS[condition], ticks // 2
     model = load_model("foraging_roles")(
@@ -59,12 +60,11 @@ def lived(
     roles = seen[["tick", "agent", "role"]]
     tasks = deliveries(seen)
     course = Course(roles, tasks, what.wanted(half), what.shocks(half))
-    away = course.distance[course.distance.index % SHOWN_EVERY == 0]
+    over_time = pd.DataFrame({"distance": course.distance, "specialised": course.specialised})
+    shown = over_time[over_time.index % SHOWN_EVERY == 0].reset_index()
     return {
         "worlds": [{"seed": seed, **measured(course, what, half)}],
-        "course": [
-            {"seed": seed, "tick": tick, "distance": far} for tick, far in away.to_dict().items()
-        ],
+        "course": [{"seed": seed, **row} for row in shown.to_dict("records")],
         "kinds": [{"seed": seed, **row} for row in kinds(seen, tasks, course.last)],
         "spells": [{"seed": seed, **row} for row in spells(seen)],
     }
