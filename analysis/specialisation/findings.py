@@ -18,6 +18,8 @@ from .tables import MEASURED, Measured
 MOST = 0.9
 """The share of worlds from which on a society does something nearly always."""
 SELDOM = 0.1
+CLEARLY = 0.1
+"""Division of labour beyond luck's from which on work is divided, and not hardly."""
 ROBOTS = 9
 OVER_SHARES = ("last_distance", "settled_after", "late_changes", "agents_to_tasks")
 
@@ -41,11 +43,11 @@ def number(value: float, digits: int = 2) -> str:
 def spread(row: Mapping[str, Any], digits: int = 2) -> str:
     """A mean with its interval.
 
-    >>> spread({"mean": 0.5, "low": 0.4, "high": 0.62})
-    '0.50 (0.40 to 0.62)'
+    >>> spread({"mean": 0.5, "low": 0.4, "high": 0.62}), spread({"mean": 1, "low": 1, "high": 1})
+    ('0.50 (0.40 to 0.62)', '1.00')
     """
     mean = number(row["mean"], digits)
-    if not math.isfinite(row["low"]):
+    if not math.isfinite(row["low"]) or row["low"] == row["high"]:
         return mean
     return f"{mean} ({number(row['low'], digits)} to {number(row['high'], digits)})"
 
@@ -119,20 +121,23 @@ def against(
     more, alike = [], []
     for name, measured in measures.items():
         row = one_of(differences, name, **where)
-        where_to = side(row)
-        if not where_to:
-            alike.append(measured.title[0].lower() + measured.title[1:])
+        sign = side(row)
+        if not sign:
+            alike.append(measured.noun)
             continue
-        away = {"mean": row["difference"], "low": row["difference_low"],
-                "high": row["difference_high"]}  # fmt: skip
-        effect = number(row["g"], 1) if math.isfinite(row["g"]) else "without bound"
-        words = measured.more if where_to > 0 else measured.less
-        more.append(f"{words} (by {spread(away, measured.digits)}; g {effect})")
-    same = f"no clear difference in {listed(alike)}" if alike else ""
+        effect = f"; g {number(row['g'], 1)}" if math.isfinite(row["g"]) else ""
+        words = measured.more if sign > 0 else measured.less
+        more.append(f"{words} (difference {away(row, measured.digits)}{effect})")
     if not more:
-        return f"In the same worlds {who} and {other} differ in nothing that is measured here."
-    end = f"; there is {same}" if same else ""
-    return f"In the same worlds {who}, beside {other}, is {listed(more)}{end}."
+        return f"In the same worlds {who} and {other} differ clearly in nothing that is measured."
+    same = f" No clear difference is there in {listed(alike)}." if alike else ""
+    return f"In the same worlds {who}, set against {other}, {listed(more)}.{same}"
+
+
+def away(row: Mapping[str, Any], digits: int = 2) -> str:
+    """A difference with its interval."""
+    named = {"mean": "difference", "low": "difference_low", "high": "difference_high"}
+    return spread({name: row[column] for name, column in named.items()}, digits)
 
 
 # Robots -------------------------------------------------------------------------------------------
@@ -166,13 +171,12 @@ def calm(table: pd.DataFrame, differences: pd.DataFrame) -> list[str]:
     """
     at = "undisturbed"
     always, never = holding(table, "within", at)
-    found = [
-        f"Robots away from the wanted split in the last quarter: {ranked(table, 'last_distance', at)}."
-    ]
+    told = ranked(table, "last_distance", at)
+    found = [f"Robots away from the wanted split in the last quarter: {told}."]
     if always:
         found.append(
-            f"All through the last quarter within one robot of it, in {percent(MOST)} of the worlds or "
-            f"more: {titled(always)}."
+            f"All through the last quarter within one robot of it, in {percent(MOST)} of the "
+            f"worlds or more: {titled(always)}."
         )
     else:
         found.append(
@@ -185,13 +189,11 @@ def calm(table: pd.DataFrame, differences: pd.DataFrame) -> list[str]:
         against(differences, MEASURED, "the programmed society", "the learned one",
                 society="programmed", reference="learned", condition=at)
     )  # fmt: skip
-    divided = {
-        one: one_of(table, "beyond_chance", society=one, condition=at) for one in SOCIETIES
-    }
+    divided = {one: one_of(table, "beyond_chance", society=one, condition=at) for one in SOCIETIES}
     some = [one for one, row in divided.items() if row["low"] > 0]
     none = [one for one in SOCIETIES if one not in some]
-    told = listed(f"{SOCIETIES[one].title} {spread(divided[one])}" for one in some)
     if some:
+        told = listed(f"{SOCIETIES[one].title} {spread(divided[one])}" for one in some)
         found.append(f"Division of labour beyond what luck gives: {told}.")
     if none:
         found.append(f"No more than luck gives is it in {titled(none)}.")
@@ -218,15 +220,10 @@ def shocked(table: pd.DataFrame, differences: pd.DataFrame, condition: str) -> l
         condition: which shock.
     """
     always, never = holding(table, "settled", condition)
-    what = CONDITIONS[condition].about
     share = {one: one_of(table, "settled", society=one, condition=condition) for one in SOCIETIES}
     order = sorted(SOCIETIES, key=lambda one: -share[one]["mean"])
-    found = [
-        f"After {what.replace('is turned', 'was turned').replace('are ', 'were ')}, within the time "
-        "left these shares of worlds settle again: "
-        + listed(f"{SOCIETIES[one].title} {percent(share[one]['mean'])}" for one in order)
-        + "."
-    ]
+    told = listed(f"{SOCIETIES[one].title} {percent(share[one]['mean'])}" for one in order)
+    found = [f"{CONDITIONS[condition].when}, these shares of worlds settle again: {told}."]
     if always:
         took = {one: one_of(table, "settled_after", society=one, condition=condition)
                 for one in always}  # fmt: skip
@@ -280,26 +277,21 @@ def mixture(
         for name in OVER_SHARES:
             row = one_of(slopes, name, condition=condition)
             measured = MEASURED[name]
-            title = measured.title[0].lower() + measured.title[1:]
-            slope = {"mean": row["slope"], "low": row["low"], "high": row["high"]}
-            told = spread(slope, measured.digits)
+            told = spread({**row, "mean": row["slope"]}, measured.digits)
             if row["low"] > 0:
-                words.append(f"{title} rises (by {told})")
+                words.append(f"the {measured.noun} rises ({told})")
             elif row["high"] < 0:
-                words.append(f"{title} falls (by {told})")
+                words.append(f"the {measured.noun} falls ({told})")
             else:
-                words.append(f"{title} shows no trend ({told})")
-        found.append(
-            f"{capital(CONDITIONS[condition].title)}, from none programmed to all: {listed(words)}."
-        )
+                words.append(f"the {measured.noun} shows no trend ({told})")
+        found.append(f"{CONDITIONS[condition].when}, from none programmed to all, {listed(words)}.")
     for (condition, name), several in beyond.items():
-        for sign, words in ((1, MEASURED[name].more), (-1, MEASURED[name].less)):
-            shares = [share for share, where in several if where == sign]
+        for sign, words_of in ((1, MEASURED[name].more), (-1, MEASURED[name].less)):
+            shares = [share_in_words(share) for share, where in several if where == sign]
             if shares:
-                programmed = listed(share_in_words(share) for share in shares)
                 found.append(
-                    f"{capital(CONDITIONS[condition].title)}, mixtures with {programmed} programmed "
-                    f"are {words} than either kind alone."
+                    f"{CONDITIONS[condition].when}, a mixture with {' or '.join(shares)} "
+                    f"programmed {words_of} than either kind alone."
                 )
     if not any(beyond.values()):
         found.append("In nothing of this is a mixture beyond both kinds alone.")
@@ -313,39 +305,31 @@ def kinds(differences: pd.DataFrame) -> list[str]:
         differences: as `tables.between_kinds` gives them: the programmed less the learned.
     """
     found = []
+    words = {
+        "in_b": (
+            "the programmed robots are in B for more of the last quarter than the learned",
+            "the programmed robots are in A for more of the last quarter than the learned",
+            "programmed and learned robots are in B for as much of the last quarter",
+        ),
+        "late_changes": (
+            "the programmed change roles more often",
+            "the learned change roles more often",
+            "neither kind changes roles more often",
+        ),
+        "delivered": (
+            "the programmed deliver more objects each",
+            "the learned deliver more objects each",
+            "both deliver alike",
+        ),
+    }
+    units = {"in_b": "of the time", "late_changes": "a robot and 10,000 ticks", "delivered": ""}
     for condition in MIXED:
-        where = {"condition": condition, "society": "programmed"}
-        rows = {
-            name: one_of(differences, name, **where)
-            for name in ("in_b", "late_changes", "delivered")
-        }
-        told = {
-            name: spread({"mean": row["difference"], "low": row["difference_low"],
-                          "high": row["difference_high"]})
-            for name, row in rows.items()
-        }  # fmt: skip
-        title = capital(CONDITIONS[condition].title)
-        sides = {name: side(row) for name, row in rows.items()}
-        role = {
-            1: "the programmed robots are in B for more of the last quarter than the learned",
-            -1: "the programmed robots are in A for more of the last quarter than the learned",
-            0: "neither kind is in B for more of the last quarter than the other",
-        }[sides["in_b"]]
-        change = {
-            1: "the programmed change roles more often",
-            -1: "the learned change roles more often",
-            0: "neither changes roles more often",
-        }[sides["late_changes"]]
-        goods = {
-            1: "the programmed deliver more each",
-            -1: "the learned deliver more each",
-            0: "both deliver alike",
-        }[sides["delivered"]]
-        found.append(
-            f"{title}, in the same society, {role} (difference {told['in_b']} of the time); {change} "
-            f"({told['late_changes']} a robot and 10,000 ticks); {goods} ({told['delivered']} "
-            "objects)."
-        )
+        parts = []
+        for name, (more, less, same) in words.items():
+            row = one_of(differences, name, condition=condition, society="programmed")
+            told = f"{away(row)} {units[name]}".strip()
+            parts.append(f"{ {1: more, -1: less, 0: same}[side(row)] } ({told})")
+        found.append(f"{CONDITIONS[condition].when}, in one society, {'; '.join(parts)}.")
     return found
 
 
@@ -379,7 +363,7 @@ def villagers(
     for one in farmers.SOCIETIES:
         row = rows[one, "beyond_chance"]
         told = f"{spread(row)} more than luck gives"
-        if row["low"] > 0.1:
+        if row["low"] > CLEARLY:
             found.append(f"The {one} society divides its work: {told}.")
         elif row["low"] > 0:
             found.append(f"The {one} society hardly divides its work: {told}.")
@@ -432,8 +416,8 @@ def summary(
     found = []
     if calmly:
         found.append(
-            f"Undisturbed, {titled(calmly)} settle{'s' if len(calmly) == 1 else ''} within one robot "
-            f"of the wanted split in {percent(MOST)} of the worlds or more."
+            f"Undisturbed, {titled(calmly)} settle{'s' if len(calmly) == 1 else ''} within one "
+            f"robot of the wanted split in {percent(MOST)} of the worlds or more."
         )
     else:
         found.append(f"No society settles in {percent(MOST)} of undisturbed worlds.")
@@ -451,37 +435,41 @@ def summary(
             )
             for condition in CONDITIONS
         }  # fmt: skip
-        measured = MEASURED[name]
-        parts = [
-            f"{words} {listed(CONDITIONS[one].title for one in where)}"
-            for words, where in (
-                (f"{measured.more} where", [one for one in sides if sides[one] > 0]),
-                (f"{measured.less} where", [one for one in sides if sides[one] < 0]),
-            )
-            if where
-        ]
-        if not parts:
-            found.append(
-                f"{measured.title}: no clear difference between programmed and learned, whatever "
-                "happens."
-            )
-        elif len(set(sides.values())) == 1:
-            words = measured.more if next(iter(sides.values())) > 0 else measured.less
-            found.append(f"Whatever happens, the programmed society is {words} than the learned one.")
-        else:
-            parts = [part.replace(" where ", ": ") for part in parts]
-            found.append(
-                f"{measured.title}: the programmed society is, beside the learned one, "
-                f"{listed(parts)}; no clear difference else."
-            )
+        found.append(overall(MEASURED[name], sides))
     beyond = {one: one_of(village, "beyond_chance", society=one) for one in farmers.SOCIETIES}
     gains = {one: one_of(village, "prosperity", society=one)["mean"] for one in farmers.SOCIETIES}
-    divided = [one for one, row in beyond.items() if row["low"] > 0.1]
+    divided = [one for one, row in beyond.items() if row["low"] > CLEARLY]
     rich = max(gains, key=lambda one: gains[one])
-    who = f"divide{'s' if len(divided) == 1 else ''} the work: {listed(divided)}" if divided else ""
+    who = {0: "none divides its work", 1: f"the {listed(divided)} one divides its work"}.get(
+        len(divided), f"the {listed(divided)} ones divide their work"
+    )
     found.append(
-        f"Of the farmers and artisans {'those of one mind ' if len(divided) == 1 else ''}"
-        f"{who or 'nobody divides the work'}; the most wheat has the {rich} society. A scheme "
-        f"distilled from the learned mind chooses as it does by an overlap of {number(overlap)}."
+        f"Of the societies of farmers and artisans {who}; the most wheat has the {rich} one. The "
+        "scheme distilled from the learned mind chooses as that does, with an overlap of "
+        f"{number(overlap)}."
     )
     return found
+
+
+def overall(measured: Measured, sides: Mapping[str, int]) -> str:
+    """Say how the programmed society differs from the learned one over all conditions.
+
+    Args:
+        measured: in what.
+        sides: by condition, on which side the difference is.
+
+    >>> overall(MEASURED["settled_after"], {"undisturbed": 1, "turned": 1})
+    'Whatever happens, the programmed society takes longer to settle than the learned one.'
+    """
+    clauses = []
+    for sign, words in ((1, measured.more), (-1, measured.less)):
+        where = [one for one, found in sides.items() if found == sign]
+        if len(where) == len(sides):
+            return f"Whatever happens, the programmed society {words} than the learned one."
+        if where:
+            place = listed(CONDITIONS[one].title for one in where)
+            clauses.append(f"{words} than the learned one ({place})")
+    if not clauses:
+        return f"There is no clear difference in the {measured.noun}, whatever happens."
+    rest = "" if all(sides.values()) else "; else there is no clear difference"
+    return f"The programmed society {listed(clauses)}{rest}."

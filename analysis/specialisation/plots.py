@@ -241,9 +241,7 @@ def _dashed(condition: str) -> Any:
     return "-" if condition == MIXED[0] else (0, (3, 2))
 
 
-def _over_share(
-    axes: Axes, own: pd.DataFrame, colour: str, condition: str, nudge: float
-) -> None:
+def _over_share(axes: Axes, own: pd.DataFrame, colour: str, condition: str, nudge: float) -> None:
     """Draw means over the share, each with its interval."""
     known = own[np.isfinite(own["mean"])]
     x = known["share"].to_numpy() + nudge

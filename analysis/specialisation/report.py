@@ -6,8 +6,7 @@ import math
 import platform
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import matplotlib
 import numba
@@ -15,12 +14,13 @@ import numpy as np
 import pandas as pd
 
 import socialmind
+from socialmind.catalogue import model_folder
 from socialmind.experiments import paper, report
 from socialmind.experiments.effects import comparisons
 from socialmind.mind import MindDescription
 
 from . import farmers, findings, plots
-from .findings import number, percent, spread
+from .findings import number, spread
 from .runs import Records
 from .societies import CONDITIONS, MIXED, REFERENCE, SEED, SOCIETIES, Size
 from .tables import (
@@ -78,7 +78,7 @@ def made(records: Records, village: farmers.Found, size: Size, command: str) -> 
 
 
 def judged(worlds: pd.DataFrame) -> pd.DataFrame:
-    """Return worlds with whether each settled, at last, and its division of labour beyond luck's."""
+    """Return worlds with whether each settled at last, and division of labour beyond luck's."""
     return worlds.assign(
         settled=np.isfinite(last_settling(worlds)).astype(float),
         beyond_chance=worlds["agents_to_tasks"] - worlds["agents_to_tasks_by_chance"],
@@ -151,16 +151,14 @@ def page_of(
     seeds = f"{SEED} … {SEED + size.worlds - 1}"
     top = [
         report.paragraph(
-            "Nine robots forage objects of two kinds, of which twice as many B are wanted as A. Who "
-            "fetches which? A programmed mind, a learned one, and others that fall short of both "
-            "decide about it in the same worlds, with the same market and the same decay; the same "
-            "trained skills carry out what they decide. Then both minds in one society; then the "
-            "farmers and artisans, with a learned mind in the place of their scheme.",
+            "Nine robots forage objects of two kinds, of which twice as many B are wanted as A. "
+            "Who fetches which? A programmed mind, a learned one, and others that fall short of "
+            "both decide about it in the same worlds, with the same market and the same decay; the "
+            "same trained skills carry out what they decide. Then both minds in one society; then "
+            "the farmers and artisans, with a learned mind in the place of their scheme.",
             lead=True,
         ),
-        report.bullets(
-            findings.summary(table, differ, tables["farmers-means"], agreement.overlap)
-        ),
+        report.bullets(findings.summary(table, differ, tables["farmers-means"], agreement.overlap)),
     ]
     sections = [
         report.section("Who is compared", _compared(size), "societies"),
@@ -187,8 +185,8 @@ def _compared(size: Size) -> list[str]:
         report.table(conditions),
         report.paragraph(
             f"Each society meets the same {size.worlds} worlds under each condition, for "
-            f"{number(size.ticks, 0)} ticks. How its robots begin is drawn for each world: all in A, "
-            "all in B, undecided, or at random; fixed and random roles begin as they must. After "
+            f"{number(size.ticks, 0)} ticks. How its robots begin is drawn for each world: all in "
+            "A, all in B, undecided, or at random; fixed roles begin in the wanted split. After "
             "each delivery a robot is told what the object was worth to all, and nothing else."
         ),
     ]
@@ -199,9 +197,9 @@ def _calm(tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure]) -> 
         report.bullets(findings.calm(tables["means"], tables["differences"])),
         report.picture(
             figures["course"],
-            "Figure 1. Above: distance to the wanted split, the mean of all worlds with its interval "
-            "of 95 %; the dashed line is the shock. Below: the share of worlds that have settled "
-            "within one robot of the wanted split for 5,000 ticks.",
+            "Figure 1. Above: distance to the wanted split, the mean of all worlds with its "
+            "interval of 95 %; the dashed line is the shock. Below: the share of worlds that have "
+            "settled within one robot of the wanted split for 5,000 ticks.",
             "Distance to the wanted split over time, for each society and condition.",
         ),
         _comparison(tables, "undisturbed", "Table 1. Undisturbed."),
@@ -217,7 +215,7 @@ def _shocked(
         parts += [
             f"<h3>{findings.capital(condition.title)}</h3>",
             report.bullets(found),
-            _comparison(tables, condition.name, f"Table {place}. {condition.title.capitalize()}."),
+            _comparison(tables, condition.name, f"Table {place}. {condition.when}."),
         ]
     return [
         *parts,
@@ -239,30 +237,27 @@ def _shocked(
 def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str) -> str:
     """A table of societies under a condition, with differences from the learned one."""
     rows = []
-    for one in SOCIETIES.values():
-        row: dict[str, object] = {"": one.title}
-        where = {"society": one.name, "condition": condition}
-        for name, measured in MEASURED.items():
-            mean = spread(findings.one_of(tables["means"], name, **where), measured.digits)
-            if one.name == REFERENCE:
-                row[measured.title] = mean
-                continue
-            found = findings.one_of(tables["differences"], name, reference=REFERENCE, **where)
-            effect = number(found["g"], 1) if math.isfinite(found["g"]) else "–"
-            row[measured.title] = f"{mean}; g {effect}, δ {number(found['delta'], 2)}"
+    for name, measured in MEASURED.items():
+        row: dict[str, object] = {"": f"{measured.title}\n{measured.unit}"}
+        for one in SOCIETIES.values():
+            where = {"society": one.name, "condition": condition}
+            found = findings.one_of(tables["means"], name, **where)
+            cell = spread(found, measured.digits).replace(" (", "\n(")
+            if one.name != REFERENCE:
+                row[one.title] = f"{cell}\n{_effect(tables['differences'], name, where)}"
+            else:
+                row[one.title] = cell
         rows.append(row)
     return report.table(
-        _turned(rows),
-        f"{caption} Means with intervals of 95 %; g and δ compare with the learned society.",
+        rows, f"{caption} Means with intervals of 95 %; g and δ compare with the learned society."
     )
 
 
-def _turned(rows: list[dict[str, object]]) -> list[dict[str, object]]:
-    """Rows and columns exchanged: the first column's cells become the heads."""
-    first, *names = rows[0]
-    return [
-        {"measure": name, **{str(row[first]): row[name] for row in rows}} for name in names
-    ]
+def _effect(differences: pd.DataFrame, name: str, where: Mapping[str, object]) -> str:
+    """The effect sizes of a difference from the learned society."""
+    found = findings.one_of(differences, name, reference=REFERENCE, **where)
+    size = f"g {number(found['g'], 1)}, " if math.isfinite(found["g"]) else ""
+    return f"{size}δ {number(found['delta'], 2)}"
 
 
 def _mixed(
@@ -278,8 +273,8 @@ def _mixed(
         ),
         report.picture(
             figures["mixed"],
-            "Figure 4. Over the share of programmed robots. Above: societies. Below: what becomes of "
-            "either kind of robots. Means with intervals of 95 %.",
+            "Figure 4. Over the share of programmed robots. Above: societies. Below: what becomes "
+            "of either kind of robots. Means with intervals of 95 %.",
             "Measures of mixed societies over the share of programmed robots.",
         ),
     ]
@@ -335,8 +330,8 @@ def _farmers(
     return [
         report.paragraph(
             "Where trade confirms callings, farmers and artisans specialise by the scheme that "
-            "somebody wrote. Here a mind that was taught for wheat alone weighs the same plans, from "
-            "the same cognitons; and from what it does a scheme of few links is distilled. "
+            "somebody wrote. Here a mind that was taught for wheat alone weighs the same plans, "
+            "from the same cognitons; and from what it does a scheme of few links is distilled. "
             f"{size.farmers} seeds, {number(size.farmers_ticks, 0)} ticks."
         ),
         report.bullets(
@@ -370,9 +365,7 @@ def _definitions() -> list[str]:
                 for one in MEASURED.values()
             ]
         ),
-        report.paragraph(
-            "Of farmers and artisans:",
-        ),
+        report.paragraph("Of farmers and artisans:"),
         report.table(
             [
                 {"measure": one.title, "unit": one.unit, "definition": one.definition}
@@ -381,18 +374,18 @@ def _definitions() -> list[str]:
         ),
         report.paragraph(
             "Intervals are of 95 %, by the bias-corrected and accelerated bootstrap over worlds "
-            "(Efron, 1987). Societies that met the same worlds are compared in pairs: the interval is "
-            "that of the mean difference; g is Hedges’ g for pairs, by the mean standard deviation "
-            "of the two; δ is Cliff’s delta for pairs, the share of worlds in which the number is "
-            "larger less that in which it is smaller. A finding speaks of a difference where its "
-            "interval holds no 0; nothing is corrected for the number of comparisons, so the effects "
-            "are what to read."
+            "(Efron, 1987). Societies that met the same worlds are compared in pairs: the interval "
+            "is that of the mean difference; g is Hedges’ g for pairs, by the mean standard "
+            "deviation of the two; δ is Cliff’s delta for pairs, the share of worlds in which the "
+            "number is larger less that in which it is smaller. A finding speaks of a difference "
+            "where its interval holds no 0; nothing is corrected for the number of comparisons, so "
+            "the effects are what to read."
         ),
     ]
 
 
 def _made(size: Size, command: str, seeds: str) -> list[str]:
-    mind = MindDescription.load(Path(_model()) / "mind")
+    mind = MindDescription.load(model_folder("foraging_roles") / "mind")
     versions = {
         "socialmind": socialmind.__version__,
         "Python": platform.python_version(),
@@ -404,23 +397,13 @@ def _made(size: Size, command: str, seeds: str) -> list[str]:
     return [
         report.code(command),
         report.paragraph(
-            f"Worlds of robots: seeds {seeds}, `foraging_roles` with its mind of {len(mind.skills)} "
-            f"skills; roles and deliveries are recorded every {EVERY} ticks. Farmers and artisans: "
-            f"seeds 0 … {size.farmers - 1}, recorded every {farmers.EVERY} ticks. The same command "
-            "gives the same file, with the same versions: "
-            f"{told}."
+            f"Worlds of robots: seeds {seeds}, `foraging_roles` with its mind of "
+            f"{len(mind.skills)} skills; roles and deliveries are recorded every {EVERY} ticks. "
+            f"Farmers and artisans: seeds 0 … {size.farmers - 1}, recorded every {farmers.EVERY} "
+            f"ticks. The same command gives the same file, with the same versions: {told}."
         ),
         report.paragraph(
             "The tables stand beside this page as CSV, the figures as PDF, in the folder "
             "`specialisation`; `worlds.csv` holds a row for each society, condition and world."
         ),
     ]
-
-
-def _model() -> Any:
-    from socialmind.catalogue import model_folder
-
-    return model_folder("foraging_roles")
-
-
-__all__ = ["Made", "made", "percent"]

@@ -23,34 +23,33 @@ from .societies import CONDITIONS, MIXED, SEED, SOCIETIES, Size
 from .worlds import EVERY, SHOWN_EVERY, lived
 
 TABLES = ("worlds", "course", "kinds", "spells")
-KEYS = ("society", "condition", "share")
+KEYS = ("society", "share")
 BLOCK = 10
-"""Worlds of a society and condition that are kept together."""
+"""Worlds of a society that are kept together."""
 
 
 @dataclass(frozen=True)
 class Cell:
-    """A society under a condition.
+    """A society, and what happens to it.
 
     Attributes:
         society: its name; "mixed" for one of both kinds.
-        condition: its name.
         share: of programmed robots.
+        conditions: their names.
         parameters: of the model.
         weights: of the mind that was learned as in the thesis; None for others.
     """
 
     society: str
-    condition: str
     share: float
+    conditions: tuple[str, ...]
     parameters: Mapping[str, float] = field(default_factory=dict)
     weights: tuple[float, ...] | None = None
 
     @property
     def name(self) -> str:
-        """How its files are called."""
-        share = f"-{self.share:.3f}" if self.society == "mixed" else ""
-        return f"{self.society}{share}-{self.condition}"
+        """How its folder is called."""
+        return f"{self.society}-{self.share:.3f}" if self.society == "mixed" else self.society
 
 
 def cells_of(size: Size, weights: Sequence[float]) -> list[Cell]:
@@ -63,18 +62,16 @@ def cells_of(size: Size, weights: Sequence[float]) -> list[Cell]:
     found = [
         Cell(
             one.name,
-            condition,
             float(one.parameters.get("programmed", 0.0)),
+            tuple(CONDITIONS),
             one.parameters,
             tuple(weights) if one.thesis else None,
         )
         for one in SOCIETIES.values()
-        for condition in CONDITIONS
     ]
     found += [
-        Cell("mixed", condition, share, {"programmed": share})
+        Cell("mixed", share, MIXED, {"programmed": share})
         for share in size.shares
-        for condition in MIXED
         if 0 < share < 1  # of one kind alone they are societies above
     ]
     return found
@@ -85,7 +82,7 @@ class Records:
     """What was seen of all worlds.
 
     Attributes:
-        worlds: `society`, `condition`, `share`, `seed` and the measures, a row a world.
+        worlds: `society`, `share`, `condition`, `seed` and the measures, a row a run.
         course: likewise `seed`, `tick`, `distance`, `specialised`.
         kinds: likewise `seed`, `kind` and what became of it.
         spells: likewise `seed`, `agent`, `since`, `until`, `role`, of the first world.
@@ -107,7 +104,7 @@ def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = Non
     """Run all worlds that are not kept yet, a block of worlds of all societies after the other.
 
     Args:
-        cells: societies under conditions.
+        cells: societies, and what happens to them.
         size: of the study.
         home: where results are kept.
         workers: processes; one for each processor by default.
@@ -125,7 +122,7 @@ def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = Non
         if not all(_file(folders[cell.name], table, seeds).is_file() for table in TABLES)
     ]
     calls: list[tuple[Any, ...]] = [
-        (cell.condition, seed, size.ticks, dict(cell.parameters), cell.weights)
+        (cell.conditions, seed, size.ticks, dict(cell.parameters), cell.weights)
         for cell, seeds in missing
         for seed in seeds
     ]
@@ -151,14 +148,16 @@ def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = Non
 
 def stamp(cell: Cell, ticks: int) -> str:
     """Return a hash of all that decides what comes of a cell: code, minds and parameters."""
-    model, what = model_folder("foraging_roles"), CONDITIONS[cell.condition]
-    shock = what.parameters(ticks // 2), what.wanted(ticks // 2).to_dict("records")
-    known = (socialmind.__version__, source_hash(model), dict(cell.parameters), cell.weights)
-    total = hashlib.sha256(repr((*known, shock, ticks, EVERY, SHOWN_EVERY)).encode())
-    others = (Path(__file__).with_name("worlds.py"), *sorted(model.rglob("*")))
-    for path in others:
-        if path.is_file() and path.suffix not in (".md", ".py", ".pyc") or path == others[0]:
-            total.update(f"{path.name}\0".encode() + path.read_bytes())
+    model, half = model_folder("foraging_roles"), ticks // 2
+    known = [socialmind.__version__, source_hash(model), ticks, EVERY, SHOWN_EVERY]
+    known += [dict(cell.parameters), cell.weights]
+    for name in cell.conditions:
+        what = CONDITIONS[name]
+        known += [name, what.parameters(half), what.wanted(half).to_dict("records")]
+    total = hashlib.sha256(repr(known).encode())
+    data = [one for one in sorted(model.rglob("*")) if one.suffix not in (".md", ".py", ".pyc")]
+    for path in (Path(__file__).with_name("worlds.py"), *filter(Path.is_file, data)):
+        total.update(f"{path.name}\0".encode() + path.read_bytes())
     return total.hexdigest()[:12]
 
 

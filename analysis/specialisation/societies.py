@@ -85,7 +85,8 @@ class Condition:
     Attributes:
         name: in tables.
         title: in figures.
-        about: what happens, in words that follow on "when".
+        about: what happens, in a clause.
+        when: the same, at the beginning of a sentence.
         parameter: of the model, which says when it happens; empty for nothing.
         marker: in figures.
     """
@@ -93,6 +94,7 @@ class Condition:
     name: str
     title: str
     about: str
+    when: str
     parameter: str = ""
     marker: str = "o"
 
@@ -118,12 +120,19 @@ class Condition:
 CONDITIONS = {
     one.name: one
     for one in (
-        Condition("undisturbed", "undisturbed", "nothing happens"),
-        Condition("turned", "ratio turned round", "the wanted ratio is turned round",
-                  "reverse_at", "s"),
-        Condition("removed", "three taken away", "three robots in A are taken away",
-                  "remove_at", "^"),
-        Condition("added", "three added", "three robots are added", "add_at", "D"),
+        Condition("undisturbed", "undisturbed", "nothing happens", "Undisturbed"),
+        Condition(
+            "turned", "ratio turned round", "the wanted ratio is turned round",
+            "With the ratio turned round", "reverse_at", "s",
+        ),
+        Condition(
+            "removed", "three taken away", "three robots in A are taken away",
+            "With three robots in A taken away", "remove_at", "^",
+        ),
+        Condition(
+            "added", "three added", "three robots are added",
+            "With three robots added", "add_at", "D",
+        ),
     )
 }  # fmt: skip
 """By name. Robots that are taken away have the role A, of which the fewer are wanted."""

@@ -24,17 +24,19 @@ class Measured:
         title: of a panel.
         unit: of its axis.
         definition: in a sentence.
+        noun: what sentences call it.
+        more: what a society with a larger number does, and `less` one with a smaller.
         digits: behind the point.
-        more: what a society with a larger number is or does, and `less` one with a smaller.
     """
 
     name: str
     title: str
     unit: str
     definition: str
+    noun: str
+    more: str
+    less: str
     digits: int = 2
-    more: str = "more"
-    less: str = "less"
 
 
 MEASURED = {
@@ -44,31 +46,34 @@ MEASURED = {
             "last_distance", "Distance", "robots, last quarter",
             "Robots that would have to change roles for the wanted split, Σ |n_r − w_r · n| / 2 "
             "over the roles r; the mean over the records of the last quarter.",
-            2, "farther from the wanted split", "nearer to the wanted split",
+            "distance to the wanted split",
+            "stays farther from the wanted split", "stays nearer to the wanted split",
         ),
         Measured(
             "within", "Within one robot", "share of worlds",
             "Whether the split stays within one robot of the wanted one all through the last "
             "quarter; the share of worlds in which it does.",
-            2, "within one robot in more worlds", "within one robot in fewer worlds",
+            "share of worlds within one robot",
+            "is within one robot in more worlds", "is within one robot in fewer worlds",
         ),
         Measured(
             "settled_after", "Time to settle", "ticks",
             "Ticks from the start, or from the shock, to the first record from which the split "
             "stays within one robot of the wanted one for 5,000 ticks. A world that never settles "
             "counts with all ticks that were left.",
-            0, "later to settle", "sooner to settle",
+            "time to settle", "takes longer to settle", "settles sooner", 0,
         ),
         Measured(
             "late_changes", "Role changes", "a robot and 10,000 ticks",
             "Changes of role for each robot and 10,000 ticks in the last quarter.",
-            2, "with more changes of roles", "with fewer changes of roles",
+            "number of role changes", "changes roles more often", "changes roles less often",
         ),
         Measured(
             "specialised", "Specialised robots", "share of robots",
             "The share of robots of whose deliveries in the last 10,000 ticks (three or more) 80 % "
             "are of one kind; the mean over the last quarter.",
-            2, "with more robots specialised", "with fewer robots specialised",
+            "share of specialised robots", "has more robots specialised",
+            "has fewer robots specialised",
         ),
         Measured(
             "agents_to_tasks", "Division of labour", "I / H(tasks)",
@@ -76,18 +81,19 @@ MEASURED = {
             "quarter: how much knowing the agent says about the task, 0 … 1 (Gorelick, Bertram, "
             "Killeen & Fewell, 2004). Compared with what dealing out the same pieces of work at "
             "random gives.",
-            2, "with more division of labour", "with less division of labour",
+            "division of labour", "divides its work more", "divides its work less",
         ),
         Measured(
             "delivered", "Objects delivered", "objects",
             "All objects brought home in the whole run.",
-            0, "with more objects delivered", "with fewer objects delivered",
+            "number of objects delivered", "delivers more objects", "delivers fewer objects", 0,
         ),
         Measured(
-            "in_ratio", "In the ratio", "objects",
+            "in_ratio", "In the wanted ratio", "objects",
             "Of the objects delivered in each half, the largest part with that half's wanted "
             "ratio.",
-            0, "with more objects in the wanted ratio", "with fewer objects in the wanted ratio",
+            "number of objects in the wanted ratio", "delivers more objects in the wanted ratio",
+            "delivers fewer objects in the wanted ratio", 0,
         ),
     )
 }  # fmt: skip
@@ -170,9 +176,9 @@ def settled_by(worlds: pd.DataFrame, by: Sequence[str], end: int) -> pd.DataFram
 
 def last_settling(worlds: pd.DataFrame) -> np.ndarray:
     """Return the ticks to settle after the shock, or from the start where there was none."""
-    again = worlds["recovery_ticks_1"] if "recovery_ticks_1" in worlds else None
     first = worlds["settling_ticks"]
-    return (first if again is None else again.fillna(first)).to_numpy(float)
+    again = worlds.get("recovery_ticks_1", first)  # no column where there was no shock at all
+    return again.fillna(first).to_numpy(float)
 
 
 def differences(worlds: pd.DataFrame, references: Sequence[str] = (REFERENCE,)) -> pd.DataFrame:

@@ -1,9 +1,12 @@
-"""One world: a society of robots that is run, watched and measured."""
+"""One world: a society of robots that is run, watched and measured.
+
+Until half-time nothing is known of what happens then, so a society is run that far but once.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -29,44 +32,74 @@ SHOWN_EVERY = 500
 
 
 def lived(
-    condition: str,
+    conditions: Sequence[str],
     seed: int,
     ticks: int,
     parameters: Mapping[str, float],
     weights: Sequence[float] | None = None,
 ) -> dict[str, list[dict[str, Any]]]:
-    """Run a society and measure it.
+    """Run a society to half-time, and from there on under each condition; measure each run.
 
     Args:
-        condition: its name.
+        conditions: their names.
         seed: of the world.
         ticks: how long.
         parameters: that make the society.
         weights: of the mind that was learned as in the thesis; None for the model's own.
 
     Returns:
-        Rows by table: `worlds`, the measures of the run; `course`, distance and specialised robots
-        over time; `kinds`, what became of the programmed and the learned; `spells`, the roles of
-        each robot.
+        Rows by table, each with its `condition`: `worlds`, the measures of the run; `course`,
+        distance and specialised robots over time; `kinds`, what became of the programmed and the
+        learned; `spells`, the roles of each robot.
     """
-    what, half = CONDITIONS[condition], ticks // 2
-    model = load_model("foraging_roles")(
-        seed=seed,
-        hierarchy=None if weights is None else _mind(tuple(weights)),
-        **parameters,
-        **what.parameters(half),
-    )
-    seen = watched(model, ticks)
-    roles = seen[["tick", "agent", "role"]]
+    half = ticks // 2
+
+    def begun(**changed: int) -> Model:
+        mind = None if weights is None else _mind(tuple(weights))
+        return load_model("foraging_roles")(seed=seed, hierarchy=mind, **parameters, **changed)
+
+    model = begun()
+    before = watched(model, range(0, half, EVERY))
+    model.advance(half - 1 - model.tick)  # what happens does so in the tick that ends at half-time
+    state = model.state()
+    tables: dict[str, list[dict[str, Any]]] = {}
+    for name in conditions:
+        what = CONDITIONS[name]
+        shocked = begun(**what.parameters(half))
+        shocked.restore(_with(state, what.parameters(half)))
+        after = watched(shocked, range(half, ticks + 1, EVERY))
+        seen = pd.concat([before, after], ignore_index=True)
+        for table, rows in looked_at(seen, what, half).items():
+            named = [{"condition": name, "seed": seed, **row} for row in rows]
+            tables.setdefault(table, []).extend(named)
+    return tables
+
+
+def _with(state: Mapping[str, Any], parameters: Mapping[str, int]) -> dict[str, Any]:
+    """Return a state as if the model had had other parameters, which counted for nothing so far."""
+    context = state["context"].copy()
+    for name, value in parameters.items():
+        context[name] = value
+    return {**state, "context": context}
+
+
+def looked_at(seen: pd.DataFrame, what: Condition, half: int) -> dict[str, list[dict[str, Any]]]:
+    """Return what a run comes to, rows by table.
+
+    Args:
+        seen: what was seen of its robots.
+        what: happened to them.
+        half: when.
+    """
     tasks = deliveries(seen)
-    course = Course(roles, tasks, what.wanted(half), what.shocks(half))
+    course = Course(seen[["tick", "agent", "role"]], tasks, what.wanted(half), what.shocks(half))
     over_time = pd.DataFrame({"distance": course.distance, "specialised": course.specialised})
-    shown = over_time[over_time.index % SHOWN_EVERY == 0].reset_index()
+    shown: Any = over_time[over_time.index % SHOWN_EVERY == 0].reset_index().to_dict("records")
     return {
-        "worlds": [{"seed": seed, **measured(course, what, half)}],
-        "course": [{"seed": seed, **row} for row in shown.to_dict("records")],
-        "kinds": [{"seed": seed, **row} for row in kinds(seen, tasks, course.last)],
-        "spells": [{"seed": seed, **row} for row in spells(seen)],
+        "worlds": [measured(course, what, half)],
+        "course": shown,
+        "kinds": kinds(seen, tasks, course.last),
+        "spells": spells(seen),
     }
 
 
@@ -76,14 +109,18 @@ def _mind(weights: tuple[float, ...]) -> Any:
     return trainings.mind_of("thesis", np.array(weights))
 
 
-def watched(model: Model, ticks: int) -> pd.DataFrame:
-    """Run a model, and return what is seen of its robots at each record.
+def watched(model: Model, ticks: Iterable[int]) -> pd.DataFrame:
+    """Run a model on, and return what is seen of its robots at some ticks.
+
+    Args:
+        model: at the first of the ticks, or before.
+        ticks: ascending.
 
     Returns:
         `tick`, `agent`, `role`, `programmed`, and `a` and `b`, delivered so far.
     """
     seen = []
-    for tick in range(0, ticks + 1, EVERY):
+    for tick in ticks:
         model.advance(tick - model.tick)
         robots: Any = model.robots  # type: ignore[attr-defined]  # this model's population
         seen.append(

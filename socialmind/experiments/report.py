@@ -22,7 +22,7 @@ DOTS = 200
 """Dots an inch of what stands in a figure as pixels."""
 STYLE = """
 :root { color-scheme: light; }
-body { margin: 0; background: #fff; color: #222; font: 16px/1.55 Georgia, "Times New Roman", serif; }
+body { margin: 0; background: #fff; color: #222; font: 16px/1.55 Georgia, Times, serif; }
 main { max-width: 54rem; margin: 0 auto; padding: 2.5rem 1.25rem 4rem; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .6rem; }
 h2 { font-size: 1.3rem; margin: 2.8rem 0 .5rem; padding-top: .7rem; border-top: 1px solid #ccc; }
@@ -53,7 +53,7 @@ pre code { padding: 0; }
 
 
 def paragraph(text: str, lead: bool = False) -> str:
-    """A paragraph; what stands between `backticks` is code.
+    """A paragraph; what stands between `backticks` is code, and lines stay as they are broken.
 
     >>> paragraph("a < b in `f(x)`")
     '<p>a &lt; b in <code>f(x)</code></p>'
@@ -156,4 +156,5 @@ def page(title: str, top: Iterable[str], sections: Sequence[str]) -> str:
 
 
 def _inline(text: str) -> str:
-    return re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(text, quote=False))
+    marked = re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(text, quote=False))
+    return marked.replace("\n", "<br>")

@@ -20,7 +20,7 @@ from socialmind.experiments import paper
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from coglogo_py import Cogniton, CognitiveScheme
+    from coglogo_py import CognitiveScheme, Cogniton
 
 INFLUENCE, CONDITION, REINFORCEMENT = "influence", "condition", "reinforcement"
 POSITIVE, NEGATIVE, FEEDBACK = paper.BLUE, paper.RED, paper.GOLD
