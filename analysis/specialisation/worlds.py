@@ -53,21 +53,16 @@ def lived(
         learned; `spells`, the roles of each robot.
     """
     half = ticks // 2
-
-    def begun(**changed: int) -> Model:
-        mind = None if weights is None else _mind(tuple(weights))
-        return load_model("foraging_roles")(seed=seed, hierarchy=mind, **parameters, **changed)
-
-    model = begun()
+    mind = None if weights is None else _mind(tuple(weights))
+    model = load_model("foraging_roles")(seed=seed, hierarchy=mind, **parameters)
     before = watched(model, range(0, half, EVERY))
     model.advance(half - 1 - model.tick)  # what happens does so in the tick that ends at half-time
     state = model.state()
     tables: dict[str, list[dict[str, Any]]] = {}
     for name in conditions:
         what = CONDITIONS[name]
-        shocked = begun(**what.parameters(half))
-        shocked.restore(_with(state, what.parameters(half)))
-        after = watched(shocked, range(half, ticks + 1, EVERY))
+        model.restore(_with(state, what.parameters(half)))
+        after = watched(model, range(half, ticks + 1, EVERY))
         seen = pd.concat([before, after], ignore_index=True)
         for table, rows in looked_at(seen, what, half).items():
             named = [{"condition": name, "seed": seed, **row} for row in rows]
