@@ -5,13 +5,15 @@ whether there is plenty of what the robot fetches, and reinforces its calling. T
 both are compared with: robots of fixed roles, of random ones, and greedy ones.
 """
 
+from socialmind.economy import towards_neutral
+
 LEARNED, FIXED, RANDOM, GREEDY = 0, 1, 2, 3
 """What decides in the robots that are not programmed."""
 AS_IT_SHOULD_BE = 0.5  # the payoff where neither kind is scarce
-PERCENT = 100.0  # what the scheme counts payoffs in
-WORTH_A_THOUGHT = 3.0  # per cent that a payoff may lack without anything coming of it
-FIRST_CALLING = 20.0  # of a robot that takes up a role
-WEAKEST, STRONGEST = 10.0, 30.0  # callings
+PERCENT = 100.0  # in which the scheme counts what deliveries are worth
+CALLING_FACTOR = 0.8  # what a delivery leaves of a calling before it is reinforced
+CALLING_BOUND = 100.0
+FIRST_CALLING = 25.0  # of a robot that takes up a role: half of what it comes to
 
 
 # Who decides --------------------------------------------------------------------------------------
@@ -76,24 +78,31 @@ def change_role(robot, to_b):
 
 
 def follow_scheme(robot, model, rng):
-    """Perceive what the last object was worth, be confirmed in the calling by it, and choose."""
+    """Let a delivery reinforce the plan that led to it, see what it says, and choose."""
     if robot.is_b:
-        perceive(robot, "CollectB", "CallingB", "PlentyOfB")
+        reinforce(robot, "CollectB", "CallingB")
+        perceive(robot, model, "PlentyOfB")
     else:
-        perceive(robot, "CollectA", "CallingA", "PlentyOfA")
+        reinforce(robot, "CollectA", "CallingA")
+        perceive(robot, model, "PlentyOfA")
     robot.plan = robot.mind.choose_next_plan()
     robot.run_plan(model, rng)
 
 
-def perceive(robot, plan, calling, plenty):
-    """Let a payoff act on the calling that it was for, and see whether there is plenty."""
-    worth = PERCENT * (robot.payoff - AS_IT_SHOULD_BE)
-    robot.mind.feed_back_from_plan(plan, worth)
+def reinforce(robot, plan, calling):
+    """Let a calling fade, and confirm it by what the plan was worth."""
     value = robot.mind.get_cogniton_value(calling)
-    robot.mind.set_cogniton_value(calling, min(max(value, WEAKEST), STRONGEST))
-    if worth < -WORTH_A_THOUGHT:
+    rested = towards_neutral(value, CALLING_FACTOR, 0.0, CALLING_BOUND)
+    robot.mind.set_cogniton_value(calling, rested)
+    robot.mind.feed_back_from_plan(plan, PERCENT * min(max(robot.payoff, 0.0), 1.0))
+
+
+def perceive(robot, model, plenty):
+    """See by how much an object was worth less than it should be, if by enough to matter."""
+    lack = PERCENT * (AS_IT_SHOULD_BE - max(robot.payoff, 0.0))
+    if lack > model.tolerance:
         robot.mind.activate_cogniton(plenty)
-        robot.mind.set_cogniton_value(plenty, -worth)
+        robot.mind.set_cogniton_value(plenty, lack)
     else:
         robot.mind.deactivate_cogniton(plenty)
 

@@ -227,7 +227,7 @@ class Worlds:
         in_b = (self.here & (self.role >= 0.5)).sum(axis=1)
         return np.abs(in_b - self.wanted * self.robots)
 
-    def go_on(self, minds: Minds) -> bool:
+    def go_on(self, minds: Any) -> bool:
         """Let the next thing happen in each world; return whether there is more to come."""
         who = self.next.argmin(axis=1)
         then = self.next[self.rows, who]
@@ -263,17 +263,15 @@ class Worlds:
         quarter = self.limit / 4
         return np.clip(then - quarter, 0, quarter) + np.clip(then - 3 * quarter, 0, quarter)
 
-    def _deliver(self, rows: NDArray[np.int64], who: NDArray[np.int64], minds: Minds) -> None:
+    def _deliver(self, rows: NDArray[np.int64], who: NDArray[np.int64], minds: Any) -> None:
         """Pay the robots that deliver, and let them think about their roles."""
         before = self.role[self.rows, np.minimum(who, self.most - 1)]
         is_b = before >= 0.5
         self.count_a[rows] += ~is_b[rows]
         self.count_b[rows] += is_b[rows]
         scarcity = scarcity_of_a(self.count_b, self.count_a, self.wanted)
-        minds.set_sensor("PAYOFF", np.clip(worth(np.where(is_b, -scarcity, scarcity)), 0.0, 1.0))
-        minds.set_sensor("ROLE", before)
-        minds.step()
-        robot, role = who[rows], minds.actuator("ROLE")[rows]
+        payoff = np.clip(worth(np.where(is_b, -scarcity, scarcity)), 0.0, 1.0)
+        robot, role = who[rows], self.decided(rows, who, before, payoff, minds)[rows]
         self.role[rows, robot] = role
         self.done[rows, robot] += 1
         stretch = np.where(role >= 0.5, 1 / self.uneven[rows], self.uneven[rows])
@@ -284,6 +282,29 @@ class Worlds:
             late = self._late(self.now + 1e-9) > self._late(self.now)
             self.changes[changed] += late[changed]
             self.off_now = self._off()
+
+    def decided(
+        self,
+        rows: NDArray[np.int64],
+        who: NDArray[np.int64],
+        before: NDArray[np.float64],
+        payoff: NDArray[np.float64],
+        minds: Any,
+    ) -> NDArray[np.float64]:
+        """Return what roles are to be after a delivery; others decide in a way of their own.
+
+        Args:
+            rows: the worlds that count; all others' roles are for nobody.
+            who: the robot of each world that has delivered, (worlds,) as all that follow.
+            before: its role, 0 … 1.
+            payoff: what the object was worth, 0 … 1.
+            minds: what decides.
+        """
+        minds.set_sensor("PAYOFF", payoff)
+        minds.set_sensor("ROLE", before)
+        minds.step()
+        role: NDArray[np.float64] = minds.actuator("ROLE")
+        return role
 
     def _happen(self, row: int) -> None:
         """Let happen in a world what happens half-way."""

@@ -31,6 +31,7 @@ from .measures import (
     stays_within,
     ticks_to_settle,
     watch,
+    watch_start,
 )
 from .payoff import forget, open_market
 from .places import COLLECT, SPARE, lay, lay_a, lay_b, mark, tidy_a, tidy_b
@@ -144,6 +145,12 @@ class ForagingRoles(Model):
         high=3,
         doc="decides in the others: 0 the learned mind, 1 nobody, 2 chance, 3 the last payoff",
     )
+    tolerance: float = parameter(
+        5.0,
+        unit="% of payoff",
+        low=0.0,
+        doc="lacking before the scheme thinks of change",
+    )
 
     wanted: float = 0.5
     began_as: int = 0
@@ -155,8 +162,12 @@ class ForagingRoles(Model):
     began_at: int = 0
     within_since: int = -1
     settled_at: int = -1
+    changes_seen: int = 0
     changes_before: int = 0
     changes_settled: int = 0
+    settled_changes: int = 0
+    settled_robot_ticks: int = 0
+    robot_ticks: int = 0
 
     world = Plane("half_width")
     obstacles = Population(Obstacle, COLLECT.SIDE * COLLECT.SIDE)
@@ -196,6 +207,7 @@ class ForagingRoles(Model):
         each(robots, arrive),
         each(objects_a, lay_a),
         each(objects_b, lay_b),
+        once(watch_start),
     )
     schedule = (
         each(robots, work),

@@ -107,6 +107,15 @@ class Course:
         ticks = self.split.index
         return float(ticks[0] + LAST_QUARTER * (ticks[-1] - ticks[0]))
 
+    @property
+    def _late(self) -> pd.Series:
+        """The distance in the last quarter."""
+        return self.distance[self.distance.index >= self.last]
+
+    def _within_late(self) -> float:
+        """Return 1 if all of the last quarter is within the agents allowed, else 0."""
+        return float((self._late <= self.within + 1e-9).all())
+
     def measures(self) -> dict[str, float]:
         """Return the run's numbers.
 
@@ -120,7 +129,6 @@ class Course:
             in the last quarter, and what luck alone gives of the first of them; `delivered`: all
             work of the whole run.
         """
-        late = self.distance[self.distance.index >= self.last]
         found = self.settlings
         windows = list(zip(found["settled"], found["end"], strict=True))
         works = works_of(self.tasks, since=self.last).to_numpy()
@@ -130,8 +138,8 @@ class Course:
         again = found["ticks"].tolist()[1:]
         return {
             "distance": float(self.distance.mean()),
-            "last_distance": float(late.mean()),
-            "within": float((late <= self.within + 1e-9).all()),
+            "last_distance": float(self._late.mean()),
+            "within": self._within_late(),
             "settling_ticks": float(found["ticks"].iloc[0]),
             **{f"recovery_ticks_{n}": float(ticks) for n, ticks in enumerate(again, 1)},
             "role_changes": role_changes(self.roles, windows),
@@ -140,4 +148,25 @@ class Course:
             "tasks_to_agents": division.tasks_to_agents,
             "agents_to_tasks_by_chance": chance,
             "delivered": float(works_of(self.tasks).to_numpy().sum()),
+        }
+
+    def scored(self) -> dict[str, float]:
+        """Return the measures of settling with a number even where it never settled.
+
+        They are what a model counts while it runs, for `socialmind score`; equal to it to the last
+        digit where every tick is recorded.
+
+        Returns:
+            `within_one`: as `within`; `settling_ticks`: from the last shock, or the start without
+            any, until it settled, or else all the ticks that there were; `role_changes`: for each
+            agent and 10,000 ticks while settled, or of the whole run if it never was.
+        """
+        found = self.settlings
+        begin, settled = found[["begin", "settled"]].iloc[-1].tolist()
+        ticks = self.distance.index
+        changes = role_changes(self.roles, list(zip(found["settled"], found["end"], strict=True)))
+        return {
+            "within_one": self._within_late(),
+            "settling_ticks": min(settled, float(ticks[-1])) - begin,
+            "role_changes": role_changes(self.roles) if math.isnan(changes) else changes,
         }

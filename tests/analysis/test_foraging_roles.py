@@ -12,6 +12,7 @@ from socialmind.mind import Perceptron
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
 trainings = load_file(FOLDER / "trainings.py")
 results = load_file(FOLDER / "results.py")
+scanning = load_file(FOLDER / "scheme_scan.py")
 studies = load_file(FOLDER / "studies.py").studies
 STAY = np.zeros(39)
 STAY[21] = 1.0  # the influence on the role as it is
@@ -64,3 +65,21 @@ def test_studies_that_train_can_be_made_of_what_is_kept():
     assert [one.name for one in studies] == ["figure-8.6", "roles-lessons", "roles-settling"]
     assert [one.kept is not None for one in studies] == [True, True, False]
     assert all(one.quick is not None for one in studies)
+
+
+def test_the_scan_of_the_scheme_follows_the_models_rules():
+    scheme = scanning.CognitiveScheme.load(scanning.MODEL / "scheme.yaml")
+    assert scanning.scheme_with(4.0) == scheme
+    assert scanning.scheme_with(8.0).cognitons[0].influence == {"CollectA": 8.0}
+    nine = results.IN_THE_ECONOMY["nine robots"]
+    found = scanning.tried(4.0, 5.0, nine, 8)
+    assert found["within_one"] >= 0.75
+    assert found["changes"] < 1.0
+    nobody = scanning.tried(4.0, 50.0, {**nine, "starts": (0,)}, 2)
+    assert nobody == {"within_one": 0.0, "changes": 0.0}
+
+
+def test_the_scan_of_the_scheme_has_a_row_for_each_condition():
+    table = scanning.scan((4.0,), (5.0,), worlds=1)
+    assert table["condition"].tolist() == list(scanning.TRIED)
+    assert set(table["condition"]) <= set(results.IN_THE_ECONOMY)

@@ -47,7 +47,7 @@ def different(one, other):
         a, b = mine[name], theirs[name]
         population, _, rest = name.partition(".")
         if population in roomier:
-            if rest in ("free", "counters"):
+            if rest.removeprefix("minds.") in ("free", "free_minds", "counters"):
                 continue
             room = min(len(a), len(b))
             a, b = a[:room], b[:room]
