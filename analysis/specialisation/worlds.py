@@ -167,11 +167,9 @@ def measured(course: Course, condition: Condition, half: int) -> dict[str, float
         half: when.
     """
     found = course.measures()
-    last = course.settlings.iloc[-1]
-    end = float(course.split.index[-1])
     return {
         **found,
-        "settled_after": min(float(last["ticks"]), end - float(last["begin"])),
+        "settled_after": course.scored()["settling_ticks"],
         "late_changes": role_changes(course.roles, [(course.last, math.inf)]),
         "in_ratio": in_ratio(course.tasks, condition, half),
     }
