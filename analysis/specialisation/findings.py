@@ -123,14 +123,14 @@ def against(
         row = one_of(differences, name, **where)
         sign = side(row)
         if not sign:
-            alike.append(measured.noun)
+            alike.append(f"the {measured.noun}")
             continue
         effect = f"; g {number(row['g'], 1)}" if math.isfinite(row["g"]) else ""
         words = measured.more if sign > 0 else measured.less
         more.append(f"{words} (difference {away(row, measured.digits)}{effect})")
     if not more:
         return f"In the same worlds {who} and {other} differ clearly in nothing that is measured."
-    same = f" No clear difference is there in {listed(alike)}." if alike else ""
+    same = f" There is no clear difference in {listed(alike)}." if alike else ""
     return f"In the same worlds {who}, set against {other}, {listed(more)}.{same}"
 
 
@@ -196,7 +196,7 @@ def calm(table: pd.DataFrame, differences: pd.DataFrame) -> list[str]:
         told = listed(f"{SOCIETIES[one].title} {spread(divided[one])}" for one in some)
         found.append(f"Division of labour beyond what luck gives: {told}.")
     if none:
-        found.append(f"No more than luck gives is it in {titled(none)}.")
+        found.append(f"In {titled(none)} it is no more than that.")
     thesis = {
         name: one_of(table, name, society="thesis", condition=at)
         for name in ("within", "late_changes")
@@ -422,9 +422,8 @@ def summary(
     else:
         found.append(f"No society settles in {percent(MOST)} of undisturbed worlds.")
     if robust:
-        found.append(
-            f"After every shock, too, {'does' if len(robust) == 1 else 'do'} {titled(robust)}."
-        )
+        settle = "settles" if len(robust) == 1 else "settle"
+        found.append(f"In as many {titled(robust)} {settle} again after each of the shocks.")
     else:
         found.append(f"After every one of the {len(shocks)} shocks no society does so.")
     for name in ("last_distance", "settled_after", "late_changes"):

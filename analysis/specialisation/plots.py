@@ -47,7 +47,7 @@ def course(over_time: pd.DataFrame, settled: pd.DataFrame, size: Size) -> Figure
         for society, part in _parts(over_time, condition.name):
             x = part["tick"].to_numpy() / unit
             colour = SOCIETIES[society].colour
-            upper.fill_between(x, part["low"], part["high"], color=colour, alpha=0.2, linewidth=0)
+            upper.fill_between(x, part["low"], part["high"], color=colour, alpha=0.15, linewidth=0)
             upper.plot(x, part["mean"], color=colour, linestyle=DASHES.get(society, "-"))
         for shock in condition.shocks(size.half):
             upper.axvline(shock / unit, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
@@ -60,7 +60,7 @@ def course(over_time: pd.DataFrame, settled: pd.DataFrame, size: Size) -> Figure
                 color=SOCIETIES[society].colour, linestyle=DASHES.get(society, "-"),
             )  # fmt: skip
         since = "since the shock" if condition.parameter else "since the start"
-        lower.set_xlabel(f"{since} (thousand ticks)" if unit > 1 else f"{since} (ticks)")
+        lower.set_xlabel(f"{since}\n({'thousand ' if unit > 1 else ''}ticks)")
         title = "settled again" if condition.parameter else "settled"
         paper.panel_title(lower, LETTERS[place + len(CONDITIONS)], title)
     panels[0, 0].set_ylim(*paper.limits_with_zero(over_time["high"].tolist()))

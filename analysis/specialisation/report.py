@@ -22,7 +22,7 @@ from socialmind.mind import MindDescription
 from . import farmers, findings, plots
 from .findings import number, spread
 from .runs import Records
-from .societies import CONDITIONS, MIXED, REFERENCE, SEED, SOCIETIES, Size
+from .societies import CONDITIONS, FULL, MIXED, REFERENCE, SEED, SOCIETIES, Size
 from .tables import (
     MEASURED,
     between_kinds,
@@ -160,6 +160,13 @@ def page_of(
         ),
         report.bullets(findings.summary(table, differ, tables["farmers-means"], agreement.overlap)),
     ]
+    if size != FULL:
+        top.append(
+            report.paragraph(
+                f"This is a small version: {size.worlds} worlds of {number(size.ticks, 0)} ticks, "
+                f"not {FULL.worlds} of {number(FULL.ticks, 0)}. What it finds is uncertain."
+            )
+        )
     sections = [
         report.section("Who is compared", _compared(size), "societies"),
         report.section("Left alone", _calm(tables, figures), "left-alone"),
@@ -249,7 +256,9 @@ def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str
                 row[one.title] = cell
         rows.append(row)
     return report.table(
-        rows, f"{caption} Means with intervals of 95 %; g and δ compare with the learned society."
+        rows,
+        f"{caption} Means with intervals of 95 %; g and δ compare with the learned society.",
+        numbers=True,
     )
 
 
@@ -346,7 +355,8 @@ def _farmers(
             "intervals of 95 %. Grey strokes: what luck alone gives.",
             "Measures of three societies of farmers and artisans.",
         ),
-        report.table(rows, "Table 5. Means with intervals of 95 %; unknown where none settled."),
+        report.table(rows, "Table 5. Means with intervals of 95 %; unknown where none settled.",
+                     numbers=True),
         report.picture(
             figures["schemes"],
             "Figure 6. The scheme that was written, and the one distilled from the learned mind: "

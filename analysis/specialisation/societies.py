@@ -165,6 +165,6 @@ class Size:
 
 
 FULL = Size(50, 60_000, tuple(n / 9 for n in range(10)), 20, 50_000)
-QUICK = Size(6, 30_000, (0.0, 1 / 3, 2 / 3, 1.0), 4, 10_000)
+QUICK = Size(6, 30_000, (0.0, 1 / 3, 2 / 3, 1.0), 6, 50_000)
 SEED = 6001
 """Of the first world; the others follow. All societies meet the same ones."""

@@ -43,6 +43,7 @@ th, td { padding: .28rem .7rem .28rem 0; text-align: left; vertical-align: top; 
 thead th { border-bottom: 1px solid #222; vertical-align: bottom; }
 tbody tr + tr td { border-top: 1px solid #e6e6e6; }
 tbody tr:last-child td { border-bottom: 1px solid #222; }
+.numbers td { white-space: nowrap; }
 td { font-variant-numeric: tabular-nums; }
 code { font: .88em ui-monospace, Menlo, Consolas, monospace; background: #f4f4f4; padding: 0 .2em; }
 pre { overflow-x: auto; background: #f4f4f4; padding: .8rem 1rem; }
@@ -72,12 +73,13 @@ def code(text: str) -> str:
     return f"<pre><code>{escape(text)}</code></pre>"
 
 
-def table(rows: Sequence[Mapping[str, object]], caption: str = "") -> str:
+def table(rows: Sequence[Mapping[str, object]], caption: str = "", numbers: bool = False) -> str:
     """A table.
 
     Args:
         rows: dictionaries with the same keys, which head the columns.
         caption: what stands above it.
+        numbers: whether it is one of numbers, whose lines are not broken.
 
     >>> print(table([{"society": "fixed", "goods": 3}]))
     <div class="wide"><table>
@@ -91,9 +93,10 @@ def table(rows: Sequence[Mapping[str, object]], caption: str = "") -> str:
         "<tr>" + "".join(f"<td>{_inline(str(cell))}</td>" for cell in row.values()) + "</tr>"
         for row in rows
     )
+    kind = ' class="numbers"' if numbers else ""
     above = f"<caption>{_inline(caption)}</caption>\n" if caption else ""
     return (
-        f'<div class="wide"><table>\n{above}<thead><tr>{head}</tr></thead>\n'
+        f'<div class="wide"><table{kind}>\n{above}<thead><tr>{head}</tr></thead>\n'
         f"<tbody>\n{body}\n</tbody></table></div>"
     )
 

@@ -11,6 +11,7 @@ import pytest
 
 from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError
+from socialmind.experiments import intervals
 from socialmind.studies import studies_in
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "specialisation"
@@ -36,6 +37,7 @@ def made(tmp_path_factory, thesis):
     """Two folders in which the same was made."""
     patch = pytest.MonkeyPatch()
     patch.setattr(making, "thesis_weights", lambda *_: thesis)
+    patch.setattr(intervals, "RESAMPLES", 200)  # enough to see that they are the same
     homes = [tmp_path_factory.mktemp(name) for name in ("first", "second")]
     for home in homes:
         making.make(home, TINY, COMMAND, workers=1)
@@ -243,12 +245,12 @@ def test_sentences_follow_the_numbers():
     assert "in 90 % of the worlds or more: “programmed” and “learned”." in told
     assert "the programmed society, set against the learned one, stays farther from the" in told
     assert "as in the thesis does not settle" in told
-    assert "No more than luck gives is it in “fixed roles”, “random roles”" in told
+    assert "In “fixed roles”, “random roles”, “greedy” and “as in the thesis” it is no more" in told
     turned = " ".join(findings.calm(*synthetic(programmed=0.2, learned=0.9, thesis=0.3)))
     assert "set against the learned one, stays nearer to the wanted split" in turned
     assert "as in the thesis settles" in turned
     alike = " ".join(findings.calm(*synthetic(programmed=0.5, learned=0.5)))
-    assert "No clear difference is there in" in alike or "differ clearly in nothing" in alike
+    assert "There is no clear difference in" in alike or "differ clearly in nothing" in alike
 
 
 def test_shocks_are_told_by_who_settles():
@@ -274,7 +276,7 @@ def village(learned):
 def test_the_summary_follows_the_numbers():
     told = " ".join(findings.summary(*synthetic(0.2, 4.0), village((1.2, 0.0)), 0.96))
     assert "Undisturbed, “programmed” settles" in told
-    assert "After every shock, too, does “programmed”." in told
+    assert "In as many “programmed” settles again after each of the shocks." in told
     assert "Whatever happens, the programmed society stays nearer to the wanted split" in told
     assert "the written one divides its work" in told
     assert "the most wheat has the learned one" in told
