@@ -11,7 +11,7 @@ import io
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from socialmind.experiments import paper
 
@@ -113,7 +113,7 @@ def picture(figure: Figure, caption: str, alternative: str) -> str:
 
     file = io.BytesIO()
     # Names of a figure's parts are made of this salt, and random without.
-    fixed = {"svg.hashsalt": "socialmind", "svg.fonttype": "path"}
+    fixed: dict[Any, object] = {"svg.hashsalt": "socialmind", "svg.fonttype": "path"}
     with paper.style(), mpl.rc_context(fixed):
         figure.savefig(file, format="svg", dpi=DOTS, metadata={"Date": None, "Creator": None})
     content = base64.b64encode(file.getvalue()).decode("ascii")
