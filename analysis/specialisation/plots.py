@@ -83,8 +83,8 @@ def _line(society: str) -> Line2D:
     return Line2D([], [], color=one.colour, linestyle=style, label=one.title)
 
 
-def _legend(figure: Figure, marks: Sequence[Line2D | Patch]) -> None:
-    figure.legend(handles=list(marks), loc="outside lower center", ncols=len(marks),
+def _legend(figure: Figure, marks: Sequence[Line2D | Patch], columns: int = 6) -> None:
+    figure.legend(handles=list(marks), loc="outside lower center", ncols=min(len(marks), columns),
                   columnspacing=1.4, handlelength=1.9)  # fmt: skip
 
 
@@ -305,17 +305,19 @@ def villagers(over_time: pd.DataFrame, table: pd.DataFrame, size: Size) -> Figur
     return figure
 
 
-def schemes(several: Mapping[str, CognitiveScheme]) -> Figure:
+def schemes(several: Mapping[str, CognitiveScheme], width: float = paper.PAGE) -> Figure:
     """Draw schemes side by side, to one scale.
 
     Args:
         several: by the title of their panels.
+        width: of the figure, in mm.
     """
     lines = max(map(lines_of, several.values()))
-    figure = paper.figure(paper.PAGE, 3.7 * lines + 16)
+    figure = paper.figure(width, 3.7 * lines + 16)
     panels = np.atleast_1d(figure.subplots(1, len(several)))
     for letter, axes, (title, scheme) in zip(LETTERS, panels, several.items(), strict=False):
         draw_scheme(scheme, axes, lines)
-        paper.panel_title(axes, letter, title)
-    _legend(figure, key())
+        if len(several) > 1:
+            paper.panel_title(axes, letter, title)
+    _legend(figure, key(), 4 if len(several) > 1 else 2)
     return figure

@@ -14,6 +14,7 @@ import numpy as np
 import pandas as pd
 
 import socialmind
+from coglogo_py import CognitiveScheme
 from socialmind.catalogue import model_folder
 from socialmind.experiments import paper, report
 from socialmind.experiments.effects import comparisons
@@ -42,6 +43,7 @@ TITLE = "Programmed and learned specialisation"
 BOTH = ("society", "condition")
 OTHERS = ("programmed", "learned")
 """The societies that all others are compared with."""
+SCHEME = "scheme.yaml"
 
 
 @dataclass(frozen=True)
@@ -127,6 +129,10 @@ def figures_of(
 ) -> dict[str, Figure]:
     """Return all figures by name, in the order of the page."""
     return {
+        "programmed": plots.schemes(
+            {"programmed robots": CognitiveScheme.load(model_folder("foraging_roles") / SCHEME)},
+            paper.PAGE * 0.6,
+        ),
         "course": plots.course(tables["course"], tables["settled"], size),
         "robots": plots.robots(tables["robots"], "turned", size),
         "measures": plots.measures(tables["means"]),
@@ -168,7 +174,7 @@ def page_of(
             )
         )
     sections = [
-        report.section("Who is compared", _compared(size), "societies"),
+        report.section("Who is compared", _compared(figures, size), "societies"),
         report.section("Left alone", _calm(tables, figures), "left-alone"),
         report.section("After shocks", _shocked(tables, figures, size), "shocks"),
         report.section("Both minds in one society", _mixed(tables, figures, records), "mixed"),
@@ -180,7 +186,7 @@ def page_of(
     return report.page(TITLE, top, sections)
 
 
-def _compared(size: Size) -> list[str]:
+def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
     societies = [{"society": one.title, "who decides about roles": one.about}
                  for one in SOCIETIES.values()]  # fmt: skip
     half = number(size.half, 0)
@@ -204,7 +210,7 @@ def _calm(tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure]) -> 
         report.bullets(findings.calm(tables["means"], tables["differences"])),
         report.picture(
             figures["course"],
-            "Figure 1. Above: distance to the wanted split, the mean of all worlds with its "
+            "Figure 2. Above: distance to the wanted split, the mean of all worlds with its "
             "interval of 95 %; the dashed line is the shock. Below: the share of worlds that have "
             "settled within one robot of the wanted split for 5,000 ticks.",
             "Distance to the wanted split over time, for each society and condition.",
@@ -228,13 +234,13 @@ def _shocked(
         *parts,
         report.picture(
             figures["robots"],
-            f"Figure 2. The role of each robot in the first world ({SEED}), in which the wanted "
+            f"Figure 3. The role of each robot in the first world ({SEED}), in which the wanted "
             "ratio A : B is 1 : 2, and 2 : 1 after the dashed line.",
             "The roles of nine robots over time in six societies.",
         ),
         report.picture(
             figures["measures"],
-            "Figure 3. Every measure, with intervals of 95 %. Grey strokes in f: what luck alone "
+            "Figure 4. Every measure, with intervals of 95 %. Grey strokes in f: what luck alone "
             "gives.",
             "Means with intervals of eight measures, for each society and condition.",
         ),
@@ -282,7 +288,7 @@ def _mixed(
         ),
         report.picture(
             figures["mixed"],
-            "Figure 4. Over the share of programmed robots. Above: societies. Below: what becomes "
+            "Figure 5. Over the share of programmed robots. Above: societies. Below: what becomes "
             "of either kind of robots. Means with intervals of 95 %.",
             "Measures of mixed societies over the share of programmed robots.",
         ),
@@ -351,7 +357,7 @@ def _farmers(
         ),
         report.picture(
             figures["farmers"],
-            "Figure 5. Three societies on the same seeds: over time, and measure by measure, with "
+            "Figure 6. Three societies on the same seeds: over time, and measure by measure, with "
             "intervals of 95 %. Grey strokes: what luck alone gives.",
             "Measures of three societies of farmers and artisans.",
         ),
@@ -359,7 +365,7 @@ def _farmers(
                      numbers=True),
         report.picture(
             figures["schemes"],
-            "Figure 6. The scheme that was written, and the one distilled from the learned mind: "
+            "Figure 7. The scheme that was written, and the one distilled from the learned mind: "
             "cognitons at the left, plans at the right. Numbers are the links’ weights; a line is "
             "the broader the larger its weight is beside the scheme’s largest.",
             "Two cognitive schemes with their links.",

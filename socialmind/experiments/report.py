@@ -33,7 +33,7 @@ li { margin: .3rem 0; }
 nav { font: 14px/1.7 system-ui, sans-serif; margin: 1.2rem 0 0; }
 nav a { color: #2564ae; margin-right: 1.1em; text-decoration: none; white-space: nowrap; }
 figure { margin: 1.6rem 0; }
-figure img { display: block; width: 100%; height: auto; }
+figure img { display: block; height: auto; }
 figcaption, caption { font: 14px/1.45 system-ui, sans-serif; color: #444; text-align: left; }
 figcaption { margin-top: .5rem; max-width: 50rem; }
 caption { padding-bottom: .5rem; }
@@ -105,7 +105,7 @@ def picture(figure: Figure, caption: str, alternative: str) -> str:
     """A figure with its caption.
 
     Args:
-        figure: what is shown.
+        figure: what is shown; one of a page's width is as wide as the page.
         caption: what stands below it.
         alternative: what is shown, in words, for those who do not see it.
     """
@@ -116,9 +116,11 @@ def picture(figure: Figure, caption: str, alternative: str) -> str:
     fixed: dict[Any, object] = {"svg.hashsalt": "socialmind", "svg.fonttype": "path"}
     with paper.style(), mpl.rc_context(fixed):
         figure.savefig(file, format="svg", dpi=DOTS, metadata={"Date": None, "Creator": None})
+    wide = min(100.0, figure.get_size_inches()[0] * 25.4 / paper.PAGE * 100)
     content = base64.b64encode(file.getvalue()).decode("ascii")
     return (
-        f'<figure><img alt="{escape(alternative)}" src="data:image/svg+xml;base64,{content}">\n'
+        f'<figure><img alt="{escape(alternative)}" style="width: {wide:.0f}%" '
+        f'src="data:image/svg+xml;base64,{content}">\n'
         f"<figcaption>{_inline(caption)}</figcaption></figure>"
     )
 

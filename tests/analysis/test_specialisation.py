@@ -50,7 +50,7 @@ def home(tmp_path_factory, thesis):
 def test_the_page_holds_all_that_it_shows(home):
     page = (home / "specialisation.html").read_text(encoding="utf-8")
     sources = re.findall(r'<img [^>]*src="([^"]{0,30})', page)
-    assert len(sources) == 6
+    assert len(sources) == 7
     assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
     assert not re.search(r'(?:src|href)="(?!data:|#)', page)
     assert "http" not in re.sub(r'src="data:[^"]*"', "", page)
@@ -63,7 +63,15 @@ def test_the_page_holds_all_that_it_shows(home):
 
 def test_every_figure_is_a_file_too(home):
     names = {path.stem for path in (home / "specialisation").glob("*.pdf")}
-    assert names == {"course", "robots", "measures", "mixed", "farmers", "schemes"}
+    assert names == {
+        "programmed",
+        "course",
+        "robots",
+        "measures",
+        "mixed",
+        "farmers",
+        "schemes",
+    }
 
 
 def test_tables_are_tidy_and_worlds_are_paired(home):

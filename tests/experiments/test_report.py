@@ -18,7 +18,9 @@ def figure():
 def test_a_page_holds_its_figures_and_asks_for_nothing():
     parts = [report.paragraph("a & b"), report.picture(figure(), "Figure 1. A line.", "a line")]
     page = report.page("A title", [], [report.section("First", parts, "first")])
-    source = re.search(r'<img alt="a line" src="data:image/svg\+xml;base64,([^"]+)">', page)
+    source = re.search(
+        r'<img alt="a line" style="width: 33%" src="data:image/svg\+xml;base64,([^"]+)">', page
+    )
     assert source is not None
     drawn = base64.b64decode(source[1]).decode()
     assert drawn.startswith("<?xml")
