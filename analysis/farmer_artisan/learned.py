@@ -1,8 +1,8 @@
 """The farmer-artisan society with a learned mind, and with the scheme distilled from that mind.
 
-    python analysis/farmer_artisan/learned.py
-    python analysis/farmer_artisan/learned.py --seeds 3 --ticks 5000 --out /tmp/learned
-    python analysis/farmer_artisan/learned.py --mind TRAINING/mind-attempt-1
+    python -m analysis.farmer_artisan.learned
+    python -m analysis.farmer_artisan.learned --seeds 3 --ticks 5000 --out /tmp/learned
+    python -m analysis.farmer_artisan.learned --mind TRAINING/mind-attempt-1
 
 Three societies on the same seeds: the scheme that was written, the mind that was learned, and what
 was distilled from it. Writes learned.csv (one row a society and seed), comparison.csv (each against
@@ -17,13 +17,12 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from replicate import course_of, seen
-from study import write_between
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_model, model_folder
 from socialmind.experiments.effects import comparisons
 from socialmind.experiments.intervals import interval_of
+from socialmind.experiments.specialisation import Course
 from socialmind.learning.distilling import (
     Distillation,
     available,
@@ -33,6 +32,9 @@ from socialmind.learning.distilling import (
     weights_by_hierarchy,
 )
 from socialmind.mind import MindDescription
+
+from .replicate import course_of, seen
+from .study import write_between
 
 HERE = Path(__file__).parent
 BEGIN, END = "<!-- learned: begin -->", "<!-- learned: end -->"
@@ -73,8 +75,8 @@ def distil(mind: Path) -> tuple[Distillation, dict[str, float]]:
     return distilled(states, weights, scheme, "distilled"), plans
 
 
-def measured(model: Any, ticks: int, every: int) -> dict[str, float]:
-    """Run a society and measure it.
+def lived(model: Any, ticks: int, every: int) -> Course:
+    """Run a society, and return what its agents were seen to be and to do.
 
     Args:
         model: before its first tick.
@@ -85,9 +87,19 @@ def measured(model: Any, ticks: int, every: int) -> dict[str, float]:
     for _ in range(every, ticks + 1, every):
         model.advance(every)
         people.append(seen(model))
+    return course_of(people)
+
+
+def measures(model: Any, course: Course) -> dict[str, float]:
+    """Measure a society that was run.
+
+    Args:
+        model: at the end.
+        course: what was seen.
+    """
     humans = model.humans
     return {
-        **course_of(people).measures(),
+        **course.measures(),
         "prosperity": float(humans.wheat.mean()) / COMFORT,
         "delivered": float(np.maximum(humans.sold - humans.bought, 0).sum()),
         "land_specialisation": float(model.series()["specialisation"]),
@@ -142,8 +154,9 @@ def main() -> None:
     rows = []
     for seed in range(arguments.seeds):
         for society, make in societies.items():
-            numbers = measured(make(seed), arguments.ticks, arguments.every)
-            rows.append({"society": society, "seed": seed, **numbers})
+            model = make(seed)
+            course = lived(model, arguments.ticks, arguments.every)
+            rows.append({"society": society, "seed": seed, **measures(model, course)})
         print(f"seed {seed} ({seed + 1} of {arguments.seeds})", flush=True)
     table = pd.DataFrame(rows)
     table.to_csv(out / "learned.csv", index=False, float_format="%.6g")

@@ -7,10 +7,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
-from measures import mean_interval
-from replicate import Replicate
 
 from socialmind.experiments import paper
+
+from .measures import mean_interval
+from .replicate import Replicate
 
 
 def draw(replicates: Sequence[Replicate], shock: int) -> Figure:

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pandas as pd
-from measures import Floats, nearest_distance, rank_correlation
 from numpy.typing import NDArray
 
 from socialmind.catalogue import load_model
 from socialmind.experiments.recovery import Recovery, first_reached, recovery
 from socialmind.experiments.specialisation import Course
 from socialmind.worlds.torus import lattice
+
+from .measures import Floats, nearest_distance, rank_correlation
 
 if TYPE_CHECKING:
     from socialmind.model import Model

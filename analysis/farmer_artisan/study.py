@@ -1,7 +1,7 @@
 """The farmer-artisan society over many seeds: who specialises, when, and what a shock does.
 
-    python analysis/farmer_artisan/study.py
-    python analysis/farmer_artisan/study.py --seeds 10 --ticks 200000 --out /tmp/study
+    python -m analysis.farmer_artisan.study
+    python -m analysis.farmer_artisan.study --seeds 10 --ticks 200000 --out /tmp/study
 
 Each seed is run through, and once more from its middle with half of the artisans turned into
 farmers. Writes results.csv (one row a seed), summary.json, figures/study.pdf and .png, and the
@@ -17,13 +17,14 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from measures import mean_interval
-from plots import draw
-from replicate import Replicate, replicate
 
 from socialmind.experiments import paper
 from socialmind.experiments.intervals import interval_of
 from socialmind.experiments.recovery import first_reached
+
+from .measures import mean_interval
+from .plots import draw
+from .replicate import Replicate, replicate
 
 HERE = Path(__file__).parent
 BEGIN, END = "<!-- study: begin -->", "<!-- study: end -->"

@@ -13,14 +13,13 @@ import pandas as pd
 from coglogo_py import CognitiveScheme
 
 ROOT = Path(__file__).parents[2]
-STUDY = ROOT / "analysis" / "farmer_artisan" / "study.py"
-LEARNED = STUDY.with_name("learned.py")
+TOPIC = "analysis.farmer_artisan"
 
 
 def test_a_small_study_writes_its_results(tmp_path: Path) -> None:
-    command = [sys.executable, str(STUDY), "--seeds", "2", "--ticks", "4000", "--every", "200"]
+    command = [sys.executable, "-m", f"{TOPIC}.study", "--seeds", "2", "--ticks", "4000"]
     done = subprocess.run(
-        [*command, "--workers", "1", "--out", str(tmp_path)],
+        [*command, "--every", "200", "--workers", "1", "--out", str(tmp_path)],
         capture_output=True,
         text=True,
         check=False,
@@ -41,9 +40,9 @@ def test_a_small_study_writes_its_results(tmp_path: Path) -> None:
 
 
 def test_a_learned_mind_is_compared_and_distilled(tmp_path: Path) -> None:
-    command = [sys.executable, str(LEARNED), "--seeds", "2", "--ticks", "2000", "--every", "200"]
+    command = [sys.executable, "-m", f"{TOPIC}.learned", "--seeds", "2", "--ticks", "2000"]
     done = subprocess.run(
-        [*command, "--out", str(tmp_path)],
+        [*command, "--every", "200", "--out", str(tmp_path)],
         capture_output=True,
         text=True,
         check=False,

@@ -1,0 +1,141 @@
+"""The other way round: farmers by a written scheme, by a learned mind, by a distilled scheme."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from coglogo_py import CognitiveScheme
+from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.experiments.elsewhere import side_by_side
+from socialmind.learning.distilling import Distillation
+
+from .societies import Size
+from .tables import Measured
+
+SOCIETIES = {
+    "written": "the scheme that somebody wrote",
+    "learned": "a perceptron that was taught for wheat, and reads the same cognitons",
+    "distilled": "a scheme of few links that was distilled from the perceptron",
+}
+EVERY = 500
+"""Ticks between two records."""
+MEASURED = {
+    one.name: one
+    for one in (
+        Measured(
+            "prosperity", "Wheat of a person", "comfortable stocks",
+            "The mean stock of wheat at the end, over the one that leaves no need.",
+            "wheat of a person", "has more wheat", "has less wheat",
+        ),
+        Measured(
+            "specialised", "Specialised agents", "share of agents",
+            "As for robots; a piece of work is what an agent is seen doing at a record.",
+            "share of specialised agents", "has more agents specialised",
+            "has fewer agents specialised",
+        ),
+        Measured(
+            "agents_to_tasks", "Division of labour", "I / H(tasks)", "As for robots.",
+            "division of labour", "divides its work more", "divides its work less",
+        ),
+        Measured(
+            "role_changes", "Role changes", "an agent and 10,000 ticks",
+            "While settled: within one agent of 20 farmers and 5 artisans, which is what the "
+            "thesis found.",
+            "number of role changes", "changes roles more often", "changes roles less often",
+        ),
+        Measured(
+            "last_distance", "Distance to 20 : 5", "agents, last quarter",
+            "As for robots, to 20 farmers and 5 artisans.",
+            "distance to 20 farmers and 5 artisans", "is farther from 20 farmers and 5 artisans",
+            "is nearer to 20 farmers and 5 artisans",
+        ),
+        Measured(
+            "delivered", "Tools to others", "tools",
+            "Tools that an agent sold less those that it bought, of agents that sold more.",
+            "number of tools that went to others", "hands on more tools", "hands on fewer tools", 0,
+        ),
+    )
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Found:
+    """What was found of the three societies.
+
+    Attributes:
+        worlds: `society`, `seed` and measures.
+        course: `society`, `seed`, `tick`, `artisans` and `specialised`.
+        distillation: the scheme, and how well it agrees with the mind.
+        written: the scheme that somebody wrote.
+        plans: what the mind does: the mean probability of each plan.
+    """
+
+    worlds: pd.DataFrame
+    course: pd.DataFrame
+    distillation: Distillation
+    written: CognitiveScheme
+    plans: dict[str, float]
+
+
+def _study() -> Any:
+    return load_file(Path(__file__).parents[1] / "farmer_artisan" / "learned.py")
+
+
+def lived(
+    society: str, seed: int, ticks: int, scheme: str
+) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """Run a society, and return its measures and its course.
+
+    Args:
+        society: its name.
+        seed: of every draw.
+        ticks: how long.
+        scheme: the file of the distilled scheme.
+    """
+    study = _study()
+    if society == "learned":
+        model = load_model("farmer_artisan_learned")(seed=seed)
+    else:
+        options = {"scheme": scheme} if society == "distilled" else {}
+        model = load_model("farmer_artisan")(seed=seed, **options)
+    course = study.lived(model, ticks, EVERY)
+    row = {"society": society, "seed": seed, **study.measures(model, course)}
+    split = course.split
+    artisans = split["artisan"] if "artisan" in split else pd.Series(0, split.index)
+    over_time = pd.DataFrame({"artisans": artisans, "specialised": course.specialised})
+    return row, [
+        {"society": society, "seed": seed, **one}
+        for one in over_time.reset_index().to_dict("records")
+    ]
+
+
+def found(size: Size, home: Path, workers: int | None = None) -> Found:
+    """Distil a scheme from the learned mind, and run the three societies on the same seeds.
+
+    Args:
+        size: of the study.
+        home: where the distilled scheme is written.
+        workers: processes; one for each processor by default.
+    """
+    distillation, plans = _study().distil(model_folder("farmer_artisan_learned") / "mind")
+    home.mkdir(parents=True, exist_ok=True)
+    file = home / "distilled.yaml"
+    distillation.scheme.save(file)
+    calls = [
+        (society, seed, size.farmers_ticks, str(file))
+        for society in SOCIETIES
+        for seed in range(size.farmers)
+    ]
+    answers: Sequence[Any] = list(side_by_side(lived, calls, workers))
+    return Found(
+        worlds=pd.DataFrame([row for row, _ in answers]),
+        course=pd.DataFrame([one for _, several in answers for one in several]),
+        distillation=distillation,
+        written=CognitiveScheme.load(model_folder("farmer_artisan") / "scheme.yaml"),
+        plans=plans,
+    )

@@ -1,0 +1,323 @@
+"""The figures of the study."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import cycle
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
+
+from socialmind.experiments import paper
+from socialmind.experiments.scheme_drawing import draw_scheme, key, lines_of
+
+from . import farmers
+from .societies import CONDITIONS, MIXED, SOCIETIES, Size
+from .tables import MEASURED
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from coglogo_py import CognitiveScheme
+
+A, B = paper.GOLD, paper.PURPLE
+DASHES = {"fixed": (0, (4, 2)), "random": (0, (1, 1.5)), "greedy": (0, (5, 1.5, 1, 1.5))}
+FARMERS = {"written": paper.RED, "learned": paper.BLUE, "distilled": paper.PURPLE}
+LETTERS = "abcdefghijkl"
+
+
+def course(over_time: pd.DataFrame, settled: pd.DataFrame, size: Size) -> Figure:
+    """Draw the distance to the wanted split over time, and what share of worlds has settled.
+
+    Args:
+        over_time: `society`, `condition`, `tick`, `mean`, `low`, `high`.
+        settled: `society`, `condition`, `ticks`, `share`.
+        size: of the study.
+    """
+    figure = paper.figure(paper.PAGE, 108)
+    panels = figure.subplots(2, len(CONDITIONS), sharey="row")
+    for place, condition in enumerate(CONDITIONS.values()):
+        upper, lower = panels[:, place]
+        unit = paper.time_axis(upper, [0, size.ticks])
+        for society, part in _parts(over_time, condition.name):
+            x = part["tick"].to_numpy() / unit
+            colour = SOCIETIES[society].colour
+            upper.fill_between(x, part["low"], part["high"], color=colour, alpha=0.15, linewidth=0)
+            upper.plot(x, part["mean"], color=colour, linestyle=DASHES.get(society, "-"))
+        for shock in condition.shocks(size.half):
+            upper.axvline(shock / unit, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
+        paper.panel_title(upper, LETTERS[place], condition.title)
+        left = size.half if condition.parameter else size.ticks
+        unit = paper.time_axis(lower, [0, left])
+        for society, part in _parts(settled, condition.name):
+            lower.step(
+                part["ticks"] / unit, part["share"], where="post",
+                color=SOCIETIES[society].colour, linestyle=DASHES.get(society, "-"),
+            )  # fmt: skip
+        since = "since the shock" if condition.parameter else "since the start"
+        lower.set_xlabel(f"{since}\n({'thousand ' if unit > 1 else ''}ticks)")
+        title = "settled again" if condition.parameter else "settled"
+        paper.panel_title(lower, LETTERS[place + len(CONDITIONS)], title)
+    panels[0, 0].set_ylim(*paper.limits_with_zero(over_time["high"].tolist()))
+    panels[0, 0].set_ylabel("distance (robots)")
+    panels[1, 0].set_ylim(0, 1.04)
+    panels[1, 0].set_ylabel("worlds (share)")
+    _legend(figure, [_line(one) for one in SOCIETIES])
+    return figure
+
+
+def _parts(table: pd.DataFrame, condition: str) -> list[tuple[str, pd.DataFrame]]:
+    """The rows of each society under a condition, in their order."""
+    own = table[table["condition"] == condition]
+    return [(one, own[own["society"] == one]) for one in SOCIETIES]
+
+
+def _line(society: str) -> Line2D:
+    one = SOCIETIES[society]
+    style: Any = DASHES.get(society, "-")
+    return Line2D([], [], color=one.colour, linestyle=style, label=one.title)
+
+
+def _legend(figure: Figure, marks: Sequence[Line2D | Patch], columns: int = 6) -> None:
+    figure.legend(handles=list(marks), loc="outside lower center", ncols=min(len(marks), columns),
+                  columnspacing=1.4, handlelength=1.9)  # fmt: skip
+
+
+def measures(table: pd.DataFrame) -> Figure:
+    """Draw every measure of every society and condition, with intervals.
+
+    Args:
+        table: `society`, `condition`, `measure`, `mean`, `low`, `high`.
+    """
+    figure = paper.figure(paper.PAGE, 128)
+    panels = figure.subplots(2, len(MEASURED) // 2, sharey=True).flat
+    rows = {society: place for place, society in enumerate(SOCIETIES)}
+    offsets = np.linspace(-0.27, 0.27, len(CONDITIONS))
+    for letter, axes, measured in zip(LETTERS, panels, MEASURED.values(), strict=False):
+        own = table[table["measure"] == measured.name]
+        luck = table[table["measure"] == "agents_to_tasks_by_chance"]
+        for offset, condition in zip(offsets, CONDITIONS.values(), strict=True):
+            for society, part in _parts(own, condition.name):
+                row = rows[society] + offset
+                _dot(axes, row, part.iloc[0], SOCIETIES[society].colour, condition.marker)
+                if measured.name == "agents_to_tasks":
+                    chance = dict(_parts(luck, condition.name))[society]["mean"].iloc[0]
+                    axes.plot([chance] * 2, [row - 0.07, row + 0.07], color=paper.GREY)
+        for place in range(1, len(rows)):
+            axes.axhline(place - 0.5, color="#e6e6e6", linewidth=0.6, zorder=0)
+        axes.set_ylim(len(rows) - 0.5, -0.5)
+        axes.set_yticks(list(rows.values()), [SOCIETIES[one].title for one in rows])
+        axes.tick_params(axis="y", length=0)
+        axes.spines["left"].set_visible(False)
+        _across(axes, own)
+        axes.set_xlabel(measured.unit)
+        paper.panel_title(axes, letter, measured.title)
+    _legend(figure, [
+        Line2D([], [], color=paper.INK, marker=one.marker, markersize=3, linewidth=0.8,
+               label=one.title)
+        for one in CONDITIONS.values()
+    ])  # fmt: skip
+    return figure
+
+
+def _across(axes: Axes, own: pd.DataFrame) -> None:
+    """Set the x axis so that all means with their intervals are seen, and 0."""
+    low, high = paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]])
+    air = 0.03 * (high - low)  # so that a mark at 0 is whole
+    axes.set_xlim(low - air, high + air)
+    axes.xaxis.set_major_locator(MaxNLocator(3, steps=(1, 2, 5, 10)))
+    axes.xaxis.set_major_formatter("{x:,g}")
+
+
+def _dot(axes: Axes, row: float, found: Any, colour: str, marker: str = "o") -> None:
+    """Draw a mean with its interval."""
+    axes.plot([found["low"], found["high"]], [row, row], color=colour, linewidth=0.9)
+    axes.plot(found["mean"], row, marker=marker, color=colour, markersize=2.8, mew=0)
+
+
+def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
+    """Draw the role of each robot over time in one world, a panel a society.
+
+    Args:
+        spells: `society`, `condition`, `agent`, `since`, `until`, `role`.
+        condition: its name.
+        size: of the study.
+    """
+    figure = paper.figure(paper.PAGE, 92)
+    panels = figure.subplots(2, len(SOCIETIES) // 2, sharex=True, sharey=True)
+    for letter, axes, (society, part) in zip(
+        LETTERS, panels.flat, _parts(spells, condition), strict=False
+    ):
+        unit = paper.time_axis(axes, [0, size.ticks])
+        for row in part.itertuples():
+            axes.broken_barh(
+                [(row.since / unit, (row.until - row.since) / unit)], (row.agent + 0.6, 0.8),
+                facecolors=A if row.role == "A" else B, linewidth=0,
+            )  # fmt: skip
+        for shock in CONDITIONS[condition].shocks(size.half):
+            axes.axvline(shock / unit, color=paper.INK, linewidth=0.7, linestyle=(0, (3, 2)))
+        axes.set_ylim(0.4, part["agent"].max() + 1.6)
+        axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
+        paper.panel_title(axes, letter, SOCIETIES[society].title)
+    for axes in panels[0]:
+        axes.set_xlabel("")
+    for axes in panels[:, 0]:
+        axes.set_ylabel("robot")
+    _legend(figure, [Patch(color=A, label="in A"), Patch(color=B, label="in B")])
+    return figure
+
+
+KINDS = {
+    "in_b": ("Time in B", "share of time, last quarter"),
+    "changes": ("Role changes", "a robot and 10,000 ticks"),
+    "late_changes": ("Late role changes", "the same, last quarter"),
+    "delivered": ("Delivered", "objects a robot"),
+}
+SHOWN_OF_MIXED = ("last_distance", "settled_after", "late_changes", "agents_to_tasks")
+
+
+def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
+    """Draw measures over the share of programmed robots, and what became of either kind.
+
+    Args:
+        societies: `condition`, `share`, `measure`, `mean`, `low`, `high`.
+        kinds: the same with `kind`.
+    """
+    figure = paper.figure(paper.PAGE, 108)
+    panels = figure.subplots(2, 4, sharex=True)
+    nudge = 0.008
+    for letter, axes, name in zip(LETTERS, panels[0], SHOWN_OF_MIXED, strict=False):
+        measured = MEASURED[name]
+        for sign, condition in zip(cycle((-1, 1)), MIXED):
+            own = societies[
+                (societies["measure"] == name) & (societies["condition"] == condition)
+            ].sort_values("share")
+            _over_share(axes, own, paper.INK, condition, sign * nudge)
+        _upwards(axes, societies[societies["measure"] == name])
+        axes.set_ylabel(measured.unit)
+        paper.panel_title(axes, letter, measured.title)
+    for letter, axes, (name, (title, unit)) in zip(
+        LETTERS[4:], panels[1], KINDS.items(), strict=False
+    ):
+        for sign, condition in zip(cycle((-1, 1)), MIXED):
+            for kind, colour in (("programmed", paper.RED), ("learned", paper.BLUE)):
+                own = kinds[
+                    (kinds["measure"] == name)
+                    & (kinds["condition"] == condition)
+                    & (kinds["kind"] == kind)
+                ].sort_values("share")
+                _over_share(axes, own, colour, condition, sign * nudge)
+        _upwards(axes, kinds[kinds["measure"] == name])
+        axes.set_ylabel(unit)
+        axes.set_xlabel("programmed (share)")
+        axes.set_xlim(-0.05, 1.05)
+        axes.set_xticks((0, 1 / 3, 2 / 3, 1), ("0", "⅓", "⅔", "1"))
+        paper.panel_title(axes, letter, title)
+    lines: list[Line2D | Patch] = [
+        Line2D([], [], color=paper.INK, marker=CONDITIONS[one].marker, markersize=3,
+               linestyle=_dashed(one), label=CONDITIONS[one].title)
+        for one in MIXED
+    ]  # fmt: skip
+    lines += [Patch(color=paper.RED, label="programmed robots"),
+              Patch(color=paper.BLUE, label="learned robots")]  # fmt: skip
+    _legend(figure, lines)
+    return figure
+
+
+def _upwards(axes: Axes, own: pd.DataFrame) -> None:
+    """Set the y axis so that all means with their intervals are seen, and 0."""
+    low, high = paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]])
+    axes.set_ylim(low - 0.03 * (high - low), high)
+    axes.yaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
+    axes.yaxis.set_major_formatter("{x:,g}")
+
+
+def _dashed(condition: str) -> Any:
+    return "-" if condition == MIXED[0] else (0, (3, 2))
+
+
+def _over_share(axes: Axes, own: pd.DataFrame, colour: str, condition: str, nudge: float) -> None:
+    """Draw means over the share, each with its interval."""
+    known = own[np.isfinite(own["mean"])]
+    x = known["share"].to_numpy() + nudge
+    axes.plot(
+        x, known["mean"], color=colour, marker=CONDITIONS[condition].marker, markersize=2.8, mew=0,
+        linestyle=_dashed(condition), linewidth=0.8,
+    )  # fmt: skip
+    axes.vlines(x, known["low"], known["high"], color=colour, linewidth=0.8)
+
+
+def villagers(over_time: pd.DataFrame, table: pd.DataFrame, size: Size) -> Figure:
+    """Draw the three societies of farmers and artisans: over time, and measure by measure.
+
+    Args:
+        over_time: `society`, `measure` (`artisans`, `specialised`), `tick`, `mean`, `low`, `high`.
+        table: `society`, `measure`, `mean`, `low`, `high`.
+        size: of the study.
+    """
+    figure = paper.figure(paper.PAGE, 98)
+    panels = figure.subplots(2, 4)
+    for letter, axes, (name, title, label) in zip(
+        LETTERS, panels[0, :2],
+        (("artisans", "Artisans", "of 25 agents"),
+         ("specialised", "Specialised agents", "share of agents")),
+        strict=False,
+    ):  # fmt: skip
+        unit = paper.time_axis(axes, [0, size.farmers_ticks])
+        for society, colour in FARMERS.items():
+            own = over_time[(over_time["society"] == society) & (over_time["measure"] == name)]
+            x = own["tick"].to_numpy() / unit
+            axes.fill_between(x, own["low"], own["high"], color=colour, alpha=0.2, linewidth=0)
+            axes.plot(x, own["mean"], color=colour)
+        axes.set_ylim(0, None)
+        axes.set_ylabel(label)
+        paper.panel_title(axes, letter, title)
+    for letter, axes, measured in zip(
+        LETTERS[2:], [*panels[0, 2:], *panels[1]], farmers.MEASURED.values(), strict=False
+    ):
+        own = table[table["measure"] == measured.name].set_index("society")
+        for row, (society, colour) in enumerate(FARMERS.items()):
+            found = own.loc[society]
+            if np.isfinite(found["mean"]):
+                _dot(axes, row, found, colour)
+            else:
+                axes.annotate(
+                    "never settled", (0.03, row), xycoords=("axes fraction", "data"), va="center",
+                    fontsize=7, style="italic", color=colour,
+                )  # fmt: skip
+        if measured.name == "agents_to_tasks":
+            luck = table[table["measure"] == "agents_to_tasks_by_chance"].set_index("society")
+            for row, society in enumerate(FARMERS):
+                axes.plot([luck.loc[society, "mean"]] * 2, [row - 0.2, row + 0.2], color=paper.GREY)
+        axes.set_ylim(len(FARMERS) - 0.5, -0.5)
+        axes.set_yticks([])
+        axes.spines["left"].set_visible(False)
+        _across(axes, own)
+        axes.set_xlabel(measured.unit)
+        paper.panel_title(axes, letter, measured.title)
+    _legend(figure, [Line2D([], [], color=colour, marker="o", markersize=3, label=one)
+                     for one, colour in FARMERS.items()])  # fmt: skip
+    return figure
+
+
+def schemes(several: Mapping[str, CognitiveScheme], width: float = paper.PAGE) -> Figure:
+    """Draw schemes side by side, to one scale.
+
+    Args:
+        several: by the title of their panels.
+        width: of the figure, in mm.
+    """
+    lines = max(map(lines_of, several.values()))
+    figure = paper.figure(width, 3.7 * lines + 16)
+    panels = np.atleast_1d(figure.subplots(1, len(several)))
+    for letter, axes, (title, scheme) in zip(LETTERS, panels, several.items(), strict=False):
+        draw_scheme(scheme, axes, lines)
+        if len(several) > 1:
+            paper.panel_title(axes, letter, title)
+    _legend(figure, key(), 4 if len(several) > 1 else 2)
+    return figure

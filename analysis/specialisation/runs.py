@@ -1,0 +1,186 @@
+"""All worlds of the study, run side by side; a block of a society's worlds is kept when it is done.
+
+What is kept lies in a folder named by a hash of the model, the minds and what is measured. So a
+study that was stopped goes on where it was, and nothing stale is ever taken for a result.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+import socialmind
+from socialmind.catalogue import model_folder, source_hash
+from socialmind.experiments.elsewhere import side_by_side
+
+from .societies import CONDITIONS, MIXED, SEED, SOCIETIES, Size
+from .worlds import EVERY, SHOWN_EVERY, lived
+
+TABLES = ("worlds", "course", "kinds", "spells")
+KEYS = ("society", "share")
+BLOCK = 10
+"""Worlds of a society that are kept together."""
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A society, and what happens to it.
+
+    Attributes:
+        society: its name; "mixed" for one of both kinds.
+        share: of programmed robots.
+        conditions: their names.
+        parameters: of the model.
+        weights: of the mind that was learned as in the thesis; None for others.
+    """
+
+    society: str
+    share: float
+    conditions: tuple[str, ...]
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    weights: tuple[float, ...] | None = None
+
+    @property
+    def name(self) -> str:
+        """How its folder is called."""
+        return f"{self.society}-{self.share:.3f}" if self.society == "mixed" else self.society
+
+
+def cells_of(size: Size, weights: Sequence[float]) -> list[Cell]:
+    """Return all there is to run, each once.
+
+    Args:
+        size: of the study.
+        weights: of the mind that was learned as in the thesis.
+    """
+    found = [
+        Cell(
+            one.name,
+            float(one.parameters.get("programmed", 0.0)),
+            tuple(CONDITIONS),
+            one.parameters,
+            tuple(weights) if one.thesis else None,
+        )
+        for one in SOCIETIES.values()
+    ]
+    found += [
+        Cell("mixed", share, MIXED, {"programmed": share})
+        for share in size.shares
+        if 0 < share < 1  # of one kind alone they are societies above
+    ]
+    return found
+
+
+@dataclass(frozen=True)
+class Records:
+    """What was seen of all worlds.
+
+    Attributes:
+        worlds: `society`, `share`, `condition`, `seed` and the measures, a row a run.
+        course: likewise `seed`, `tick`, `distance`, `specialised`.
+        kinds: likewise `seed`, `kind` and what became of it.
+        spells: likewise `seed`, `agent`, `since`, `until`, `role`, of the first world.
+    """
+
+    worlds: pd.DataFrame
+    course: pd.DataFrame
+    kinds: pd.DataFrame
+    spells: pd.DataFrame
+
+    def mixed(self, table: str) -> pd.DataFrame:
+        """Return what a table holds of mixed societies, those of one kind alone among them."""
+        frame: pd.DataFrame = getattr(self, table)
+        alike = frame["society"].isin(["mixed", "learned", "programmed"])
+        return frame[alike & frame["condition"].isin(MIXED)]
+
+
+def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = None) -> Records:
+    """Run all worlds that are not kept yet, a block of worlds of all societies after the other.
+
+    Args:
+        cells: societies, and what happens to them.
+        size: of the study.
+        home: where results are kept.
+        workers: processes; one for each processor by default.
+
+    Returns:
+        What was seen, as it is kept.
+    """
+    last = SEED + size.worlds
+    blocks = [range(first, min(first + BLOCK, last)) for first in range(SEED, last, BLOCK)]
+    folders = {cell.name: home / stamp(cell, size.ticks) / cell.name for cell in cells}
+    missing = [
+        (cell, seeds)
+        for seeds in blocks
+        for cell in cells
+        if not all(_file(folders[cell.name], table, seeds).is_file() for table in TABLES)
+    ]
+    calls: list[tuple[Any, ...]] = [
+        (cell.conditions, seed, size.ticks, dict(cell.parameters), cell.weights)
+        for cell, seeds in missing
+        for seed in seeds
+    ]
+    answers = side_by_side(lived, calls, workers)
+    for done, (cell, seeds) in enumerate(missing, 1):
+        _keep([next(answers) for _ in seeds], folders[cell.name], seeds)
+        told = f"{cell.name}, worlds {seeds[0]} to {seeds[-1]} ({done} of {len(missing)})"
+        print(told, file=sys.stderr, flush=True)
+    return Records(
+        *(
+            pd.concat(
+                [
+                    _read(_file(folders[cell.name], table, seeds), cell)
+                    for cell in cells
+                    for seeds in (blocks[:1] if table == "spells" else blocks)
+                ],
+                ignore_index=True,
+            )
+            for table in TABLES
+        )
+    )
+
+
+def stamp(cell: Cell, ticks: int) -> str:
+    """Return a hash of all that decides what comes of a cell: code, minds and parameters."""
+    model, half = model_folder("foraging_roles"), ticks // 2
+    known = [socialmind.__version__, source_hash(model), ticks, EVERY, SHOWN_EVERY]
+    known += [dict(cell.parameters), cell.weights]
+    for name in cell.conditions:
+        what = CONDITIONS[name]
+        known += [name, what.parameters(half), what.wanted(half).to_dict("records")]
+    total = hashlib.sha256(repr(known).encode())
+    data = [one for one in sorted(model.rglob("*")) if one.suffix not in (".md", ".py", ".pyc")]
+    for path in (Path(__file__).with_name("worlds.py"), *filter(Path.is_file, data)):
+        total.update(f"{path.name}\0".encode() + path.read_bytes())
+    return total.hexdigest()[:12]
+
+
+def _file(folder: Path, table: str, seeds: range) -> Path:
+    return folder / f"{table}-{seeds[0]}-{seeds[-1]}.csv"
+
+
+def _keep(
+    answers: Sequence[Mapping[str, list[dict[str, Any]]]], folder: Path, seeds: range
+) -> None:
+    """Write what came of a block of worlds, each table at once."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for table in TABLES:
+        several = answers[:1] if table == "spells" else answers
+        frame = pd.DataFrame([row for one in several for row in one[table]])
+        path = _file(folder, table, seeds)
+        begun = path.with_suffix(".part")
+        frame.to_csv(begun, index=False, float_format="%.9g")
+        begun.replace(path)
+
+
+def _read(path: Path, cell: Cell) -> pd.DataFrame:
+    frame = pd.read_csv(path)
+    for place, name in enumerate(KEYS):
+        frame.insert(place, name, getattr(cell, name))
+    return frame
