@@ -20,6 +20,7 @@ from types import CodeType, ModuleType
 from typing import TYPE_CHECKING
 
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.language.syntax import parsed
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -186,7 +187,7 @@ def _models_in(source: bytes) -> set[str]:
     if model_folder.__name__.encode() not in source:
         return set()
     try:
-        tree = ast.parse(source)
+        tree = parsed(source)
     except (SyntaxError, ValueError):
         return set()  # loading it says what is wrong
     calls = [

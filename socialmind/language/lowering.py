@@ -13,6 +13,7 @@ from typing import Any
 
 from socialmind.fields import Field, presence
 from socialmind.language.program import TypedFunction
+from socialmind.language.syntax import parsed
 
 
 def lowered(function: TypedFunction) -> str:
@@ -44,7 +45,7 @@ def _widened(value: ast.expr, field: Field) -> ast.expr:
 
 
 def _parsed(text: str) -> Any:
-    return ast.parse(text, mode="eval").body
+    return parsed(text, "eval").body
 
 
 class _Lowering(ast.NodeTransformer):
@@ -252,7 +253,7 @@ class _Lowering(ast.NodeTransformer):
         population = mark[1]
         self.loops += 1
         place = f"_place_{self.loops}"
-        head: Any = ast.parse(
+        head: Any = parsed(
             f"for {place} in _range(_entries_{population}(_model)):\n"
             f"    if not _is_living_{population}(_model, {place}):\n"
             f"        continue\n"

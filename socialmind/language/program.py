@@ -14,6 +14,7 @@ from socialmind.language.nodes import nearest
 from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import RuleSource, rule_source
 from socialmind.language.statements import FunctionTyper
+from socialmind.language.syntax import compiled
 from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TextType
 from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
 
@@ -261,7 +262,7 @@ class Program:
         names: dict[str, Any] = {**RUNTIME, **namespace}
         for function in self.functions.values():
             module = ast.Module([function.tree], [])
-            exec(compile(module, function.source.file, "exec"), names)
+            exec(compiled(module, function.source.file), names)
             # What a traceback and a debugger show is the author's name.
             made = names[function.symbol]
             name = function.source.name

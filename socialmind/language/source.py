@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from socialmind.errors import ModelError
+from socialmind.language.syntax import compiled, parsed
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,7 @@ def rule_source(function: Any) -> RuleSource:
         )
     try:
         lines, start = inspect.getsourcelines(function)
-        tree = ast.parse(textwrap.dedent("".join(lines))).body[0]
+        tree = parsed(textwrap.dedent("".join(lines))).body[0]
     except (OSError, TypeError, SyntaxError):
         raise ModelError(
             f"the rule {function.__name__!r} without a source",
@@ -104,7 +105,7 @@ def rule_source(function: Any) -> RuleSource:
 
 def _is_source_of(tree: ast.FunctionDef, function: python_types.FunctionType) -> bool:
     """Say whether a syntax tree can be a function's; its file may have changed since."""
-    module = compile(ast.Module([tree], []), function.__code__.co_filename, "exec")
+    module = compiled(ast.Module([tree], []), function.__code__.co_filename)
     codes = [one for one in module.co_consts if isinstance(one, python_types.CodeType)]
     found = [one for one in codes if one.co_name == function.__code__.co_name]
     return any(

@@ -20,6 +20,7 @@ from typing import Any
 
 from socialmind.catalogue import MODEL_FILE, PRIVATE, load_file
 from socialmind.errors import ModelError
+from socialmind.language.syntax import parsed
 from socialmind.mind.files.text_file import is_file, text_of
 
 Function = Callable[..., Any]
@@ -148,7 +149,7 @@ def _is_of_a_mind(function: FunctionType, file: Path) -> bool:
 
 def _refuse_siblings(text: str, file: Path) -> None:
     """Refuse a file that cannot stand in another folder alone."""
-    for node in ast.walk(ast.parse(text)):
+    for node in ast.walk(parsed(text)):
         if isinstance(node, ast.ImportFrom) and node.level:
             raise ModelError(
                 "an import from the file's own folder",
@@ -208,7 +209,7 @@ class _Extract:
 def _source(function: FunctionType) -> tuple[ast.FunctionDef, str]:
     try:
         text = textwrap.dedent(inspect.getsource(function))
-        statement = ast.parse(text).body[0]
+        statement = parsed(text).body[0]
     except (OSError, TypeError, SyntaxError):
         raise _refused(function, "whose source cannot be had") from None
     if not isinstance(statement, ast.FunctionDef) or statement.decorator_list:
