@@ -9,7 +9,7 @@ They lie in `trainings/`, and begin with what `results/` holds of them.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -217,20 +217,39 @@ PLANS: Mapping[str, Plan] = {
 }
 
 
-def small(plan: Plan) -> Plan:
-    """Return a plan of a minute or so: its results show that all works, and nothing else."""
+def small(
+    plan: Plan,
+    attempts: int = 2,
+    generations: int = 15,
+    population: int = 40,
+    repetitions: int = 3,
+    ticks: int | None = None,
+) -> Plan:
+    """Return a plan of a minute or so: its results show that all works, and nothing else.
+
+    Args:
+        plan: the whole one.
+        attempts: how many.
+        generations: of each lesson, at most.
+        population: individuals of a generation.
+        repetitions: worlds of an individual.
+        ticks: of an episode at most; as many as in the whole plan by default.
+    """
 
     def change(lesson: Lesson) -> Lesson:
         return lesson.changed(
-            generations=min(lesson.generations, 15),
+            generations=min(lesson.generations, generations),
             budget=None,
-            repetitions=3,
+            repetitions=repetitions,
+            ticks=lesson.ticks if ticks is None else min(lesson.episode_ticks, ticks),
             finals=8,
             validation=min(lesson.validation, 16),
-            settings={**lesson.settings, "population": 40, "elite": 3},
+            settings={**lesson.settings, "population": population, "elite": 3},
         )
 
-    return replace(plan, attempts=2, curriculum=lambda: plan.curriculum().with_lessons(change))
+    return replace(
+        plan, attempts=attempts, curriculum=lambda: plan.curriculum().with_lessons(change)
+    )
 
 
 # Training ---------------------------------------------------------------------------------------
@@ -260,6 +279,33 @@ def train(name: str, folder: Path, plan: Plan | None = None, **options: Any) -> 
         out=folder,
         **options,
     )
+
+
+def made(plans: Mapping[str, Plan], out: Path, quick: bool) -> dict[str, Path]:
+    """Make trainings below a folder, or go on with them, and say what comes of each lesson.
+
+    Args:
+        plans: by name.
+        out: the folder.
+        quick: whether small ones will do.
+
+    Returns:
+        The trainings' folders by name.
+    """
+    home, folders = out / ("small_trainings" if quick else "trainings"), {}
+    for name, plan in plans.items():
+        one = small(plan) if quick else plan
+        print(f"{name}: {one.about}; {one.attempts} attempts", file=sys.stderr, flush=True)
+        folders[name] = train(name, home / name, one, on_lesson=told)
+    return folders
+
+
+def attempts_of(folders: Mapping[str, Path]) -> Iterator[tuple[str, int, MindDescription]]:
+    """Yield the name of each training, each of its attempts, and the mind at its end."""
+    for name, folder in folders.items():
+        training = Training(folder)
+        for attempt in sorted(training.lessons["attempt"].unique().tolist()):
+            yield name, attempt, training.mind(attempt)
 
 
 def plan_of(name: str) -> Plan:

@@ -7,13 +7,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.lines import Line2D
 
 from socialmind.catalogue import load_file, load_model, model_folder
 from socialmind.experiments import paper, score
-from socialmind.learning import Training
+from socialmind.mind import MindDescription
 from socialmind.studies import write_figure
 
-from .trainings import PLANS, wanted_of
+from .trainings import COLLECT, PLANS, wanted_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -29,18 +30,17 @@ GOOD = 0.9
 Row = dict[str, Any]
 
 
-def row_of(training: Training, name: str, attempt: int, worlds: int, seed: int) -> Row:
+def row_of(name: str, attempt: int, mind: MindDescription, worlds: int, seed: int) -> Row:
     """Return what an attempt comes to: its measures, and the variable's value in each step.
 
     Args:
-        training: the training.
-        name: of its plan.
+        name: of the training.
         attempt: its number.
+        mind: what it learned.
         worlds: how many it is scored in.
         seed: of these worlds.
     """
     model = load_model("counter")
-    mind = training.mind(attempt)
     parameters = {"wanted": wanted_of(name)}
     found = score(model, mind, episodes=worlds, seed=seed, parameters=parameters)
     row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": seed}
@@ -70,11 +70,7 @@ def write_representations(
         seed: of these worlds.
         out: the folder.
     """
-    rows = []
-    for name, folder in trainings.items():
-        training = Training(folder)
-        done = sorted(training.lessons["attempt"].unique().tolist())
-        rows += [row_of(training, name, attempt, worlds, seed) for attempt in done]
+    rows = [row_of(*attempt, worlds, seed) for attempt in COLLECT.attempts_of(trainings)]
     written = write_figure("representations", draw(rows), rows, out)
     page = out / "representations.md"
     page.write_text("\n".join(lines_of(rows)) + "\n", "utf-8")
@@ -108,17 +104,32 @@ def draw(rows: list[Row]) -> Figure:
     """Draw the variable step by step, a line for each attempt, a panel for each training."""
     names = list(dict.fromkeys(row["training"] for row in rows))
     with paper.style():
-        figure = paper.figure(paper.PAGE, 62)
-        panels = figure.subplots(1, len(names), squeeze=False, sharey=True)[0]
+        figure = paper.figure(paper.PAGE, 66)
+        panels = figure.subplots(1, len(names), squeeze=False)[0]
         for place, (axes, name) in enumerate(zip(panels, names, strict=True)):
-            for row in rows:
-                if row["training"] != name or row["step 1"] is None:
-                    continue
+            own = [one for one in rows if one["training"] == name and one["step 1"] is not None]
+            for row in own:
                 colour = paper.BLUE if row["correct_sequences"] >= GOOD else paper.GREY
                 values = [row[f"step {number + 1}"] for number in range(len(STEPS))]
                 axes.plot(range(1, len(STEPS) + 1), values, color=colour, linewidth=0.8, marker=".")
+            if not own:
+                axes.text(0.5, 0.5, "no correct sequence", ha="center", color=paper.GREY,
+                          transform=axes.transAxes)  # fmt: skip
+            axes.set_xlim(0.8, len(STEPS) + 0.2)
             axes.set_xticks(range(1, len(STEPS) + 1))
             axes.set_xlabel("step")
+            # Counters count in tenths.
+            axes.set_ylim(
+                -0.02, max([0.32, *(1.04 * line.get_ydata().max() for line in axes.lines)])
+            )
             paper.panel_title(axes, "abcdef"[place], name)
         panels[0].set_ylabel("variable Count (0 … 1)")
+        marks = [
+            Line2D([], [], color=colour, marker=".", label=what)
+            for colour, what in (
+                (paper.BLUE, f"attempts with {GOOD:.0%} of their sequences correct"),
+                (paper.GREY, "other attempts"),
+            )
+        ]
+        figure.legend(handles=marks, loc="outside lower center", ncols=2)
     return figure

@@ -3,7 +3,7 @@
 python -m analysis.counter.trainings counter            # all its attempts, gone on with if begun
 python -m analysis.counter.trainings all
 
-They lie in `trainings/`; `socialmind reproduce counter --kept` draws what they came to.
+They lie in `trainings/`; `socialmind reproduce representations` makes its own.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ comes nearer, and sees objects again.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -23,12 +23,18 @@ SEEDS = range(1, 21)
 """Of the runs that are searched, one after another."""
 EVERY = 5
 """Ticks between two looks at the robots."""
+ANSWER = 2
+"""Ticks until what a mind makes of its sensors is done."""
 BEFORE = 100
 """Ticks before it sees objects, for the first step."""
+AROUND = 60.0
+"""Units of the arena that are drawn around the robot, each way: about half of it."""
+PIXELS = 1400
+"""Width of a bitmap."""
 TRAIL = 400
 """Ticks of the path that are drawn."""
 TOLD = (
-    "it searches: neither object nor signal",
+    "it sees no object and hears no signal",
     "it sees objects, and emits a signal",
     "it has gripped one",
     "it leaves the sight of the objects, and its signal ends",
@@ -73,7 +79,7 @@ def found(seeds: Sequence[int] = SEEDS, ticks: int | None = None) -> Steps:
         ]
         if several:
             moments, robot = min(several)
-            return Steps(seed, robot, moments)
+            return Steps(seed, robot, tuple(tick + ANSWER for tick in moments))
     raise SocialmindError(
         f"none of the robots of {len(seeds)} runs brought an object home and came back to a signal"
     )
@@ -127,15 +133,22 @@ def draw(out: Path, steps: Steps) -> list[Path]:
         steps: which.
 
     Returns:
-        A PDF for the first four and one for the others, and a page that tells of them.
+        A PDF and a PNG for the first four, the same for the others, and a page that tells of them.
     """
     out.mkdir(parents=True, exist_ok=True)
-    style = Style(mind=True, robot=("robots", steps.robot), trail=TRAIL)
+    style = Style(mind=True, robot=("robots", steps.robot), around=AROUND, trail=TRAIL,
+                  plane_first=True)  # fmt: skip
+    styles = {".pdf": style, ".png": replace(style, width=PIXELS)}
+    captions = [f"Step {n}: {told}." for n, told in enumerate(TOLD, 1)]
     files = []
     with TemporaryDirectory() as folder:
         made = run(load_model("foraging"), steps.ticks[-1], steps.seed, out=Path(folder) / "run")
-        for name, ticks in (("8.3", steps.ticks[:4]), ("8.4", steps.ticks[4:])):
-            files.append(draw_moments(made, out / f"figure-{name}.pdf", ticks, style))
+        for name, part in (("8.3", slice(0, 4)), ("8.4", slice(4, 8))):
+            files += [
+                draw_moments(made, out / f"figure-{name}{end}", steps.ticks[part], one,
+                             captions=captions[part])
+                for end, one in styles.items()
+            ]  # fmt: skip
     lines = [
         "# Figures 8.3 and 8.4: a robot forages with others",
         "",

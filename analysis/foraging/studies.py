@@ -36,8 +36,9 @@ def _made(name: str, home: Path, quick: bool) -> tuple[Training, str]:
     print(f"{name}: {plan.about}, in {home / name}", file=sys.stderr, flush=True)
     training = make(name, home / name, quick)
     size = "trained small" if quick else "trained from nothing"
-    attempts = len(training.attempts)
-    return training, f"`{name}`: {plan.about}. {attempts} attempts, {size}, seed {SEED}."
+    count = len(training.attempts)
+    attempts = f"{count} attempt{'s' if count > 1 else ''}"
+    return training, f"`{name}`: {plan.about}. {attempts}, {size}, seed {SEED}."
 
 
 def _kept(name: str, out: Path) -> tuple[Training | None, str]:

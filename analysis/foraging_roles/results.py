@@ -5,15 +5,16 @@ from __future__ import annotations
 import csv
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from socialmind.catalogue import load_file, load_model
 from socialmind.errors import SocialmindError
-from socialmind.experiments import paper, score
+from socialmind.experiments import Run, paper, run, score
+from socialmind.studies import write_figure
 
 from .trainings import (
     ATTEMPTS,
@@ -27,12 +28,10 @@ from .trainings import (
     train,
 )
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 SEED = 82
 WORLD = 1  # of the picture
 EVERY = 50  # ticks between two records of it
+SHOWN = 8000  # ticks that pictures of the arena show: some collapses
 WORLDS = 256  # of the economy for each condition
 HALF = 30_000
 QUICK = 8  # generations of a small training
@@ -132,32 +131,34 @@ def conditions(worlds: int) -> list[dict[str, Any]]:
     return rows
 
 
-def picture(
-    name: str, genome: NDArray[np.float64], ticks: int
-) -> tuple[Figure, list[dict[str, Any]]]:
+def pictures(name: str, genome: NDArray[np.float64], ticks: int, out: Path) -> list[Path]:
     """Draw the roles of nine robots that begin undecided, in bodies.
 
     Args:
         name: of the plan.
         genome: of ForageRole.
         ticks: how long.
+        out: the folder.
 
     Returns:
-        The figure, and the series that it shows.
+        The roles over time, as PDF, PNG and CSV, and pictures of the arena, as PDF and PNG.
     """
     figures = load_file(MODEL / "figures.py")
-    model = load_model("foraging_roles")(
-        seed=WORLD, start=ECONOMY.UNDECIDED, hierarchy=mind_of(name, genome)
-    )
-    series, agents = [], []
-    while model.tick < ticks:
-        model.advance(EVERY)
-        series.append({"tick": model.tick, **model.series()})
-        roles = model.robots.role.tolist()
-        agents += [{"tick": model.tick, "agent": n, "role": r} for n, r in enumerate(roles)]
-    with paper.style():
-        figure = figures.roles(pd.DataFrame(series), pd.DataFrame(agents))
-    return figure, series
+    model, mind = load_model("foraging_roles"), mind_of(name, genome)
+    shown = min(ticks, SHOWN)
+    with TemporaryDirectory() as folder, paper.style():
+        long, short = (
+            Run(run(model, length, WORLD, {"start": ECONOMY.UNDECIDED}, hierarchy=mind,
+                    every=EVERY, agents_every=EVERY, out=Path(folder) / part))
+            for part, length in (("long", ticks), ("short", shown))
+        )  # fmt: skip
+        # Who is in which role is counted at the end of a tick.
+        series, agents = (one[one["tick"] > 0] for one in (long.series, long.agents))
+        over_time = figures.roles(series, agents)
+        steps = figures.steps(short)
+        rows = series.to_dict("records")
+    written = write_figure("figure-8.6", over_time, rows, out)
+    return [*written, *paper.save({"figure-8.6-steps": steps}, out)]
 
 
 def write_table(name: str, rows: Sequence[Mapping[str, Any]], out: Path) -> list[Path]:

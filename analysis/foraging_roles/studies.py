@@ -12,13 +12,10 @@ QUICK_WORLDS = 2
 
 def collapse(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:
     """Figures 8.6 and 8.7: nine robots whose roles were learned as in the thesis."""
-    from socialmind.studies import write_figure
-
-    from .results import genomes, picture
+    from .results import genomes, pictures
 
     weights = genomes(["thesis"], out, quick, kept)["thesis"][0]
-    figure, rows = picture("thesis", weights, ticks=6000 if quick else 60_000)
-    return write_figure("figure-8.6", figure, rows, out)
+    return pictures("thesis", weights, 6000 if quick else 60_000, out)
 
 
 def lessons(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:

@@ -21,8 +21,7 @@ from numpy.typing import NDArray
 from socialmind.catalogue import load_file, model_folder
 from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Training, learn, resume
-from socialmind.mind import MindDescription, Perceptron
-from socialmind.mind.functions.contract import InternalFunction
+from socialmind.mind import InternalFunction, MindDescription, Perceptron
 
 MODEL = model_folder("foraging_roles")
 LESSONS = load_file(MODEL / "lessons.py")

@@ -10,10 +10,9 @@ import numpy as np
 
 from socialmind.catalogue import load_model
 from socialmind.experiments import paper, score
-from socialmind.learning import Training
 from socialmind.studies import write_figure
 
-from .trainings import FUNCTIONS, known
+from .trainings import COLLECT, FUNCTIONS, known
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -37,18 +36,14 @@ def write_comparison(
         out: the folder.
     """
     rows: list[Row] = []
-    for name, folder in trainings.items():
-        training = Training(folder)
-        for attempt in sorted(training.lessons["attempt"].unique().tolist()):
-            found = score(
-                load_model("target_variable"), training.mind(attempt), episodes=worlds, seed=seed
-            )
-            row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": seed}
-            for key in MEASURES:
-                row[key] = round(found.intervals[key].mean, 4)
-            row["path_ratio_low"] = round(found.intervals["path_ratio"].low, 4)
-            row["path_ratio_high"] = round(found.intervals["path_ratio"].high, 4)
-            rows.append(row)
+    model = load_model("target_variable")
+    for name, attempt, mind in COLLECT.attempts_of(trainings):
+        found = score(model, mind, episodes=worlds, seed=seed)
+        row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": seed}
+        row |= {key: round(found.intervals[key].mean, 4) for key in MEASURES}
+        row["path_ratio_low"] = round(found.intervals["path_ratio"].low, 4)
+        row["path_ratio_high"] = round(found.intervals["path_ratio"].high, 4)
+        rows.append(row)
     written = write_figure("target-functions", draw(rows), rows, out)
     page = out / "target-functions.md"
     page.write_text("\n".join(lines_of(rows)) + "\n", "utf-8")
@@ -62,12 +57,14 @@ def lines_of(rows: list[Row]) -> list[str]:
         own = np.array([row["path_ratio"] for row in rows if row["training"] == name], float)
         objects = np.array([row["objects"] for row in rows if row["training"] == name])
         size = known(FUNCTIONS[name][1]).skills["CollectVariable"].genome_size
-        lines.append(
-            f"- `{name}`, {FUNCTIONS[name][0]}, {size} weights: ways of {np.nanmean(own):.2f} "
-            f"({np.nanmin(own):.2f} to {np.nanmax(own):.2f}) times those of the plain hierarchy; "
-            f"{int((own <= MARK).sum())} of {len(own)} attempts within {MARK}; "
-            f"{objects.mean():.1f} objects."
-        )
+        ways, said = own[np.isfinite(own)], "no attempt brings an object home"
+        if len(ways):
+            said = (
+                f"ways of {ways.mean():.2f} ({ways.min():.2f} to {ways.max():.2f}) times those of "
+                f"the plain hierarchy; {int((ways <= MARK).sum())} of {len(own)} attempts within "
+                f"{MARK}; {objects.mean():.1f} objects"
+            )
+        lines.append(f"- `{name}`, {FUNCTIONS[name][0]}, {size} weights: {said}.")
     heads = ["training", "attempt", *MEASURES]
     lines += ["", f"| {' | '.join(heads)} |", "|" + "---|" * len(heads)]
     lines += [f"| {' | '.join(str(row[key]) for key in heads)} |" for row in rows]
@@ -84,10 +81,18 @@ def draw(rows: list[Row]) -> Figure:
             own = [row for row in rows if row["training"] == name]
             for number, row in enumerate(own):
                 at = place + 0.5 * ((number + 0.5) / len(own) - 0.5)
+                if not np.isfinite(row["path_ratio"]):
+                    axes.plot(at, 0.04, "x", color=paper.RED, markersize=3,
+                              transform=axes.get_xaxis_transform())  # fmt: skip
+                    continue
                 axes.plot([at, at], [row["path_ratio_low"], row["path_ratio_high"]],
                           color=paper.GREY, linewidth=0.8)  # fmt: skip
                 axes.plot(at, row["path_ratio"], "o", color=paper.BLUE, markersize=3)
+        # 1 and the mark are in sight wherever the points are.
+        axes.plot([0, 0], [1.0, 1.05 * MARK], alpha=0.0)
         axes.axhline(MARK, color=paper.RED, linewidth=0.6, linestyle=(0, (3, 2)))
         axes.set_xticks(range(len(names)), [name.replace("_", "\n") for name in names])
-        axes.set_ylabel("way for an object, over the plain one's")
+        axes.set_xlim(-0.5, len(names) - 0.5)
+        axes.set_ylabel("way for an object (plain one: 1)")
+        axes.set_xlabel(f"dashed: {MARK}; ×: brings no object home")
     return figure

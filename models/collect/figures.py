@@ -22,6 +22,8 @@ from socialmind.worlds.plane.picture import Picture
 from socialmind.worlds.plane.scene import scene_of
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.typing import ColorType
     from numpy.typing import NDArray
 
     from socialmind.experiments import Run
@@ -102,17 +104,7 @@ def path(course: Course) -> Figure:
     figure = Figure(figsize=(MAP / 25.4, high / 25.4))
     axes = figure.add_axes((0.02, (LEGEND + 0.02 * MAP) / high, 0.96, 0.96 * MAP / high))
     Picture(axes, course.end)
-    for colour, held in ((SEARCHES, False), (CARRIES, True)):
-        # A step belongs to what the robot did at its beginning.
-        step = np.append(course.carrying[:-1] == held, False)
-        drawn = step | np.insert(step[:-1], 0, False)
-        x, y = (np.where(drawn, one, np.nan) for one in (course.x, course.y))
-        axes.plot(x, y, color=colour, linewidth=0.7, zorder=2.5, scalex=False, scaley=False)
-    gripped = np.flatnonzero(course.carrying[1:] & ~course.carrying[:-1]) + 1
-    axes.plot(
-        course.x[gripped], course.y[gripped], "o", color=CARRIES, markersize=2.4, zorder=2.6,
-        scalex=False, scaley=False,
-    )  # fmt: skip
+    draw_way(axes, course.x, course.y, course.carrying, SEARCHES, CARRIES)
     marks = [
         Line2D([], [], color=SEARCHES, label="looking for an object"),
         Line2D([], [], color=CARRIES, marker="o", markersize=2.4, label="carrying one home"),
@@ -125,6 +117,36 @@ def path(course: Course) -> Figure:
         )  # fmt: skip
     figure.legend(handles=marks, loc="lower center", ncols=2, handlelength=1.4)
     return figure
+
+
+def draw_way(
+    axes: Axes,
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    carrying: NDArray[np.bool_],
+    free: ColorType,
+    loaded: ColorType,
+) -> None:
+    """Draw where a robot went, and a dot where it gripped an object.
+
+    Args:
+        axes: with the map.
+        x: where it was, moment by moment.
+        y: likewise.
+        carrying: whether it held an object then.
+        free: the colour of the way without an object.
+        loaded: of the way with one.
+    """
+    for colour, held in ((free, False), (loaded, True)):
+        # A step belongs to what the robot did at its beginning.
+        step = np.append(carrying[:-1] == held, False)
+        drawn = step | np.insert(step[:-1], 0, False)
+        part_x, part_y = (np.where(drawn, one, np.nan) for one in (x, y))
+        axes.plot(part_x, part_y, color=colour, linewidth=0.8, zorder=2.5, scalex=False,
+                  scaley=False)  # fmt: skip
+    gripped = np.flatnonzero(carrying[1:] & ~carrying[:-1]) + 1
+    axes.plot(x[gripped], y[gripped], "o", color=loaded, markersize=2.5, zorder=2.6, scalex=False,
+              scaley=False)  # fmt: skip
 
 
 def deliveries(course: Course) -> Figure:

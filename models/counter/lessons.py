@@ -19,7 +19,7 @@ from socialmind.mind import (
 )
 
 from .model import Counter
-from .sketch import InOutline
+from .sketch import STAND_INS, Sketch
 
 LESSONS = load_file(model_folder("collect") / "lessons.py")
 MASTER = "CountObjects"
@@ -98,8 +98,8 @@ def lessons(wanted=2):
     """
     parameters = {"wanted": wanted}
     return (
-        Lesson("In outline", InOutline, skill=MASTER, repetitions=4, generations=100,
-               settings=FEW, parameters=parameters),
+        Lesson("In outline", Sketch, skill=MASTER, stand_ins=STAND_INS, repetitions=4,
+               generations=100, settings=FEW, parameters=parameters),
         Lesson("In the arena", Counter, skill=MASTER, repetitions=4, generations=3,
                settings=FINAL, start="known", parameters=parameters),
     )  # fmt: skip

@@ -8,7 +8,6 @@ influences in the arena, tick by tick, so what it learns here it can do there.
 import math
 
 from socialmind import Model, Population, each, parameter
-from socialmind.learning.episodes import Episodes
 from socialmind.mind import MindDescription, Programmed, Skill
 from socialmind.worlds.plane import Act, Disc, Interruption, Plane, Sense, paid
 
@@ -220,28 +219,3 @@ class Sketch(Model):
     interruptions = {"too many": Interruption(too_many)}
     setup = (each(robots, begin),)
     schedule = (each(robots, carry), each(robots, judge))
-
-
-class InOutline:
-    """The sketch as an environment of lessons: a master comes with stand-ins for what is below."""
-
-    ticks = Sketch.ticks
-
-    def __init__(self, parameters, hierarchy, master, skill, drive, ticks, physics):
-        self._episodes = Episodes(
-            Sketch, parameters, on_stand_ins(hierarchy, master), master, skill, drive, ticks,
-            physics=physics,
-        )  # fmt: skip
-        self.genome_size = self._episodes.genome_size
-
-    def run(self, genomes, seeds):
-        """Judge individuals, each in the same outlines."""
-        return self._episodes.run(genomes, seeds)
-
-
-def on_stand_ins(mind, master):
-    """Return a mind of a master and stand-ins for the skills that it influences."""
-    read = {one.name for one in mind.skills[master].inputs}
-    variables = [one for name, one in mind.variables.items() if name in read]
-    skills = [mind.skills[master], *STAND_INS]
-    return MindDescription(mind.name, list(SENSORS), list(ACTUATORS), variables, skills)

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from socialmind.catalogue import load_file, model_folder
 from socialmind.experiments import paper
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.sources import model_of
@@ -22,12 +23,12 @@ from socialmind.worlds.plane.picture import Picture
 from socialmind.worlds.plane.scene import scene_of
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from socialmind.experiments import Run
     from socialmind.worlds.plane.scene import Scene
 
+COLLECT = load_file(model_folder("collect") / "figures.py")
 EVERY = 10  # ticks between two points of a path
 MAP, LEGEND = 120.0, 15.0  # mm: the width of the map, and what is below it
 FAINT = 0.45  # of the paths of robots that carry nothing
@@ -133,7 +134,10 @@ def paths(course: Course) -> Figure:
     axes = figure.add_axes((0.02, (LEGEND + 0.02 * MAP) / high, 0.96, 0.96 * MAP / high))
     Picture(axes, course.end)
     for number, colour in enumerate(colours(course.x.shape[1])):
-        _path(axes, course, number, colour)
+        COLLECT.draw_way(
+            axes, course.x[:, number], course.y[:, number], course.carrying[:, number],
+            (colour, FAINT), colour,
+        )  # fmt: skip
     robots = course.x.shape[1]
     marks = [
         Line2D([], [], color=colour, label=f"robot {number}")
@@ -148,23 +152,6 @@ def paths(course: Course) -> Figure:
         )  # fmt: skip
     figure.legend(handles=marks, loc="lower center", ncols=3, handlelength=1.4)
     return figure
-
-
-def _path(axes: Axes, course: Course, number: int, colour: str) -> None:
-    """Draw the way of one robot, dark while it carries something."""
-    carrying = course.carrying[:, number]
-    for held, alpha in ((False, FAINT), (True, 1.0)):
-        # A step belongs to what the robot did at its beginning.
-        step = np.append(carrying[:-1] == held, False)
-        drawn = step | np.insert(step[:-1], 0, False)
-        x, y = (np.where(drawn, one[:, number], np.nan) for one in (course.x, course.y))
-        axes.plot(x, y, color=colour, alpha=alpha, linewidth=0.8, zorder=2.5, scalex=False,
-                  scaley=False)  # fmt: skip
-    gripped = np.flatnonzero(carrying[1:] & ~carrying[:-1]) + 1
-    axes.plot(
-        course.x[gripped, number], course.y[gripped, number], "o", color=colour, markersize=2.6,
-        zorder=2.6, scalex=False, scaley=False,
-    )  # fmt: skip
 
 
 def progress(course: Course) -> Figure:

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import gymnasium
 import numpy as np
 from gymnasium.spaces import Box
 from gymnasium.utils.seeding import np_random
 from numpy.typing import NDArray
 
-from socialmind.envs.plane_env import check_render_mode, class_of, limit_of, sizes_of
+from socialmind.envs.steered_world import SteeredWorld
 from socialmind.errors import SocialmindError
 from socialmind.model import Model
 
@@ -28,9 +27,6 @@ if find_spec("pettingzoo") is None:
     )
 
 from pettingzoo import ParallelEnv  # noqa: E402  # needs PettingZoo
-
-if TYPE_CHECKING:
-    from socialmind.envs.drawing import Drawing
 
 Numbers = NDArray[np.float32]
 
@@ -58,7 +54,6 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         parameters: values of the model's parameters that differ from the defaults.
 
     Attributes:
-        model: the running model, once `reset` was called.
         possible_agents: the names of all agents.
         agents: those whose episode goes on.
 
@@ -79,20 +74,19 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         without: Sequence[str] = (),
         parameters: Mapping[str, Any] | None = None,
     ) -> None:
-        check_render_mode(render_mode)
-        self._class = class_of(model, environment)
-        self._made_with = {"physics": physics, "without": without, **(parameters or {})}
-        sizes = sizes_of(self._class, parameters)
-        plane: Any = self._class.shape.plane
-        steered = {name: one for name, one in plane.robots.items() if one.actuators}
+        self._world = SteeredWorld(
+            model, environment, render_mode, ticks, physics, without, parameters
+        )
+        bodies, sizes = self._world.bodies, self._world.sizes
         self._place = {
-            f"{name}_{number}": (name, number) for name in steered for number in range(sizes[name])
+            f"{name}_{number}": (name, number) for name in bodies for number in range(sizes[name])
         }
         if not self._place:
-            raise SocialmindError(f"{self._class.name} has no robots with actuators to steer")
-        self._limit = limit_of(self._class, ticks)
+            raise SocialmindError(
+                f"{self._world.model_class.name} has no robots with actuators to steer"
+            )
         self._counts = {
-            name: (len(one.sensors), len(one.actuators)) for name, one in steered.items()
+            name: (len(one.sensors), len(one.actuators)) for name, one in bodies.items()
         }
         # Each agent has spaces of its own, whose draws do not disturb those of others.
         spaces = {
@@ -103,18 +97,20 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         self.action_spaces = {agent: one for agent, (_, one) in spaces.items()}
         self.metadata = {
             **self.metadata,
-            "name": f"{self._class.name}_v0",
-            "render_fps": round(1 / plane.dt),
+            "name": f"{self._world.model_class.name}_v0",
+            "render_fps": self._world.fps,
         }
         self.render_mode = render_mode
         self.possible_agents = list(self._place)
         self.agents: list[str] = []
-        self.model: Model | None = None
         self._random, _ = np_random(None)
         self._identity: dict[str, int] = {}
         self._pending: dict[str, float] = {}
-        self._world = 0
-        self._drawing: Drawing | None = None
+
+    @property
+    def model(self) -> Model | None:
+        """The running model; None before `reset` was called."""
+        return self._world.model
 
     def observation_space(self, agent: str) -> Box:
         """Return the space of what an agent's sensors read."""
@@ -139,18 +135,14 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         """
         if seed is not None:
             self._random, _ = np_random(seed)
-        drawn = int(self._random.integers(2**63))
-        self._world = int((options or {}).get("world", drawn))
-        self.model = self._class(seed=self._world, hierarchy=False, **self._made_with)
+        model = self._world.begin(int(self._random.integers(2**63)), options)
         self._identity = {
-            agent: int(self.model.tables[name].rows["_id"][number])
+            agent: int(model.tables[name].rows["_id"][number])
             for agent, (name, number) in self._place.items()
         }
-        self.model.advance()
+        self._world.advance()
         self.agents = [agent for agent in self.possible_agents if self._slot(agent) is not None]
         self._pending = {agent: self._reward(agent) for agent in self.agents}
-        self._drawing = None
-        self._draw()
         return self._observations(self.agents), self._infos(self.agents)
 
     def step(
@@ -171,31 +163,27 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
             By agent what its sensors read, its reward, whether its episode has ended, whether its
             ticks are up, and what `reset` tells.
         """
-        if self.model is None:
-            raise gymnasium.error.ResetNeeded("call reset() before the first step()")
+        model = self._world.running
         acting = list(self.agents)
         rewards, self._pending = {agent: self._pending.pop(agent, 0.0) for agent in acting}, {}
-        if self.model.over is None and acting:
+        if model.over is None and acting:
             self._steer(actions)
-            self.model.advance()
+            self._world.advance()
             for agent in acting:
                 rewards[agent] += self._reward(agent)
-            self._draw()
-        over = self.model.over is not None
+        over = model.over is not None
         ended = {agent: over or self._slot(agent) is None for agent in acting}
-        up = dict.fromkeys(acting, self.model.tick >= self._limit)
+        up = dict.fromkeys(acting, self._world.up)
         self.agents = [agent for agent in acting if not (ended[agent] or up[agent])]
         return self._observations(acting), rewards, ended, up, self._infos(acting)
 
     def render(self) -> Any:
         """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
-        if self._drawing is None or self.model is None:
-            return None
-        return self._drawing.pixels(self.model)
+        return self._world.pixels()
 
     def close(self) -> None:
         """Let the world go."""
-        self.model = self._drawing = None
+        self._world.close()
         self.agents = []
 
     def _steer(self, actions: Mapping[str, Numbers]) -> None:
@@ -206,7 +194,7 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
                 f"an action for {unknown[0]!r}; expected agents among "
                 f"{', '.join(self.possible_agents)}"
             )
-        model: Any = self.model
+        model = self._world.running
         for name, (_, count) in self._counts.items():
             table = model.tables[name]
             commands = np.full((len(table.rows), count), 0.5)
@@ -222,15 +210,13 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
 
     def _slot(self, agent: str) -> int | None:
         """Return where the robot of an agent is in its table, None once it is dead."""
-        model: Any = self.model
-        table = model.tables[self._place[agent][0]]
+        table = self._world.running.tables[self._place[agent][0]]
         found = np.flatnonzero(table.alive & (table.rows["_id"] == self._identity[agent]))
         return int(found[0]) if len(found) else None
 
     def _row(self, agent: str) -> Any:
         """Return the robot of an agent, as it was at last if it is dead; None if that is lost."""
-        model: Any = self.model
-        rows = model.tables[self._place[agent][0]].rows
+        rows = self._world.running.tables[self._place[agent][0]].rows
         found = np.flatnonzero(rows["_id"] == self._identity[agent])
         return rows[found[0]] if len(found) else None
 
@@ -247,20 +233,9 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         return found
 
     def _infos(self, agents: Sequence[str]) -> dict[str, dict[str, Any]]:
-        model: Any = self.model
-        told = {"world": self._world, "tick": model.tick, "over": model.over}
+        told = self._world.told()
         rows = {agent: self._row(agent) for agent in agents}
         return {
             agent: {**told, "score": 0.0 if row is None else float(row["score"])}
             for agent, row in rows.items()
         }
-
-    def _draw(self) -> None:
-        """Note where the robots are for the picture's paths."""
-        if self.render_mode is None or self.model is None:
-            return
-        if self._drawing is None:
-            from socialmind.envs.drawing import Drawing
-
-            self._drawing = Drawing(list(self._counts))
-        self._drawing.note(self.model)

@@ -10,7 +10,8 @@ from typing import Any
 import gymnasium
 
 from socialmind.catalogue import catalogue, load_model, model_folder
-from socialmind.envs.plane_env import lessons_of, robot_of
+from socialmind.envs.plane_env import robot_of
+from socialmind.envs.steered_world import lessons_of
 from socialmind.errors import SocialmindError
 from socialmind.model import Model
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,6 +27,8 @@ DOTS = {".mp4": 144, ".gif": 120, ".png": 300}
 MOTION = tuple(PIXELS)
 GAP = 5.0
 """Points between panels, and around them."""
+CAPTION = 11.0
+"""Points of room above a moment for what is said of it."""
 SLENDEREST, WIDEST = 0.6, 1.7
 """Width of a hierarchy's panel over that of the plane's."""
 
@@ -42,6 +45,8 @@ class Style:
         around: half the side of the part shown around the robot; the whole plane by default.
         trail: how many ticks of the path are drawn; all by default.
         width: of the page: pixels, but millimetres for SVG and PDF.
+        plane_first: whether the plane stands at the left of the hierarchy, as in figures 7.5 and
+            8.3 of the thesis, in place of its right, as in figure 6.6.
     """
 
     look: str | None = None
@@ -50,6 +55,7 @@ class Style:
     around: float | None = None
     trail: int | None = None
     width: int | None = None
+    plane_first: bool = False
 
 
 class Page:
@@ -60,12 +66,22 @@ class Page:
         style: how it is drawn.
         suffix: how the file ends, such as ".pdf".
         rows: how many moments.
+        captions: what is said of each moment; nothing by default.
     """
 
-    def __init__(self, repeated: Repeated, style: Style, suffix: str, rows: int = 1) -> None:
+    def __init__(
+        self,
+        repeated: Repeated,
+        style: Style,
+        suffix: str,
+        rows: int = 1,
+        captions: Sequence[str] = (),
+    ) -> None:
         self._repeated = repeated
         self._style = style
         self._rows = rows
+        self._captions = captions
+        self._head = CAPTION if captions else 0.0
         self._look = LOOKS[style.look or ("thesis" if suffix in MOTION else "paper")]
         self._dots = DOTS.get(suffix, 72)
         width = self._points(suffix)
@@ -76,7 +92,8 @@ class Page:
         gaps = (3 if self._ratio else 2) * GAP
         # The hierarchy's panel is as high as the plane's with the line below it.
         self._side = (width - gaps - self._ratio * FOOT) / (1.0 + self._ratio)
-        height = rows * (self._side + FOOT + GAP) + GAP
+        self._step = self._head + self._side + FOOT + GAP
+        height = rows * self._step + GAP
         if suffix in MOTION:
             # Films have even numbers of pixels.
             width, height = (2 * round(one * self._dots / 144) * 72 / self._dots
@@ -100,19 +117,28 @@ class Page:
     def draw(self) -> None:
         """Draw the moment that the run is at in the next row."""
         row, repeated, style = len(self._pictures), self._repeated, self._style
-        top = self._size[1] - GAP - row * (self._side + FOOT + GAP)
-        left = GAP
+        top = self._size[1] - GAP - row * self._step
+        if self._captions:
+            across, down = self._size
+            self.figure.text(GAP / across, top / down, self._captions[row], size=7.5, va="top",
+                             color=self._look.ink)  # fmt: skip
+            top -= self._head
+        wide = self._ratio * (self._side + FOOT)
         beside = None
         if repeated.mind is not None:
-            wide, high = self._ratio * (self._side + FOOT), self._side + FOOT
+            left = GAP + (self._side + GAP if style.plane_first else 0.0)
+            high = self._side + FOOT
             ground = Rectangle((0, 0), 1, 1, facecolor="white", edgecolor="none", zorder=-1)
             panel = self._panel(left, top - high, wide, high)
             ground.set(transform=panel.transAxes, figure=self.figure)
             self.figure.patches.append(ground)
             beside = HierarchyPicture(repeated.mind, panel, key=self._rows == 1, known=True)
-            left += wide + GAP
+        left = GAP if beside is None or style.plane_first else GAP + wide + GAP
         panel = self._panel(left, top - self._side, self._side, self._side)
-        picture = Picture(panel, repeated.scene, self._look, style.around, repeated.robot)
+        picture = Picture(
+            panel, repeated.scene, self._look, style.around, repeated.robot,
+            named=beside is not None and len(repeated.scene.robots) > 1,
+        )  # fmt: skip
         picture.show(repeated.scene, repeated.paths(style.trail))
         self._pictures.append((picture, beside))
 

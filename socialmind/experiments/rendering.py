@@ -31,6 +31,7 @@ def draw_moments(
     ticks: Sequence[int] = (),
     style: Style = PLAIN,
     on_progress: Progress | None = None,
+    captions: Sequence[str] = (),
 ) -> Path:
     """Draw moments of a run, one below the other, with the path up to each.
 
@@ -40,13 +41,14 @@ def draw_moments(
         ticks: of the moments, ascending; the last one of the run by default.
         style: how.
         on_progress: called with the ticks done and the length.
+        captions: what is said above each moment; nothing by default.
 
     Returns:
         The file.
 
     Raises:
         SocialmindError: the run cannot be repeated, or its world is no plane; a tick that the run
-            has not done; no such robot.
+            has not done; no such robot; more or fewer captions than moments.
     """
     path = Path(out)
     if path.suffix.lower() not in STILLS:
@@ -56,9 +58,11 @@ def draw_moments(
     wanted = sorted(set(ticks)) or [done]
     for tick in wanted:
         _check_tick(tick, "tick", done)
+    if captions and len(captions) != len(wanted):
+        raise SocialmindError(f"{len(captions)} captions; expected one for each of {len(wanted)}")
     repeated = Repeated(capsule, style.robot, style.mind)
     with paper.style():
-        page = Page(repeated, style, path.suffix.lower(), len(wanted))
+        page = Page(repeated, style, path.suffix.lower(), len(wanted), captions)
         for _ in repeated.at(wanted, on_progress):
             page.draw()
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -17,7 +17,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.learning.batch import LANES, Batch, Crowded
 from socialmind.learning.outcome import Outcome
-from socialmind.learning.pupils import pupils_of
+from socialmind.learning.pupils import length_of, pupils_of
 from socialmind.mind.description import MindDescription
 
 if TYPE_CHECKING:
@@ -66,9 +66,7 @@ class Episodes:
             raise ModelError(f"episodes of {model_class.name!r}", "a model on a plane")
         self.model_class = model_class
         self.parameters = dict(parameters or {})
-        self.ticks = model_class.ticks if ticks is None else int(ticks)
-        if self.ticks < 1:
-            raise SocialmindError(f"ticks: found {ticks!r}; expected a whole number, 1 or more")
+        self.ticks = length_of(model_class, ticks)
         self.lanes = lanes
         self.physics = physics
         self.record = tuple(record)

@@ -44,6 +44,8 @@ class Lesson:
         optimiser: its keyword, such as `GENETIC`.
         settings: the optimiser's settings that are not to be its defaults.
         drive: the drive module of the hierarchy (thesis, 5.1.3).
+        stand_ins: skills that take the places of those of their names below the master while it
+            lasts, such as programs, for an environment in which these cannot act.
         first: individuals to begin from, shape (k, genome size), such as
             `socialmind.learning.imprinting.first_population` gives; or a function of the skill and
             a seed that returns them.
@@ -87,6 +89,7 @@ class Lesson:
     worlds: str = FRESH
     budget: int | None = None
     parameters: Mapping[str, Any] = field(default_factory=dict)
+    stand_ins: tuple[Skill, ...] = ()
     finalists: int = 10
     finals: int = 32
     validation: int = 0
@@ -126,6 +129,9 @@ class Lesson:
         if getattr(kind, "graphs", False) and (self.first is not None or self.start == KNOWN):
             begins = "start='known'" if self.start == KNOWN else "first individuals"
             raise self.refused(f"with {self.optimiser} and {begins}", "graphs that begin anew")
+        self._freeze("stand_ins", tuple(self.stand_ins))
+        if not all(isinstance(one, Skill) for one in self.stand_ins):
+            raise self.refused(f"with stand_ins={self.stand_ins!r}", "skills")
         self._freeze("settings", MappingProxyType(dict(self.settings)))
         self._freeze("parameters", MappingProxyType(dict(self.parameters)))
 
@@ -197,8 +203,9 @@ class Lesson:
             "parameters": dict(self.parameters),
             "finalists": self.finalists,
             "finals": self.finals,
-            # Lessons without are the same lessons whether or not a curve can be validated.
+            # A lesson without them has the record that it would have if there were no such thing.
             **({"validation": self.validation} if self.validation else {}),
+            **({"stand_ins": [one.name for one in self.stand_ins]} if self.stand_ins else {}),
         }
 
     def _first_record(self) -> str | None:

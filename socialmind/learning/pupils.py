@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.mind.description import MindDescription
 from socialmind.mind.inhabitants import Steering
@@ -128,6 +128,18 @@ def pupils_of(
                 f"which the master {steerings[name].master!r} does not reach"
             )
     return Pupils(name, skills, steerings)
+
+
+def length_of(model_class: type[Model], ticks: int | None) -> int:
+    """Return the ticks of an episode: those given, or the model's own.
+
+    Raises:
+        SocialmindError: fewer than 1.
+    """
+    length = model_class.ticks if ticks is None else int(ticks)
+    if length < 1:
+        raise SocialmindError(f"ticks: found {ticks!r}; expected a whole number, 1 or more")
+    return length
 
 
 def _described(steering: Steering) -> MindDescription:

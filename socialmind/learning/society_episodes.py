@@ -17,8 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.learning.outcome import Outcome
-from socialmind.learning.pupils import pupils_of
-from socialmind.mind.description import MindDescription
+from socialmind.learning.pupils import length_of, pupils_of
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -69,19 +68,12 @@ class SocietyEpisodes:
             raise SocialmindError(f"physics={physics!r} for {model_class.name}, which has no plane")
         self.model_class = model_class
         self.parameters = dict(parameters or {})
-        self.ticks = model_class.ticks if ticks is None else int(ticks)
-        if self.ticks < 1:
-            raise SocialmindError(f"ticks: found {ticks!r}; expected a whole number, 1 or more")
+        self.ticks = length_of(model_class, ticks)
         minded = [n for n, one in model_class.populations.items() if one.hierarchy is not None]
         self.pupils = pupils_of(model_class, minded, hierarchy, master, skill, drive, population)
         self.genome_size = self.pupils.genome_size
         self.record = tuple(record)
         self._worlds: dict[int, tuple[Any, dict[str, NDArray[Any]]]] = {}
-
-    @property
-    def description(self) -> MindDescription:
-        """The mind that learns, with zeros where a genome is still to be learned."""
-        return self.pupils.description
 
     def run(self, genomes: ArrayLike | None, seeds: Sequence[int]) -> Outcome:
         """Judge individuals, each in the same worlds.

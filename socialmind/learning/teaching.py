@@ -252,9 +252,10 @@ def ground_of(lesson: Lesson, mind: MindDescription, engine: str) -> Ground:
         for skill in learning
         if skill.genome is None and skill.genome_size
     ]
+    mind = mind.with_modules(skills=begun)
     return Ground(
         lesson.environment,
-        mind.with_modules(skills=begun),
+        mind.on_stand_ins(lesson.master, lesson.stand_ins) if lesson.stand_ins else mind,
         lesson.master,
         lesson.skills,
         lesson.ticks,
@@ -292,6 +293,15 @@ def check_fits(lesson: Lesson, mind: MindDescription, learned: Sequence[str]) ->
                 error.remedy,
             ) from None
     below = mind.below(lesson.master)
+    for one in lesson.stand_ins:
+        if one.name not in below or one.name in (lesson.master, *lesson.skills):
+            raise lesson.refused(
+                f"with a stand-in for {one.name!r}",
+                f"stand-ins for skills below {lesson.master} that do not learn",
+            )
+    if lesson.stand_ins:
+        mind = mind.on_stand_ins(lesson.master, lesson.stand_ins)
+        below = mind.below(lesson.master)
     graphs = getattr(lesson.kind, "graphs", False)
     if graphs and len(lesson.skills) > 1:
         raise lesson.refused(f"of {len(lesson.skills)} skills by {lesson.optimiser}", "one skill")

@@ -2,6 +2,7 @@
 
 from socialmind.mind.description import MindDescription
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
+from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.convolution import Convolution, Kernel
 from socialmind.mind.functions.elman import Elman
 from socialmind.mind.functions.graph_neuron import GraphNeuron
@@ -26,6 +27,7 @@ __all__ = [
     "Hierarchy",
     "InfluenceNetwork",
     "Input",
+    "InternalFunction",
     "Kernel",
     "MindDescription",
     "Minds",

@@ -199,6 +199,46 @@ class MindDescription:
             [*kept, *added.values()],
         )
 
+    def on_stand_ins(self, master: str, stand_ins: Iterable[Skill]) -> MindDescription:
+        """Return a skill on stand-ins for some of those below it, with all that these need alone.
+
+        Args:
+            master: the skill, which is the master of what is returned.
+            stand_ins: skills in the places of those of their names; what only these influenced is
+                left out.
+
+        >>> from socialmind.mind import Perceptron, Skill
+        >>> line = Perceptron(layers=0)
+        >>> robot = MindDescription("robot", ["Far"], ["MotL", "MotR"], skills=[
+        ...     Skill("Go", ["SE:Far"], ["SK:Turn"], line),
+        ...     Skill("Turn", ["SE:Far"], ["MO:MotL", "MO:MotR"], line),
+        ... ])
+        >>> point = robot.on_stand_ins("Go", [Skill("Turn", ["SE:Aside"], ["MO:X"], line)])
+        >>> list(point.skills), list(point.sensors), list(point.actuators)
+        (['Go', 'Turn'], ['Far', 'Aside'], ['X'])
+        """
+        known = {**self.skills, **_by_name(stand_ins, Skill, "skill")}
+        found: dict[str, Skill] = {}
+        waiting = [master]
+        while waiting:
+            name = waiting.pop(0)
+            if name in known and name not in found:
+                found[name] = known[name]
+                waiting += known[name].subskills
+        needed: dict[str, dict[str, None]] = {"sensor": {}, "actuator": {}, "variable": {}}
+        for skill in found.values():
+            links: list[Any] = [*skill.inputs, *skill.outputs]
+            for link in links:
+                if link.module in needed:
+                    needed[link.module][link.name] = None
+        return MindDescription(
+            self.name,
+            [self.sensors.get(name, name) for name in needed["sensor"]],
+            [self.actuators.get(name, name) for name in needed["actuator"]],
+            [self.variables.get(name, name) for name in needed["variable"]],
+            found.values(),
+        )
+
     def __repr__(self) -> str:
         return (
             f"<mind {self.name!r}: {len(self.sensors)} sensors, {len(self.variables)} variables, "

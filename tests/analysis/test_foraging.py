@@ -28,6 +28,14 @@ def test_its_studies_are_found():
 # Trainings ----------------------------------------------------------------------------------------
 
 
+def test_a_small_training_has_short_episodes_and_few_of_them():
+    plan = TRAININGS.MAKING.small(TRAININGS.PLANS["foraging"], **TRAININGS.SMALL)
+    taught = plan.curriculum().lessons
+    assert [one.name for one in taught] == list(lessons("foraging"))
+    assert all(one.episode_ticks <= 2000 for one in taught)
+    assert sum(map(TRAININGS.MAKING.most_ticks, taught)) < 2_000_000
+
+
 @pytest.mark.parametrize(("name", "parameter"), [("deaf", "hearing"), ("blind", "company")])
 def test_what_is_taken_away_is_missing_in_all_lessons_of_the_group(name, parameter):
     taught = lessons(name)

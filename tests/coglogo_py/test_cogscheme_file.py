@@ -11,7 +11,6 @@ from coglogo_py import (
     CognitiveScheme,
     Cogniton,
     Culturon,
-    DecisionMaker,
     Group,
     MaximumWeight,
     Role,
@@ -333,33 +332,6 @@ def test_errors_say_the_line_what_is_there_and_what_should_be(text, line, messag
     assert str(failure.value).startswith(f"cows.cogscheme:{line}: ")
     assert message in str(failure.value)
     assert (failure.value.file, failure.value.line) == ("cows.cogscheme", line)
-
-
-class Loyal(DecisionMaker):
-    """Always the first plan."""
-
-    name = "Loyal"
-
-    @staticmethod
-    def choose(weights, bias, u):
-        return 0
-
-    @staticmethod
-    def probabilities(weights, bias):
-        return weights == weights[0]
-
-
-def test_a_modellers_own_decision_maker_goes_by_name(tmp_path):
-    path = tmp_path / "cows.cogscheme"
-    scheme = CognitiveScheme("cows", (BASE_COGNITON,), decision_maker=Loyal(0.5))
-    scheme.save(path)
-    assert "\nLoyal 0.5\n" in path.read_text()
-    assert CognitiveScheme.load(path, decision_makers=[Loyal]) == scheme
-    with pytest.raises(SchemeError) as failure:
-        CognitiveScheme.load(path)
-    assert f"{path}:3: found decision maker 'Loyal'; expected one of MaximumWeight" in str(
-        failure.value
-    )
 
 
 @pytest.mark.parametrize(

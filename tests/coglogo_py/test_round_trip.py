@@ -16,6 +16,7 @@ from coglogo_py import (
     Group,
     MaximumWeight,
     Role,
+    SchemeError,
     WeightedStochastic,
 )
 from coglogo_py.cogscheme_file import KEYWORDS
@@ -104,3 +105,15 @@ def test_as_a_yaml_file(scheme):
     assert loaded.plan_order == order
     assert repr(loaded.cognitons) == repr(scheme.cognitons)
     assert repr(loaded.groups) == repr(scheme.groups)
+
+
+@pytest.mark.parametrize(("suffix", "line"), [("cogscheme", 3), ("yaml", 4)])
+def test_a_modellers_own_decision_maker_goes_by_name(tmp_path, suffix, line):
+    path = tmp_path / f"cows.{suffix}"
+    scheme = CognitiveScheme("cows", decision_maker=Loyal(0.5))
+    scheme.save(path)
+    assert "Loyal" in path.read_text()
+    assert CognitiveScheme.load(path, decision_makers=[Loyal]) == scheme
+    with pytest.raises(SchemeError) as failure:
+        CognitiveScheme.load(path)
+    assert f"{path}:{line}: found decision maker 'Loyal'; expected one of" in str(failure.value)

@@ -10,7 +10,6 @@ from coglogo_py import (
     CognitiveScheme,
     Cogniton,
     Culturon,
-    DecisionMaker,
     Group,
     MaximumWeight,
     Role,
@@ -250,28 +249,6 @@ def test_errors_name_the_field_of_a_cogniton(field, message):
         read(f"name: c\ncognitons:\n  a:\n    {field}\n")
     assert str(failure.value).startswith("cows.yaml:4: ")
     assert message.replace(" of a", " of cogniton 'a'") in str(failure.value)
-
-
-class Loyal(DecisionMaker):
-    """Always the first plan."""
-
-    name = "Loyal"
-
-    @staticmethod
-    def choose(weights, bias, u):
-        return 0
-
-    @staticmethod
-    def probabilities(weights, bias):
-        return weights == weights[0]
-
-
-def test_a_modellers_own_decision_maker_goes_by_name(tmp_path):
-    scheme = CognitiveScheme("cows", decision_maker=Loyal(0.5))
-    scheme.save(tmp_path / "cows.yaml")
-    assert CognitiveScheme.load(tmp_path / "cows.yaml", decision_makers=[Loyal]) == scheme
-    with pytest.raises(SchemeError, match=r"cows\.yaml:4: found decision maker 'Loyal'"):
-        CognitiveScheme.load(tmp_path / "cows.yaml")
 
 
 def test_the_example_in_the_documentation_loads_and_is_sound():

@@ -59,6 +59,22 @@ def test_a_society_that_never_settles():
     assert found["agents_to_tasks"] == pytest.approx(0.0, abs=1e-9)
 
 
+def test_scores_are_numbers_even_where_a_society_never_settled():
+    roles = nine({tick: 9 * (tick // 1000 % 2) for tick in range(0, TICKS + 1, 1000)})
+    found = Course(roles, working(roles), {"A": 1, "B": 2}, shocks=[30_000]).scored()
+    # Every agent changes every 1,000 ticks.
+    assert found["role_changes"] == pytest.approx(10.0)
+    assert found["settling_ticks"] == 10_000
+    assert found["within_one"] == 0.0
+
+
+def test_scores_count_from_the_last_shock():
+    roles = nine({0: 9, 4000: 3, 20_000: 4, 26_000: 6})
+    turned = pd.DataFrame({"tick": [0, 20_000], "A": [1, 2], "B": [2, 1]})
+    found = Course(roles, working(roles), turned, shocks=[20_000]).scored()
+    assert found == {"within_one": 1.0, "settling_ticks": 6000.0, "role_changes": 0.0}
+
+
 def test_a_flicker_within_one_agent_is_settled_and_its_changes_count():
     roles = nine({tick: 3 + tick // 1000 % 2 for tick in range(0, TICKS + 1, 1000)})
     found = Course(roles, working(roles), {"A": 1, "B": 2}).measures()

@@ -40,6 +40,7 @@ def test_what_is_not_given_is_the_skills_own():
         ({"worlds": "old"}, "worlds='old'"),
         ({"spread": math.nan}, "spread=nan"),
         ({"drive": "Drive"}, "the drive 'Drive'"),
+        ({"stand_ins": ("Go",)}, "stand_ins=('Go',); expected skills"),
         ({"first": np.zeros((1, 2)), "start": "known"}, "first individuals and start='known'"),
         ({"optimiser": "NEAT", "start": "known"}, "NEAT and start='known'; expected graphs that"),
         ({"optimiser": "NEAT", "first": np.zeros((1, 2))}, "NEAT and first individuals"),

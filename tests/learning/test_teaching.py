@@ -7,6 +7,7 @@ from socialmind.errors import ModelError
 from socialmind.learning.ground import COMPILED, Judged
 from socialmind.learning.teaching import COLUMNS, VALIDATED, Teaching, check_fits
 from socialmind.learning.workers import Threads, Workers
+from socialmind.mind import Programmed, Skill
 
 KEY = (7, 1, "Go", 1)
 
@@ -30,6 +31,15 @@ class Alone(Workers):
 
     def close(self):
         pass
+
+
+def still():
+    """Stand still."""
+    return 0.5
+
+
+STILL = Skill("Go", [], ["MO:X"], Programmed(still))
+ASIDE = STILL.changed(name="Aside")
 
 
 def stop():
@@ -190,6 +200,9 @@ def test_restored_it_goes_on_as_if_undisturbed(lesson, robot, tmp_path, optimise
         ({"name": "Go", "first": np.zeros((3, 2))}, "shape (3, 2); expected (k, 6)"),
         ({"name": "X", "skill": ("Go", "Turn"), "master": "Top", "optimiser": "NEAT",
           "settings": {}}, "of 2 skills by NEAT; expected one skill"),
+        ({"name": "Top", "stand_ins": (ASIDE,)}, "a stand-in for 'Aside'; expected stand-ins for"),
+        ({"name": "Go", "stand_ins": (STILL,)}, "a stand-in for 'Go'; expected stand-ins for"),
+        ({"name": "Top", "stand_ins": (STILL,)}, "the skill 'Turn' below 'Top', which has no w"),
     ],
 )  # fmt: skip
 def test_lessons_that_do_not_fit_the_mind_are_refused(lesson, robot, changes, said):
@@ -197,6 +210,22 @@ def test_lessons_that_do_not_fit_the_mind_are_refused(lesson, robot, changes, sa
         check_fits(lesson(**changes), robot, [])
     assert said in str(raised.value)
     assert f"the lesson {changes['name']!r}" in str(raised.value)
+
+
+def test_a_skill_learns_on_stand_ins_and_goes_on_without(lesson, robot):
+    stand_ins = STILL, STILL.changed(name="Turn")
+    one = lesson("Top", stand_ins=stand_ins)
+    check_fits(one, robot, [])
+    teaching, result, _ = taught(one, robot, Threads(1))
+    ground = teaching.ground.mind
+    assert {name: list(skill.inputs) for name, skill in ground.skills.items()} == {
+        "Top": list(robot.skills["Top"].inputs), "Go": [], "Turn": [],
+    }  # fmt: skip
+    assert (list(ground.sensors), list(ground.actuators)) == (["S1"], ["X"])
+    (learned,) = teaching.learned(result.winner)
+    assert learned.changed(genome=None).inputs == robot.skills["Top"].inputs
+    assert one.record()["stand_ins"] == ["Go", "Turn"]
+    assert "stand_ins" not in lesson("Top").record()
 
 
 def test_what_was_learned_before_need_not_come_with_the_mind(lesson, robot):

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_model
+from socialmind.catalogue import load_model, model_folder
 from socialmind.streams import SCHEDULE_TAG, Stream, phase_tags
 
 LIVE = phase_tags(SCHEDULE_TAG, ["live"])[
@@ -136,3 +136,35 @@ def play():
         cogniton=cogniton,
         demands=demands,
     )
+
+
+@pytest.fixture(scope="session")
+def described():
+    """Return a table of skills in a model's README: what each reads, commands and weighs."""
+
+    def table(model, title="Skills"):
+        text = (model_folder(model) / "README.md").read_text("utf-8").split(f"### {title}\n", 1)[1]
+        lines = [line for line in text.split("\n#", 1)[0].splitlines() if line.startswith("|")]
+        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
+        return {
+            name.split(" (")[0]: (
+                [*filter(None, reads.split(", "))], commands.split(", "), int(size),
+            )
+            for name, reads, commands, size in rows
+        }  # fmt: skip
+
+    return table
+
+
+@pytest.fixture(scope="session")
+def found_in():
+    """Return the same of a mind."""
+
+    def table(mind):
+        return {
+            name: ([one.name for one in skill.inputs], [one.name for one in skill.outputs],
+                   skill.genome_size)
+            for name, skill in mind.skills.items()
+        }  # fmt: skip
+
+    return table

@@ -54,25 +54,6 @@ def test_sensors_and_actuators_are_the_bodys(folder):
     assert set(mind.actuators) == set(robots.actuators)
 
 
-def described(name, title):
-    """Return a table of skills in a model's README: what each reads, commands and weighs."""
-    text = (model_folder(name) / "README.md").read_text("utf-8").split(f"### {title}\n", 1)[1]
-    lines = [line for line in text.split("\n#", 1)[0].splitlines() if line.startswith("|")]
-    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
-    return {
-        skill.split(" (")[0]: ([*filter(None, reads.split(", "))], commands.split(", "), int(size))
-        for skill, reads, commands, size in rows
-    }
-
-
-def found_in(mind):
-    return {
-        name: ([one.name for one in skill.inputs], [one.name for one in skill.outputs],
-               skill.genome_size)
-        for name, skill in mind.skills.items()
-    }  # fmt: skip
-
-
 @pytest.mark.parametrize(
     ("name", "title", "mind"),
     [
@@ -82,14 +63,14 @@ def found_in(mind):
         ("collect_power", "Skills", "mind"),
     ],
 )
-def test_the_readme_lists_the_skills(name, title, mind):
+def test_the_readme_lists_the_skills(name, title, mind, described, found_in):
     description = MindDescription.load(model_folder(name) / mind)
     assert described(name, title) == found_in(description)
     (master,) = description.masters
     assert f"{master} (the master)" in (model_folder(name) / "README.md").read_text("utf-8")
 
 
-def test_the_readme_lists_the_monolith():
+def test_the_readme_lists_the_monolith(described, found_in):
     mind = CONTROLS.monolith()
     assert described("collect", "Skills of the monolith") == found_in(mind)
     whole = sum(skill.genome_size for skill in CONTROLS.hierarchy().skills.values())
@@ -97,7 +78,7 @@ def test_the_readme_lists_the_monolith():
     assert 0.9 <= mind.skills["Monolith"].genome_size / whole <= 1.1
 
 
-def test_the_readme_lists_the_other_variant_with_power():
+def test_the_readme_lists_the_other_variant_with_power(described, found_in):
     lessons = load_file(model_folder("collect_power") / "lessons.py")
     mind = lessons.retrained(MindDescription.load(model_folder("collect_retrained") / "mind"))
     ((name, row),) = described("collect_power", "Skills of the Retrained variant").items()
@@ -106,7 +87,7 @@ def test_the_readme_lists_the_other_variant_with_power():
 
 
 @pytest.mark.parametrize(("mind", "gone"), [("mind", ()), ("mind_retrained", ("Collect",))])
-def test_power_leaves_what_was_known_as_it_was(mind, gone):
+def test_power_leaves_what_was_known_as_it_was(mind, gone, found_in):
     before = MindDescription.load(model_folder("collect_retrained") / "mind")
     after = MindDescription.load(model_folder("collect_power") / mind)
     assert all(name not in after.skills for name in gone)
@@ -121,7 +102,7 @@ def test_power_leaves_what_was_known_as_it_was(mind, gone):
 # The variant on constant base skills -------------------------------------------------------------
 
 
-def test_the_constant_variant_is_what_its_builder_makes():
+def test_the_constant_variant_is_what_its_builder_makes(found_in):
     kept = MindDescription.load(model_folder("collect") / "mind_constant")
     assert found_in(kept) == found_in(CONSTANT.constant())
     for skill in kept.skills.values():

@@ -257,7 +257,7 @@ def test_the_mind_is_that_of_the_lessons_on_top_of_collecting():
         assert (kept.genome is None) == (skill.genome_size == 0)
     for name, skill in known.skills.items():
         if skill.genome is not None:
-            assert mind.skills[name].genome.shape == skill.genome.shape
+            assert np.array_equal(mind.skills[name].genome, skill.genome), name
     assert mind.actuators["SIGNAL"].neutral == 0.0
 
 
@@ -286,3 +286,13 @@ def test_robots_of_the_model_forage_better_than_deaf_ones():
     deaf = score(model, episodes=10, seed=3, workers=1, parameters={"hearing": 0.0})
     assert together.mean() > 5
     assert together.mean() > deaf.frame["objects"].mean()
+
+
+def test_robots_of_the_model_search_better_than_at_random():
+    """Ten worlds without objects, and a share of the arena that has been seen."""
+    model = load_model("foraging")
+    learned = MindDescription.load(FOLDER / "mind")
+    terms = {"episodes": 10, "seed": 3, "workers": 1, "ticks": 2000}
+    terms["parameters"] = {"cluster_size": 0}
+    seen = score(model, learned, **terms).frame["area"].mean()
+    assert seen > 1.1 * score(model, MINDS.walking_at_random(learned), **terms).frame["area"].mean()

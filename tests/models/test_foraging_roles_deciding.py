@@ -35,11 +35,15 @@ def decisions(model, ticks):
 # Who decides --------------------------------------------------------------------------------------
 
 
-def test_by_default_the_learned_mind_decides_in_all():
-    model = ForagingRoles(seed=1)
-    assert not model.robots.programmed.any()
-    assert model.plans(model.robots) == [None] * 9
-    assert not np.isfinite(model.robots.cogniton("CallingA")).any()
+def test_by_default_the_learned_mind_decides_in_all_and_no_scheme_wakes():
+    model = ForagingRoles(seed=3, start=0, hierarchy=always_b())
+    model.advance(3000)
+    robots = model.robots
+    assert robots.changes.tolist() == robots.is_b.tolist() == [1] * 9
+    assert not robots.programmed.any()
+    assert model.plans(robots) == [None] * 9
+    for one in model.schemes["robots"].cognitons:
+        assert not np.isfinite(robots.cogniton(one.name)).any()
 
 
 @pytest.mark.parametrize(
@@ -138,6 +142,17 @@ def test_programmed_robots_decide_after_deliveries_alone_and_divide_the_work():
     model.advance(24_000)
     assert model.off <= 2.0
     assert (np.isfinite(model.robots.cogniton("CallingB")) == model.robots.is_b).all()
+
+
+def test_the_decision_of_a_programmed_robot_is_explained():
+    model = ForagingRoles(seed=4, programmed=1.0, start=0)
+    model.advance(3000)
+    changed = model.robots.id[model.robots.changes > 0].tolist()
+    assert 0 < len(changed) < 9
+    for robot in (changed[0], min(set(range(9)) - set(changed))):
+        receipt = model.explain(robot, 3000)
+        assert receipt.choice == model.plans(model.robots)[robot]
+        assert [one.name for one in receipt.plans] == ["CollectA", "CollectB"]
 
 
 def test_both_speeds_agree_with_both_minds(differences):

@@ -15,14 +15,6 @@ MODEL = load_file(FOLDER / "model.py")
 LESSONS = load_file(FOLDER / "lessons.py")
 
 
-def found_in(mind):
-    return {
-        name: ([one.name for one in skill.inputs], [one.name for one in skill.outputs],
-               skill.genome_size)
-        for name, skill in mind.skills.items()
-    }  # fmt: skip
-
-
 def test_the_way_counts_up_to_the_last_delivery():
     robot = SimpleNamespace(
         x=0.0, y=0.0, gone=0.0, path=0.0, counted=0, last_x=0.0, last_y=0.0, delivered=0
@@ -45,14 +37,8 @@ def test_there_are_as_many_objects_as_were_asked_for(number):
     assert len(model.objects) == number
 
 
-def test_the_readme_lists_the_skills():
-    text = (FOLDER / "README.md").read_text("utf-8").split("### Skills\n", 1)[1]
-    lines = [line for line in text.split("\n#", 1)[0].splitlines() if line.startswith("|")]
-    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
-    told = {
-        name.split(" (")[0]: ([*filter(None, reads.split(", "))], commands.split(", "), int(size))
-        for name, reads, commands, size in rows
-    }
+def test_the_readme_lists_the_skills(described, found_in):
+    told = described("target_variable")
     assert told == found_in(LESSONS.hierarchy())
     mind = MindDescription.load(FOLDER / "mind")
     assert told == found_in(mind)

@@ -50,6 +50,7 @@ class Picture:
         around: half the side of the part shown around a robot, in units of the plane; the whole
             plane by default. Of a plane without borders, as much as was ever in use.
         robot: its population and identity; the first one by default.
+        named: whether this robot's identity stands beside it.
 
     Attributes:
         ax: the Axes.
@@ -62,6 +63,7 @@ class Picture:
         look: Look = PAPER,
         around: float | None = None,
         robot: tuple[str, int] | None = None,
+        named: bool = False,
     ) -> None:
         self.ax = ax
         self.look = look
@@ -90,6 +92,12 @@ class Picture:
             transform=ax.transAxes, zorder=7,
         )  # fmt: skip
         self._scale = self._new_scale()
+        self._name = ax.annotate(
+            "", (0.0, 0.0), xytext=(0.0, 7.0), textcoords="offset points", size=8, weight="bold",
+            color=look.ink, ha="center", zorder=7, annotation_clip=True,
+            bbox={"boxstyle": "round,pad=0.1", "facecolor": look.ground, "linewidth": 0},
+        )  # fmt: skip
+        self._named = named
         self.show(scene)
 
     def show(self, scene: Scene, paths: Paths | None = None) -> None:
@@ -131,6 +139,7 @@ class Picture:
             self._put("robots", name, np.zeros((0, 3)), 4.0)
         for key, path in (paths or {}).items():
             self._trail(key).set_data(path[:, 0], path[:, 1])
+        self._put_name(scene)
         ended = f" · {scene.over}" if scene.over else ""
         self._tick.set_text(f"tick {scene.tick:,}{ended}")
 
@@ -157,6 +166,14 @@ class Picture:
         points = discs[:, 2].max(initial=0.0) * self._width() / (2.0 * self._view[2])
         drawn.set_linewidth(min(0.15 * max(points, SMALLEST), 0.6 * self._hair))
         drawn.set(offsets=discs[:, :2], widths=widths, heights=widths, angles=[0.0] * len(widths))
+
+    def _put_name(self, scene: Scene) -> None:
+        """Write the identity of the robot that is looked at above it, where it is wanted."""
+        team, identity = self._robot or (None, None)
+        robot = scene.robot(identity, team) if self._named else None
+        self._name.set_text("" if robot is None else str(robot.identity))
+        if robot is not None:
+            self._name.xy = robot.x, robot.y
 
     def _visible(self, radius: float) -> float:
         """Return a radius that can be seen, in units of the plane."""

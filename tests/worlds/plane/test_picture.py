@@ -150,7 +150,7 @@ def test_without_borders_all_that_was_in_use_is_shown():
 
 def test_the_line_below_tells_tick_scale_and_end():
     drawn = picture(scene(1234))
-    assert texts(drawn) == ["tick 1,234", "5"]
+    assert texts(drawn) == ["tick 1,234", "5", ""]
     drawn.show(scene(1300, over="collision"))
     assert texts(drawn)[0] == "tick 1,300 · collision"
     assert texts(picture(scene(), around=4.0))[1] == "1"

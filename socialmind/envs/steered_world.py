@@ -1,0 +1,186 @@
+"""A world whose robots are steered from outside: what environments of either library run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import gymnasium
+
+from socialmind.catalogue import load_model, model_folder
+from socialmind.errors import SocialmindError
+from socialmind.language.nodes import nearest
+from socialmind.learning.course import lessons_module
+from socialmind.model import Model
+
+if TYPE_CHECKING:
+    from socialmind.envs.drawing import Drawing
+
+
+class SteeredWorld:
+    """The world of an environment, episode after episode.
+
+    Args:
+        model: a model's class, name or folder.
+        environment: the name of a class in its `lessons.py`, in place of the model itself.
+        render_mode: None, or "rgb_array".
+        ticks: the limit of an episode; the model's own by default.
+        physics: what moves the bodies, "compiled" or "pymunk".
+        without: names of interruptions that are not heeded.
+        parameters: values of the model's parameters that differ from the defaults.
+
+    Attributes:
+        model_class: the model.
+        sizes: how many robots of each population it begins with.
+        bodies: what the robots of each population that can be steered sense and act with.
+        fps: ticks a second.
+        model: the running model; None before the first episode.
+        seed: of the running model.
+
+    Raises:
+        SocialmindError: no such model or lesson; no plane; a wrong render mode, or too few ticks.
+    """
+
+    def __init__(
+        self,
+        model: type[Model] | str | Path,
+        environment: str | None,
+        render_mode: str | None,
+        ticks: int | None,
+        physics: str,
+        without: Sequence[str],
+        parameters: Mapping[str, Any] | None,
+    ) -> None:
+        if render_mode not in (None, "rgb_array"):
+            raise SocialmindError(f"render_mode {render_mode!r}; expected 'rgb_array' or None")
+        self.model_class = class_of(model, environment)
+        self.sizes = sizes_of(self.model_class, parameters)
+        self._limit = limit_of(self.model_class, ticks)
+        plane: Any = self.model_class.shape.plane
+        self.bodies = {name: one for name, one in plane.robots.items() if one.actuators}
+        self.fps = round(1 / plane.dt)
+        self._made_with = {"physics": physics, "without": without, **(parameters or {})}
+        self._drawn = render_mode is not None
+        self._drawing: Drawing | None = None
+        self.model: Model | None = None
+        self.seed = 0
+
+    def begin(self, drawn: int, options: Mapping[str, Any] | None) -> Model:
+        """Return the model of another episode, before its first tick.
+
+        Args:
+            drawn: the seed of its world, unless it is given.
+            options: `{"world": seed}`, or nothing.
+        """
+        self.seed = int((options or {}).get("world", drawn))
+        self.model = self.model_class(seed=self.seed, hierarchy=False, **self._made_with)
+        self._drawing = None
+        return self.model
+
+    def advance(self) -> None:
+        """Run a tick."""
+        self.running.advance()
+        if not self._drawn:
+            return
+        if self._drawing is None:
+            from socialmind.envs.drawing import Drawing
+
+            self._drawing = Drawing(list(self.bodies))
+        self._drawing.note(self.running)
+
+    @property
+    def running(self) -> Model:
+        """The running model.
+
+        Raises:
+            ResetNeeded: there is none yet.
+        """
+        if self.model is None:
+            raise gymnasium.error.ResetNeeded("call reset() before the first step()")
+        return self.model
+
+    @property
+    def up(self) -> bool:
+        """Whether the ticks of the episode are up."""
+        return self.running.tick >= self._limit
+
+    def told(self) -> dict[str, Any]:
+        """Return the seed of the world, the tick, and what has ended the episode, or None."""
+        return {"world": self.seed, "tick": self.running.tick, "over": self.running.over}
+
+    def pixels(self) -> Any:
+        """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
+        if self._drawing is None or self.model is None:
+            return None
+        return self._drawing.pixels(self.model)
+
+    def close(self) -> None:
+        """Let the world go."""
+        self.model = self._drawing = None
+
+
+def limit_of(model_class: type[Model], ticks: int | None) -> int:
+    """Return the limit of an episode: `ticks`, or the model's own.
+
+    Raises:
+        SocialmindError: too few for a step after the reset.
+    """
+    limit = model_class.ticks if ticks is None else ticks
+    if limit < 2:
+        raise SocialmindError(f"ticks {limit}; expected 2 or more, one for the reset")
+    return limit
+
+
+def sizes_of(
+    model_class: type[Model], parameters: Mapping[str, Any] | None = None
+) -> dict[str, int]:
+    """Return how many robots of each population a model begins with.
+
+    Raises:
+        SocialmindError: it has no plane.
+    """
+    plane = model_class.shape.plane
+    if plane is None:
+        raise SocialmindError(
+            f"the model {model_class.name} has no plane; expected one that declares "
+            "world = Plane(…)"
+        )
+    known = {name: one.default for name, one in model_class.parameters.items()}
+    known |= parameters or {}
+    sizes = {}
+    for name in plane.robots:
+        size = model_class.populations[name].size
+        sizes[name] = int(known.get(size, 0) if isinstance(size, str) else size)
+    return sizes
+
+
+def class_of(model: type[Model] | str | Path, environment: str | None) -> type[Model]:
+    """Return the class of a model, or of one of its lessons.
+
+    Raises:
+        SocialmindError: there is no such model or lesson.
+    """
+    if environment is None:
+        return model if isinstance(model, type) else load_model(model)
+    folder = model.folder() if isinstance(model, type) else model_folder(model)
+    lessons = lessons_of(folder)
+    if environment not in lessons:
+        raise SocialmindError(
+            f"no environment {environment!r} in {folder}/lessons.py; "
+            f"{nearest(environment, lessons)}"
+        )
+    return lessons[environment]
+
+
+def lessons_of(folder: Path) -> dict[str, type[Model]]:
+    """Return the models that a model's `lessons.py` defines, by name."""
+    module = lessons_module(folder)
+    return {
+        name: value
+        for name, value in (vars(module) if module is not None else {}).items()
+        if isinstance(value, type)
+        and issubclass(value, Model)
+        and value.__module__ == getattr(module, "__name__", "")
+        and value.__name__ == name
+    }

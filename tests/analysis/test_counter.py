@@ -1,0 +1,45 @@
+"""The steps of figures 7.5 and 7.6."""
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from socialmind.catalogue import load_file
+from socialmind.errors import SocialmindError
+from socialmind.studies import studies_in
+
+FOLDER = Path(__file__).parents[2] / "analysis" / "counter"
+STEPS = load_file(FOLDER / "steps.py")
+
+
+def test_its_studies_are_found():
+    assert [one.name for one in studies_in(FOLDER)] == ["figure-7.5", "representations"]
+
+
+def test_the_steps_are_the_thesiss(tmp_path, monkeypatch):
+    told = {}
+
+    def draw_moments(folder, path, ticks, style, captions):
+        told[path.name] = dict(zip(ticks, captions, strict=True))
+        return path
+
+    monkeypatch.setattr(STEPS, "draw_moments", draw_moments)
+    written = STEPS.write_steps(tmp_path)
+    assert {path.stem for path in written} == {"figure-7.5", "figure-7.6", "figure-7.5-memory"}
+    rows = pd.read_csv(tmp_path / "figure-7.5-memory.csv")
+    assert rows["carrying"].tolist() == [1, 0, 1, 0, 0]
+    assert rows["delivered"].tolist() == [0, 1, 1, 2, 2]
+    assert rows["correct"].tolist() == [0, 0, 0, 0, 1]
+    assert list(told["figure-7.5.pdf"]) == rows["tick"].tolist()[:3]
+    assert list(told["figure-7.6.png"]) == rows["tick"].tolist()[3:]
+    # The task of a step is the skill that has more influence: to collect, or to validate.
+    validates = rows["GoToValid+Avoid"] > rows["Collect"]
+    assert validates.tolist() == [False, False, False, True, False]
+
+
+def test_it_says_so_where_no_run_has_a_correct_sequence(tmp_path, monkeypatch):
+    monkeypatch.setattr(STEPS, "TICKS", 10)
+    monkeypatch.setattr(STEPS, "SEEDS", range(2))
+    with pytest.raises(SocialmindError, match="no correct sequence in 2 runs of 10 ticks"):
+        STEPS.write_steps(tmp_path)
