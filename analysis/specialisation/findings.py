@@ -235,7 +235,7 @@ def kinds(differences: pd.DataFrame) -> list[str]:
             "the programmed robots are in A for more of the last quarter than the learned",
             "programmed and learned robots are in B for as much of the last quarter",
         ),
-        "late_changes": (
+        "changes": (
             "the programmed change roles more often",
             "the learned change roles more often",
             "neither kind changes roles more often",
@@ -246,7 +246,7 @@ def kinds(differences: pd.DataFrame) -> list[str]:
             "both deliver alike",
         ),
     }
-    units = {"in_b": "of the time", "late_changes": "a robot and 10,000 ticks", "delivered": ""}
+    units = {"in_b": "of the time", "changes": "a robot and 10,000 ticks", "delivered": ""}
     for condition in MIXED:
         parts = []
         for name, (more, less, same) in words.items():
@@ -350,7 +350,7 @@ def summary(
         found.append(f"In as many {titled(robust)} {settle} again after each of the shocks.")
     else:
         found.append(f"After every one of the {len(shocks)} shocks no society does so.")
-    for name in ("last_distance", "settled_after", "late_changes"):
+    for name in ("last_distance", "settled_after", "changes"):
         sides = {
             condition: side(
                 one_of(differences, name, society="programmed", reference="learned",

@@ -19,21 +19,20 @@ from socialmind.mind import MindDescription
 
 from . import farmers, findings
 from .societies import CONDITIONS, FULL, REFERENCE, SEED, SOCIETIES, Size
-from .tables import MEASURED, beyond_both, judged
+from .tables import MEASURED, beyond_both, mixed_of
 from .words import capital, number, one_of, spread
 from .worlds import EVERY
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from .runs import Records
 
 TITLE = "Programmed and learned specialisation"
 
 
 def page_of(
-    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], records: Records,
-    village: farmers.Found, size: Size, command: str,
+    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], village: farmers.Found,
+    size: Size, command: str,
 ) -> str:  # fmt: skip
     """Return the page."""
     table, differ = tables["means"], tables["differences"]
@@ -61,7 +60,7 @@ def page_of(
         report.section("Who is compared", _compared(figures, size), "societies"),
         report.section("Left alone", _calm(tables, figures), "left-alone"),
         report.section("After shocks", _shocked(tables, figures, size), "shocks"),
-        report.section("Both minds in one society", _mixed(tables, figures, records), "mixed"),
+        report.section("Both minds in one society", _mixed(tables, figures), "mixed"),
         report.section("The other way round: farmers and artisans",
                        _farmers(tables, figures, village, size), "farmers"),
         report.section("What is measured", _definitions(), "measures"),
@@ -131,7 +130,7 @@ def _shocked(
         ),
         report.picture(
             figures["measures"],
-            "Figure 4. Every measure, with intervals of 95 %. Grey strokes in f: what luck alone "
+            "Figure 4. Every measure, with intervals of 95 %. Grey strokes in g: what luck alone "
             "gives.",
             "Means with intervals of eight measures, for each society and condition.",
         ),
@@ -166,10 +165,8 @@ def _effect(differences: pd.DataFrame, name: str, where: Mapping[str, object]) -
     return f"{size}δ {number(found['delta'], 2)}"
 
 
-def _mixed(
-    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], records: Records
-) -> list[str]:
-    mixed = judged(records.mixed("worlds"))
+def _mixed(tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure]) -> list[str]:
+    mixed = mixed_of(tables["worlds"])
     return [
         report.bullets(
             [

@@ -106,8 +106,8 @@ def measures(table: pd.DataFrame) -> Figure:
     Args:
         table: `society`, `condition`, `measure`, `mean`, `low`, `high`.
     """
-    figure = paper.figure(paper.PAGE, 128)
-    panels = figure.subplots(2, len(MEASURED) // 2, sharey=True).flat
+    figure = paper.figure(paper.PAGE, 172)
+    panels = figure.subplots(3, 3, sharey=True).flat
     rows = {society: place for place, society in enumerate(SOCIETIES)}
     offsets = np.linspace(-0.27, 0.27, len(CONDITIONS))
     for letter, axes, measured in zip(LETTERS, panels, MEASURED.values(), strict=False):

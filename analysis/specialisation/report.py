@@ -23,9 +23,11 @@ from .tables import (
     differences,
     judged,
     means,
+    mixed_of,
     over_time,
     settled_by,
     slopes,
+    with_changes,
 )
 
 if TYPE_CHECKING:
@@ -66,7 +68,7 @@ def made(records: Records, village: farmers.Found, size: Size, command: str) -> 
     tables = tables_of(records, village, size)
     with paper.style():
         figures = figures_of(tables, village, size)
-    return Made(tables, figures, page_of(tables, figures, records, village, size, command))
+    return Made(tables, figures, page_of(tables, figures, village, size, command))
 
 
 # Tables and figures -------------------------------------------------------------------------------
@@ -74,10 +76,10 @@ def made(records: Records, village: farmers.Found, size: Size, command: str) -> 
 
 def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str, pd.DataFrame]:
     """Return all tables by name."""
-    worlds = judged(records.worlds)
+    worlds = judged(with_changes(records.worlds, records.kinds))
     alone = worlds[worlds["society"] != "mixed"]
-    mixed = judged(records.mixed("worlds"))
-    kinds = records.mixed("kinds")
+    mixed = mixed_of(worlds)
+    kinds = mixed_of(records.kinds)
     measures = [*MEASURED, "settled", "agents_to_tasks_by_chance", "beyond_chance"]
     shares = ["condition", "share"]
     villagers = village.worlds.assign(

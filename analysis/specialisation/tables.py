@@ -65,9 +65,15 @@ MEASURED = {
             "time to settle", "takes longer to settle", "settles sooner", 0,
         ),
         Measured(
-            "late_changes", "Role changes", "a robot and 10,000 ticks",
-            "Changes of role for each robot and 10,000 ticks in the last quarter.",
+            "changes", "Role changes", "a robot and 10,000 ticks",
+            "Changes of role for each robot and 10,000 ticks, in the whole run.",
             "number of role changes", "changes roles more often", "changes roles less often",
+        ),
+        Measured(
+            "late_changes", "Late role changes", "the same, last quarter",
+            "Changes of role for each robot and 10,000 ticks in the last quarter.",
+            "number of late role changes", "changes roles more often in the end",
+            "changes roles less often in the end",
         ),
         Measured(
             "specialised", "Specialised robots", "share of robots",
@@ -99,7 +105,7 @@ MEASURED = {
     )
 }  # fmt: skip
 """By name, in the order of figures and tables."""
-OVER_SHARES = ("last_distance", "settled_after", "late_changes", "agents_to_tasks")
+OVER_SHARES = ("last_distance", "settled_after", "changes", "agents_to_tasks")
 """Those that are looked at over the share of programmed robots."""
 
 
@@ -109,6 +115,26 @@ def judged(worlds: pd.DataFrame) -> pd.DataFrame:
         settled=np.isfinite(last_settling(worlds)).astype(float),
         beyond_chance=worlds["agents_to_tasks"] - worlds["agents_to_tasks_by_chance"],
     )
+
+
+def mixed_of(frame: pd.DataFrame) -> pd.DataFrame:
+    """Return what a table holds of mixed societies, those of one kind alone among them."""
+    alike = frame["society"].isin(["mixed", "learned", "programmed"])
+    return frame[alike & frame["condition"].isin(MIXED)]
+
+
+def with_changes(worlds: pd.DataFrame, kinds: pd.DataFrame) -> pd.DataFrame:
+    """Return worlds with the changes of roles in the whole run, those of both kinds together.
+
+    Args:
+        worlds: a row for each run.
+        kinds: of the same runs, a row for each kind of robots: `robots` and `changes`.
+    """
+    run = ["society", "share", "condition", "seed"]
+    weighed = kinds.assign(changes=kinds["changes"] * kinds["robots"])
+    sums = weighed.groupby(run)[["changes", "robots"]].sum()
+    changes = (sums["changes"] / sums["robots"]).rename("changes")
+    return worlds.join(changes, on=run)
 
 
 def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd.DataFrame:

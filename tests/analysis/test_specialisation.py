@@ -240,7 +240,7 @@ def synthetic(programmed, learned, thesis=6.0):
                         "last_distance": level, "within": float(settles),
                         "settling_ticks": 4000.0 + seed if settles else math.inf,
                         "settled_after": 4000.0 + seed if settles else 60_000.0,
-                        "late_changes": level, "specialised": 1 - far / 10,
+                        "late_changes": level, "changes": level, "specialised": 1 - far / 10,
                         "agents_to_tasks": 1 - far / 7 if settles else 0.1,
                         "agents_to_tasks_by_chance": 0.1, "delivered": 600.0 - far,
                         "in_ratio": 500.0 - 10 * level,
