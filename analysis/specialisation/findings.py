@@ -13,7 +13,8 @@ import pandas as pd
 
 from . import farmers
 from .societies import CONDITIONS, MIXED, SOCIETIES
-from .tables import MEASURED, Measured
+from .tables import MEASURED, OVER_SHARES, Measured
+from .words import away, listed, number, one_of, percent, side, spread
 
 MOST = 0.9
 """The share of worlds from which on a society does something nearly always."""
@@ -21,85 +22,14 @@ SELDOM = 0.1
 CLEARLY = 0.1
 """Division of labour beyond luck's from which on work is divided, and not hardly."""
 ROBOTS = 9
-OVER_SHARES = ("last_distance", "settled_after", "late_changes", "agents_to_tasks")
 
 
-# Words --------------------------------------------------------------------------------------------
-
-
-def number(value: float, digits: int = 2) -> str:
-    """A number as a text has it.
-
-    >>> number(-1234.5, 0), number(0.004), number(math.nan)
-    ('−1,234', '0.00', 'unknown')
-    """
-    if math.isnan(value):
-        return "unknown"
-    if math.isinf(value):
-        return "never"
-    return f"{round(value, digits) + 0.0:,.{digits}f}".replace("-", "−")
-
-
-def spread(row: Mapping[str, Any], digits: int = 2) -> str:
-    """A mean with its interval.
-
-    >>> spread({"mean": 0.5, "low": 0.4, "high": 0.62}), spread({"mean": 1, "low": 1, "high": 1})
-    ('0.50 (0.40 to 0.62)', '1.00')
-    """
-    mean = number(row["mean"], digits)
-    if not math.isfinite(row["low"]) or row["low"] == row["high"]:
-        return mean
-    return f"{mean} ({number(row['low'], digits)} to {number(row['high'], digits)})"
-
-
-def percent(share: float) -> str:
-    """A share in percent.
-
-    >>> percent(0.964)
-    '96 %'
-    """
-    return f"{100 * share:.0f} %"
-
-
-def listed(words: Iterable[str]) -> str:
-    """A list in a sentence.
-
-    >>> listed(["one"]), listed(["one", "two", "three"])
-    ('one', 'one, two and three')
-    """
-    several = list(words)
-    return " and ".join([", ".join(several[:-1]), several[-1]] if several[1:] else several)
-
-
-def capital(text: str) -> str:
-    """The text with a capital letter at its beginning."""
-    return text[:1].upper() + text[1:]
-
-
-def side(row: Mapping[str, Any]) -> int:
-    """Say on which side of 0 a difference is: 1 above, −1 below, 0 for neither.
-
-    >>> side({"difference_low": 0.1, "difference_high": 0.3}), side({"difference_low": math.nan})
-    (1, 0)
-    """
-    low, high = row.get("difference_low", math.nan), row.get("difference_high", math.nan)
-    return 1 if low > 0 else -1 if high < 0 else 0
+# Two societies ------------------------------------------------------------------------------------
 
 
 def titled(names: Iterable[str]) -> str:
     """Societies in a sentence, by their titles."""
     return listed(f"“{SOCIETIES[one].title}”" for one in names)
-
-
-def one_of(table: pd.DataFrame, measure: str, **where: Any) -> dict[str, Any]:
-    """The row of a measure; where several columns are given, that with these values."""
-    found = table[table["measure"] == measure]
-    for name, value in where.items():
-        found = found[found[name] == value]
-    return {str(name): value for name, value in found.iloc[0].items()}
-
-
-# Two societies ------------------------------------------------------------------------------------
 
 
 def against(
@@ -132,12 +62,6 @@ def against(
         return f"In the same worlds {who} and {other} differ clearly in nothing that is measured."
     same = f" There is no clear difference in {listed(alike)}." if alike else ""
     return f"In the same worlds {who}, set against {other}, {listed(more)}.{same}"
-
-
-def away(row: Mapping[str, Any], digits: int = 2) -> str:
-    """A difference with its interval."""
-    named = {"mean": "difference", "low": "difference_low", "high": "difference_high"}
-    return spread({name: row[column] for name, column in named.items()}, digits)
 
 
 # Robots -------------------------------------------------------------------------------------------
@@ -311,7 +235,7 @@ def kinds(differences: pd.DataFrame) -> list[str]:
             "the programmed robots are in A for more of the last quarter than the learned",
             "programmed and learned robots are in B for as much of the last quarter",
         ),
-        "late_changes": (
+        "changes": (
             "the programmed change roles more often",
             "the learned change roles more often",
             "neither kind changes roles more often",
@@ -322,7 +246,7 @@ def kinds(differences: pd.DataFrame) -> list[str]:
             "both deliver alike",
         ),
     }
-    units = {"in_b": "of the time", "late_changes": "a robot and 10,000 ticks", "delivered": ""}
+    units = {"in_b": "of the time", "changes": "a robot and 10,000 ticks", "delivered": ""}
     for condition in MIXED:
         parts = []
         for name, (more, less, same) in words.items():
@@ -426,7 +350,7 @@ def summary(
         found.append(f"In as many {titled(robust)} {settle} again after each of the shocks.")
     else:
         found.append(f"After every one of the {len(shocks)} shocks no society does so.")
-    for name in ("last_distance", "settled_after", "late_changes"):
+    for name in ("last_distance", "settled_after", "changes"):
         sides = {
             condition: side(
                 one_of(differences, name, society="programmed", reference="learned",

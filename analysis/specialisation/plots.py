@@ -15,8 +15,8 @@ from socialmind.experiments import paper
 from socialmind.experiments.scheme_drawing import draw_scheme, key, lines_of
 
 from . import farmers
-from .societies import CONDITIONS, MIXED, SOCIETIES, Size
-from .tables import MEASURED
+from .societies import CONDITIONS, MIXED, SOCIETIES, Condition, Size
+from .tables import MEASURED, OVER_SHARES
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -32,43 +32,55 @@ LETTERS = "abcdefghijkl"
 
 
 def course(over_time: pd.DataFrame, settled: pd.DataFrame, size: Size) -> Figure:
-    """Draw the distance to the wanted split over time, and what share of worlds has settled.
+    """Draw distance and specialised robots over time, and what share of worlds has settled.
 
     Args:
-        over_time: `society`, `condition`, `tick`, `mean`, `low`, `high`.
+        over_time: `society`, `condition`, `tick`, `measure`, `mean`, `low`, `high`.
         settled: `society`, `condition`, `ticks`, `share`.
         size: of the study.
     """
-    figure = paper.figure(paper.PAGE, 108)
-    panels = figure.subplots(2, len(CONDITIONS), sharey="row")
-    for place, condition in enumerate(CONDITIONS.values()):
-        upper, lower = panels[:, place]
-        unit = paper.time_axis(upper, [0, size.ticks])
-        for society, part in _parts(over_time, condition.name):
-            x = part["tick"].to_numpy() / unit
-            colour = SOCIETIES[society].colour
-            upper.fill_between(x, part["low"], part["high"], color=colour, alpha=0.15, linewidth=0)
-            upper.plot(x, part["mean"], color=colour, linestyle=DASHES.get(society, "-"))
-        for shock in condition.shocks(size.half):
-            upper.axvline(shock / unit, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
-        paper.panel_title(upper, LETTERS[place], condition.title)
-        left = size.half if condition.parameter else size.ticks
-        unit = paper.time_axis(lower, [0, left])
+    figure = paper.figure(paper.PAGE, 146)
+    panels = figure.subplots(3, len(CONDITIONS), sharey="row")
+    letters = iter(LETTERS)
+    for axes, condition in zip(panels[0], CONDITIONS.values(), strict=True):
+        paper.panel_title(axes, next(letters), condition.title)
+        _over_time(axes, over_time[over_time["measure"] == "distance"], condition, size)
+    for axes, condition in zip(panels[1], CONDITIONS.values(), strict=True):
+        paper.panel_title(axes, next(letters), "specialised")
+        _over_time(axes, over_time[over_time["measure"] == "specialised"], condition, size)
+    for axes, condition in zip(panels[2], CONDITIONS.values(), strict=True):
+        title = "settled again" if condition.parameter else "settled"
+        paper.panel_title(axes, next(letters), title)
+        unit = paper.time_axis(axes, [0, size.half if condition.parameter else size.ticks])
         for society, part in _parts(settled, condition.name):
-            lower.step(
+            axes.step(
                 part["ticks"] / unit, part["share"], where="post",
                 color=SOCIETIES[society].colour, linestyle=DASHES.get(society, "-"),
             )  # fmt: skip
         since = "since the shock" if condition.parameter else "since the start"
-        lower.set_xlabel(f"{since}\n({'thousand ' if unit > 1 else ''}ticks)")
-        title = "settled again" if condition.parameter else "settled"
-        paper.panel_title(lower, LETTERS[place + len(CONDITIONS)], title)
-    panels[0, 0].set_ylim(*paper.limits_with_zero(over_time["high"].tolist()))
-    panels[0, 0].set_ylabel("distance (robots)")
-    panels[1, 0].set_ylim(0, 1.04)
-    panels[1, 0].set_ylabel("worlds (share)")
+        axes.set_xlabel(f"{since}\n({'thousand ' if unit > 1 else ''}ticks)")
+    far = over_time.loc[over_time["measure"] == "distance", "high"]
+    panels[0, 0].set_ylim(*paper.limits_with_zero(far.tolist()))
+    for axes, label in zip(
+        panels[:, 0], ("distance (robots)", "robots (share)", "worlds (share)"), strict=True
+    ):
+        axes.set_ylabel(label)
+    for axes in panels[1:, 0]:
+        axes.set_ylim(-0.03, 1.04)
     _legend(figure, [_line(one) for one in SOCIETIES])
     return figure
+
+
+def _over_time(axes: Axes, table: pd.DataFrame, condition: Condition, size: Size) -> None:
+    """Draw means over time with their intervals, a line a society."""
+    unit = paper.time_axis(axes, [0, size.ticks])
+    for society, part in _parts(table, condition.name):
+        x = part["tick"].to_numpy() / unit
+        colour = SOCIETIES[society].colour
+        axes.fill_between(x, part["low"], part["high"], color=colour, alpha=0.15, linewidth=0)
+        axes.plot(x, part["mean"], color=colour, linestyle=DASHES.get(society, "-"))
+    for shock in condition.shocks(size.half):
+        axes.axvline(shock / unit, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
 
 
 def _parts(table: pd.DataFrame, condition: str) -> list[tuple[str, pd.DataFrame]]:
@@ -94,8 +106,8 @@ def measures(table: pd.DataFrame) -> Figure:
     Args:
         table: `society`, `condition`, `measure`, `mean`, `low`, `high`.
     """
-    figure = paper.figure(paper.PAGE, 128)
-    panels = figure.subplots(2, len(MEASURED) // 2, sharey=True).flat
+    figure = paper.figure(paper.PAGE, 172)
+    panels = figure.subplots(3, 3, sharey=True).flat
     rows = {society: place for place, society in enumerate(SOCIETIES)}
     offsets = np.linspace(-0.27, 0.27, len(CONDITIONS))
     for letter, axes, measured in zip(LETTERS, panels, MEASURED.values(), strict=False):
@@ -178,7 +190,6 @@ KINDS = {
     "late_changes": ("Late role changes", "the same, last quarter"),
     "delivered": ("Delivered", "objects a robot"),
 }
-SHOWN_OF_MIXED = ("last_distance", "settled_after", "late_changes", "agents_to_tasks")
 
 
 def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
@@ -191,7 +202,7 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
     figure = paper.figure(paper.PAGE, 108)
     panels = figure.subplots(2, 4, sharex=True)
     nudge = 0.008
-    for letter, axes, name in zip(LETTERS, panels[0], SHOWN_OF_MIXED, strict=False):
+    for letter, axes, name in zip(LETTERS, panels[0], OVER_SHARES, strict=False):
         measured = MEASURED[name]
         for sign, condition in zip(cycle((-1, 1)), MIXED):
             own = societies[

@@ -93,12 +93,6 @@ class Records:
     kinds: pd.DataFrame
     spells: pd.DataFrame
 
-    def mixed(self, table: str) -> pd.DataFrame:
-        """Return what a table holds of mixed societies, those of one kind alone among them."""
-        frame: pd.DataFrame = getattr(self, table)
-        alike = frame["society"].isin(["mixed", "learned", "programmed"])
-        return frame[alike & frame["condition"].isin(MIXED)]
-
 
 def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = None) -> Records:
     """Run all worlds that are not kept yet, a block of worlds of all societies after the other.

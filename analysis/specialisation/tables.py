@@ -12,7 +12,8 @@ import pandas as pd
 from socialmind.experiments.effects import comparisons
 from socialmind.experiments.intervals import interval_of
 
-from .societies import REFERENCE
+from .societies import MIXED, REFERENCE
+from .words import one_of, side
 
 
 @dataclass(frozen=True)
@@ -64,9 +65,15 @@ MEASURED = {
             "time to settle", "takes longer to settle", "settles sooner", 0,
         ),
         Measured(
-            "late_changes", "Role changes", "a robot and 10,000 ticks",
-            "Changes of role for each robot and 10,000 ticks in the last quarter.",
+            "changes", "Role changes", "a robot and 10,000 ticks",
+            "Changes of role for each robot and 10,000 ticks, in the whole run.",
             "number of role changes", "changes roles more often", "changes roles less often",
+        ),
+        Measured(
+            "late_changes", "Late role changes", "the same, last quarter",
+            "Changes of role for each robot and 10,000 ticks in the last quarter.",
+            "number of late role changes", "changes roles more often in the end",
+            "changes roles less often in the end",
         ),
         Measured(
             "specialised", "Specialised robots", "share of robots",
@@ -98,6 +105,36 @@ MEASURED = {
     )
 }  # fmt: skip
 """By name, in the order of figures and tables."""
+OVER_SHARES = ("last_distance", "settled_after", "changes", "agents_to_tasks")
+"""Those that are looked at over the share of programmed robots."""
+
+
+def judged(worlds: pd.DataFrame) -> pd.DataFrame:
+    """Return worlds with whether each settled at last, and division of labour beyond luck's."""
+    return worlds.assign(
+        settled=np.isfinite(last_settling(worlds)).astype(float),
+        beyond_chance=worlds["agents_to_tasks"] - worlds["agents_to_tasks_by_chance"],
+    )
+
+
+def mixed_of(frame: pd.DataFrame) -> pd.DataFrame:
+    """Return what a table holds of mixed societies, those of one kind alone among them."""
+    alike = frame["society"].isin(["mixed", "learned", "programmed"])
+    return frame[alike & frame["condition"].isin(MIXED)]
+
+
+def with_changes(worlds: pd.DataFrame, kinds: pd.DataFrame) -> pd.DataFrame:
+    """Return worlds with the changes of roles in the whole run, those of both kinds together.
+
+    Args:
+        worlds: a row for each run.
+        kinds: of the same runs, a row for each kind of robots: `robots` and `changes`.
+    """
+    run = ["society", "share", "condition", "seed"]
+    weighed = kinds.assign(changes=kinds["changes"] * kinds["robots"])
+    sums = weighed.groupby(run)[["changes", "robots"]].sum()
+    changes = (sums["changes"] / sums["robots"]).rename("changes")
+    return worlds.join(changes, on=run)
 
 
 def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd.DataFrame:
@@ -132,14 +169,13 @@ def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd
 
 
 def over_time(course: pd.DataFrame, by: Sequence[str]) -> pd.DataFrame:
-    """Return the mean distance at each record: those of `by`, `tick`, `n`, `mean`, `low`, `high`.
+    """Return mean distance and share of specialised robots at each record, as `means` does.
 
     Args:
-        course: `seed`, `tick`, `distance`.
+        course: `seed`, `tick`, `distance`, `specialised`.
         by: the columns that make groups.
     """
-    found = means(course, [*by, "tick"], ["distance"])
-    return found.drop(columns="measure")
+    return means(course, [*by, "tick"], ["distance", "specialised"])
 
 
 def settled_by(worlds: pd.DataFrame, by: Sequence[str], end: int) -> pd.DataFrame:
@@ -261,3 +297,28 @@ def between_kinds(kinds: pd.DataFrame, measures: Sequence[str]) -> pd.DataFrame:
         found.insert(0, "condition", condition)
         parts.append(found)
     return pd.concat(parts, ignore_index=True)
+
+
+def beyond_both(mixed: pd.DataFrame) -> dict[tuple[str, str], list[tuple[float, int]]]:
+    """Return where mixtures lie beyond both kinds alone.
+
+    Args:
+        mixed: `condition`, `share`, `seed` and measures.
+
+    Returns:
+        By condition and measure, shares and on which side of both kinds they are.
+    """
+    found: dict[tuple[str, str], list[tuple[float, int]]] = {}
+    for condition in MIXED:
+        own = mixed[mixed["condition"] == condition]
+        columns = [*OVER_SHARES, "seed", "share"]
+        ends = [comparisons(own[columns], end, by="share") for end in (0.0, 1.0)]
+        for name in OVER_SHARES:
+            several = []
+            for share in sorted(own["share"].unique()):
+                if 0 < share < 1:
+                    sides = {side(one_of(end, name, society=share)) for end in ends}
+                    if len(sides) == 1 and 0 not in sides:
+                        several.append((float(share), sides.pop()))
+            found[condition, name] = several
+    return found

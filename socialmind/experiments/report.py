@@ -23,7 +23,7 @@ DOTS = 200
 STYLE = """
 :root { color-scheme: light; }
 body { margin: 0; background: #fff; color: #222; font: 16px/1.55 Georgia, Times, serif; }
-main { max-width: 54rem; margin: 0 auto; padding: 2.5rem 1.25rem 4rem; }
+main { max-width: 60rem; margin: 0 auto; padding: 2.5rem 1.25rem 4rem; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .6rem; }
 h2 { font-size: 1.3rem; margin: 2.8rem 0 .5rem; padding-top: .7rem; border-top: 1px solid #ccc; }
 h3 { font-size: 1.05rem; margin: 1.8rem 0 .3rem; }
@@ -43,7 +43,9 @@ th, td { padding: .28rem .7rem .28rem 0; text-align: left; vertical-align: top; 
 thead th { border-bottom: 1px solid #222; vertical-align: bottom; }
 tbody tr + tr td { border-top: 1px solid #e6e6e6; }
 tbody tr:last-child td { border-bottom: 1px solid #222; }
+.numbers { font-size: 12px; }
 .numbers td { white-space: nowrap; }
+.numbers th, .numbers td { padding-right: .5rem; }
 td { font-variant-numeric: tabular-nums; }
 code { font: .88em ui-monospace, Menlo, Consolas, monospace; background: #f4f4f4; padding: 0 .2em; }
 pre { overflow-x: auto; background: #f4f4f4; padding: .8rem 1rem; }

@@ -85,6 +85,7 @@ def test_tables_are_tidy_and_worlds_are_paired(home):
     assert set(table.loc[table["society"] == "mixed", "share"].round(3)) == {0.333}
     # Until half-time nothing is known of the shock.
     course = pd.read_csv(made / "course.csv")
+    course = course[course["measure"] == "distance"]
     before = course[course["tick"] < TINY.half]
     assert before.groupby(["society", "tick"])["mean"].nunique().eq(1).all()
     fixed = course[(course["society"] == "fixed") & (course["tick"] >= TINY.half)]
@@ -206,18 +207,16 @@ def test_mixtures_beyond_both_kinds():
         for share in (0.0, 0.5, 1.0):
             for seed in range(8):
                 worse = 5.0 if share == 0.5 and condition == "turned" else 0.0
-                level = {name: rng.normal() / 10 for name in findings.OVER_SHARES}
+                level = {name: rng.normal() / 10 for name in tables.OVER_SHARES}
                 level["last_distance"] += worse
                 rows.append({"condition": condition, "share": share, "seed": seed, **level})
-    found = report.beyond_both(pd.DataFrame(rows))
+    found = tables.beyond_both(pd.DataFrame(rows))
     assert found["turned", "last_distance"] == [(0.5, 1)]
     assert found["undisturbed", "last_distance"] == []
     slopes = tables.slopes(pd.DataFrame(rows), ["last_distance"])
     assert (slopes["low"] < 0).all()
     assert (slopes["high"] > 0).all()
-    told = " ".join(
-        findings.mixture(tables.slopes(pd.DataFrame(rows), findings.OVER_SHARES), found)
-    )
+    told = " ".join(findings.mixture(tables.slopes(pd.DataFrame(rows), tables.OVER_SHARES), found))
     assert "a mixture with 4 of 9 programmed stays farther from the wanted split" in told
     assert "shows no trend" in told
 
@@ -241,13 +240,13 @@ def synthetic(programmed, learned, thesis=6.0):
                         "last_distance": level, "within": float(settles),
                         "settling_ticks": 4000.0 + seed if settles else math.inf,
                         "settled_after": 4000.0 + seed if settles else 60_000.0,
-                        "late_changes": level, "specialised": 1 - far / 10,
+                        "late_changes": level, "changes": level, "specialised": 1 - far / 10,
                         "agents_to_tasks": 1 - far / 7 if settles else 0.1,
                         "agents_to_tasks_by_chance": 0.1, "delivered": 600.0 - far,
                         "in_ratio": 500.0 - 10 * level,
                     }
                 )  # fmt: skip
-    frame = report.judged(pd.DataFrame(rows))
+    frame = tables.judged(pd.DataFrame(rows))
     measures = [*tables.MEASURED, "settled", "agents_to_tasks_by_chance", "beyond_chance"]
     return (
         tables.means(frame, ["society", "condition"], measures),
