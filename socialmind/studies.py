@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from enum import StrEnum
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +24,33 @@ STUDIES_FILE = "studies.py"
 
 Make = Callable[[Path], Sequence[Path]]
 """Makes a study in a folder, which it makes where it is missing, and returns the files written."""
+
+
+class Way(StrEnum):
+    """How a study that stands on trainings comes by them; its value is the command's option."""
+
+    FULL = ""
+    """It makes them, or goes on with them."""
+    QUICK = " --quick"
+    """It makes small ones."""
+    KEPT = " --kept"
+    """It takes those that are kept beside it."""
+
+    def said(self, name: str, topic: str) -> str:
+        """Return what its results say of how they were made.
+
+        Args:
+            name: of the study.
+            topic: the name of its topic.
+        """
+        command = f"by `socialmind reproduce {name}{self}`"
+        return {
+            Way.FULL: f"From training to result, {command}.",
+            Way.QUICK: f"A small version, {command}. It shows that all works, and says nothing "
+            "about how well anything learns.",
+            Way.KEPT: f"From the trainings kept in `analysis/{topic}/results`, scored anew, "
+            f"{command}.",
+        }[self]
 
 
 @dataclass(frozen=True)
@@ -42,6 +71,20 @@ class Study:
     make: Make
     quick: Make | None = None
     kept: Make | None = None
+
+    @classmethod
+    def of_trainings(
+        cls, name: str, about: str, make: Callable[[Way, Path], Sequence[Path]]
+    ) -> Study:
+        """Return a study that can be made in each way.
+
+        Args:
+            name: as `socialmind reproduce` takes it.
+            about: what it shows, in a line.
+            make: makes it in one of these ways, in a folder.
+        """
+        whole, quick, kept = (partial(make, way) for way in (Way.FULL, Way.QUICK, Way.KEPT))
+        return cls(name, about, whole, quick, kept)
 
 
 def topics() -> dict[str, Path]:

@@ -1,7 +1,8 @@
 """The trainings behind the tables and figures of chapter 6, each with the command that makes it.
 
-python -m analysis.collect.trainings hierarchy          # all its attempts, gone on with if begun
-python -m analysis.collect.trainings all
+python -m analysis.collect.trainings hierarchy          # or all; gone on with if begun
+python -m analysis.collect.trainings keep hierarchy     # what it came to, into results/trainings/
+python -m analysis.collect.trainings recheck hierarchy  # after an edit of the model's files
 
 They lie in `trainings/`, and begin with what `results/` holds of them.
 """
@@ -9,20 +10,20 @@ They lie in `trainings/`, and begin with what `results/` holds of them.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.errors import SocialmindError
-from socialmind.learning import Curriculum, Lesson, Training, learn, resume
+from socialmind.learning import Curriculum, Lesson, Training
+from socialmind.learning.plans import Plan, Plans, most_ticks
 from socialmind.mind import MindDescription
 
 from .controls import LESSONS, MONOLITH, AllAtOnce, hierarchy, monolith
 
-HOME = Path(__file__).parent / "trainings"
+TOPIC = Path(__file__).parent
 SEED = 6
 SIX = tuple(LESSONS.curriculum.items)
 """The lessons of the curriculum."""
@@ -36,40 +37,6 @@ LONG = 0.98
 """How steps narrow each generation in lessons of some hundreds of generations."""
 COMMON = 64
 """Worlds on which the base skills' curves are validated."""
-PACE = 2_000_000
-"""Ticks a second that two processors do at least, for a word on how long a training takes."""
-
-
-@dataclass(frozen=True)
-class Plan:
-    """A training: what learns what, how often.
-
-    Attributes:
-        about: what it is for.
-        attempts: how many.
-        mind: the mind to begin from.
-        curriculum: the lessons.
-        model: where they take place.
-    """
-
-    about: str
-    attempts: int
-    mind: Callable[[], MindDescription]
-    curriculum: Callable[[], Curriculum]
-    model: str = "collect"
-
-    @property
-    def seconds(self) -> float:
-        """How long all attempts take at most, at `PACE`."""
-        return self.attempts * sum(map(most_ticks, self.curriculum().lessons)) / PACE
-
-
-def most_ticks(lesson: Lesson) -> int:
-    """Return the ticks of a lesson whose episodes all last to the end."""
-    population = int(lesson.settings["population"])
-    generation = population * lesson.repetitions * lesson.episode_ticks
-    whole = lesson.generations * generation
-    return whole if lesson.budget is None else min(whole, lesson.budget + generation)
 
 
 # Lessons ----------------------------------------------------------------------------------------
@@ -132,7 +99,7 @@ def chosen() -> int:
 
 def kept_hierarchy() -> Training:
     """Return the attempts at the hierarchy that are kept."""
-    return Training(HOME.parent / "results" / "trainings" / "hierarchy")
+    return Training(TOPIC / "results" / "trainings" / "hierarchy")
 
 
 def base_skills() -> Curriculum:
@@ -174,168 +141,68 @@ def power_plan(variant: str, folder: str) -> Plan:
         partial(power_mind, variant, folder),
         lambda: Curriculum(power().lessons),
         "collect_power",
+        SEED,
     )
 
 
-PLANS: Mapping[str, Plan] = {
-    "hierarchy": Plan(
-        "the curriculum, then Avoid in context (6.1, 6.2)",
-        10,
-        hierarchy,
-        lambda: Curriculum((*SIX, CONTEXT)),
-    ),
-    "monolith": Plan(
-        "the curriculum for one network, then more of Collect (6.1)", 10, monolith, for_monolith
-    ),
-    "hierarchy_at_once": Plan(
-        "the hierarchy, final task only (6.1)",
-        5,
-        hierarchy,
-        lambda: at_once(
-            tuple(n for n, s in hierarchy().skills.items() if s.genome_size), "Collect"
-        ),
-    ),
-    "monolith_at_once": Plan(
-        "the monolith, final task only (6.1)", 5, monolith, lambda: at_once((MONOLITH,), MONOLITH)
-    ),
-    "in_context": Plan(
-        "more of the hierarchy in context, on one attempt of it (6.2)",
-        3,
-        lambda: kept_hierarchy().mind(chosen(), CONTEXT.name),
-        lambda: Curriculum(FURTHER),
-    ),
-    "longer_avoid": Plan(
-        "the curriculum with more ticks for Avoid (6.2)", 5, hierarchy, with_longer_avoid
-    ),
-    "base_skills": Plan(
-        "the base skills over 1,000 generations (figure 6.2)", 10, hierarchy, base_skills
-    ),
-    "power_encapsulated": power_plan("encapsulated", "collect_retrained"),
-    "power_retrained": power_plan("retrained", "collect_retrained"),
-    "power_encapsulated_original": power_plan("encapsulated", "collect"),
-    "power_retrained_original": power_plan("retrained", "collect"),
-}
+# Plans ------------------------------------------------------------------------------------------
 
 
-def small(
-    plan: Plan,
-    attempts: int = 2,
-    generations: int = 15,
-    population: int = 40,
-    repetitions: int = 3,
-    ticks: int | None = None,
+def plan(
+    about: str,
+    attempts: int,
+    mind: Callable[[], MindDescription],
+    curriculum: Callable[[], Curriculum],
 ) -> Plan:
-    """Return a plan of a minute or so: its results show that all works, and nothing else.
-
-    Args:
-        plan: the whole one.
-        attempts: how many.
-        generations: of each lesson, at most.
-        population: individuals of a generation.
-        repetitions: worlds of an individual.
-        ticks: of an episode at most; as many as in the whole plan by default.
-    """
-
-    def change(lesson: Lesson) -> Lesson:
-        return lesson.changed(
-            generations=min(lesson.generations, generations),
-            budget=None,
-            repetitions=repetitions,
-            ticks=lesson.ticks if ticks is None else min(lesson.episode_ticks, ticks),
-            finals=8,
-            validation=min(lesson.validation, 16),
-            settings={**lesson.settings, "population": population, "elite": 3},
-        )
-
-    return replace(
-        plan, attempts=attempts, curriculum=lambda: plan.curriculum().with_lessons(change)
-    )
+    """Return a training in the world of `collect`; the arguments are those of `Plan`."""
+    return Plan(about, attempts, mind, curriculum, "collect", SEED)
 
 
-# Training ---------------------------------------------------------------------------------------
-
-
-def train(name: str, folder: Path, plan: Plan | None = None, **options: Any) -> Path:
-    """Make a training, or go on with it.
-
-    Args:
-        name: of the plan.
-        folder: of the training.
-        plan: in place of the one of that name.
-        options: for `socialmind.learning.learn`.
-
-    Returns:
-        The training's folder.
-    """
-    plan = plan or plan_of(name)
-    if (folder / "manifest.json").is_file():
-        return resume(folder, attempts=plan.attempts, lessons=plan.curriculum(), **options)
-    return learn(
-        plan.model,
-        lessons=plan.curriculum(),
-        mind=plan.mind(),
-        attempts=plan.attempts,
-        seed=SEED,
-        out=folder,
-        **options,
-    )
-
-
-def made(plans: Mapping[str, Plan], out: Path, quick: bool) -> dict[str, Path]:
-    """Make trainings below a folder, or go on with them, and say what comes of each lesson.
-
-    Args:
-        plans: by name.
-        out: the folder.
-        quick: whether small ones will do.
-
-    Returns:
-        The trainings' folders by name.
-    """
-    home, folders = out / ("small_trainings" if quick else "trainings"), {}
-    for name, plan in plans.items():
-        one = small(plan) if quick else plan
-        print(f"{name}: {one.about}; {one.attempts} attempts", file=sys.stderr, flush=True)
-        folders[name] = train(name, home / name, one, on_lesson=told)
-    return folders
-
-
-def attempts_of(folders: Mapping[str, Path]) -> Iterator[tuple[str, int, MindDescription]]:
-    """Yield the name of each training, each of its attempts, and the mind at its end."""
-    for name, folder in folders.items():
-        training = Training(folder)
-        for attempt in sorted(training.lessons["attempt"].unique().tolist()):
-            yield name, attempt, training.mind(attempt)
-
-
-def plan_of(name: str) -> Plan:
-    """Return the plan of a name.
-
-    Raises:
-        SocialmindError: there is none.
-    """
-    if name not in PLANS:
-        raise SocialmindError(f"no training called {name!r}; expected one of {', '.join(PLANS)}")
-    return PLANS[name]
-
-
-def told(attempt: int, lesson: Lesson, result: Any) -> None:
-    """Say what came of a lesson."""
-    line = f"attempt {attempt}, {lesson.name}: {result.score:.4g} ± {result.deviation:.2g}"
-    print(line, file=sys.stderr, flush=True)
-
-
-def main(names: list[str]) -> None:
-    """Make trainings in `HOME`, or go on with them."""
-    from .results import take_out
-
-    for name in PLANS if names == ["all"] else names:
-        plan_of(name)
-        folder = HOME / name
-        if not folder.is_dir():
-            take_out(name, folder)
-        print(name, train(name, folder, on_lesson=told), flush=True)
+PLANS = Plans(
+    TOPIC,
+    {
+        "hierarchy": plan(
+            "the curriculum, then Avoid in context (6.1, 6.2)",
+            10,
+            hierarchy,
+            lambda: Curriculum((*SIX, CONTEXT)),
+        ),
+        "monolith": plan(
+            "the curriculum for one network, then more of Collect (6.1)", 10, monolith, for_monolith
+        ),
+        "hierarchy_at_once": plan(
+            "the hierarchy, final task only (6.1)",
+            5,
+            hierarchy,
+            lambda: at_once(
+                tuple(n for n, s in hierarchy().skills.items() if s.genome_size), "Collect"
+            ),
+        ),
+        "monolith_at_once": plan(
+            "the monolith, final task only (6.1)",
+            5,
+            monolith,
+            lambda: at_once((MONOLITH,), MONOLITH),
+        ),
+        "in_context": plan(
+            "more of the hierarchy in context, on one attempt of it (6.2)",
+            5,
+            lambda: kept_hierarchy().mind(chosen(), CONTEXT.name),
+            lambda: Curriculum(FURTHER),
+        ),
+        "longer_avoid": plan(
+            "the curriculum with more ticks for Avoid (6.2)", 5, hierarchy, with_longer_avoid
+        ),
+        "base_skills": plan(
+            "the base skills over 1,000 generations (figure 6.2)", 10, hierarchy, base_skills
+        ),
+        "power_encapsulated": power_plan("encapsulated", "collect_retrained"),
+        "power_retrained": power_plan("retrained", "collect_retrained"),
+        "power_encapsulated_original": power_plan("encapsulated", "collect"),
+        "power_retrained_original": power_plan("retrained", "collect"),
+    },
+)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    PLANS.main(sys.argv[1:])

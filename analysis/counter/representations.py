@@ -11,15 +11,20 @@ from matplotlib.lines import Line2D
 
 from socialmind.catalogue import load_file, load_model, model_folder
 from socialmind.experiments import paper, score
+from socialmind.learning.plans import attempts_of
 from socialmind.mind import MindDescription
-from socialmind.studies import write_figure
+from socialmind.studies import Way, write_figure
 
-from .trainings import COLLECT, PLANS, wanted_of
+from .trainings import PLANS, wanted_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from socialmind.learning import Training
+
 FIGURES = load_file(model_folder("counter") / "figures.py")
+SEED = 75
+"""Of the worlds that attempts are scored in."""
 MEASURES = ("correct_sequences", "sequences", "objects", "survived")
 STEPS = ("brings the first", "delivered it", "brings the second", "delivered it", "validated")
 WATCHED = 10
@@ -30,7 +35,7 @@ GOOD = 0.9
 Row = dict[str, Any]
 
 
-def row_of(name: str, attempt: int, mind: MindDescription, worlds: int, seed: int) -> Row:
+def row_of(name: str, attempt: int, mind: MindDescription, worlds: int) -> Row:
     """Return what an attempt comes to: its measures, and the variable's value in each step.
 
     Args:
@@ -38,12 +43,11 @@ def row_of(name: str, attempt: int, mind: MindDescription, worlds: int, seed: in
         attempt: its number.
         mind: what it learned.
         worlds: how many it is scored in.
-        seed: of these worlds.
     """
     model = load_model("counter")
     parameters = {"wanted": wanted_of(name)}
-    found = score(model, mind, episodes=worlds, seed=seed, parameters=parameters)
-    row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": seed}
+    found = score(model, mind, episodes=worlds, seed=SEED, parameters=parameters)
+    row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": SEED}
     row |= {key: round(found.intervals[key].mean, 4) for key in MEASURES}
     values: list[float] = []
     two = found.frame.sort_values("sequences", ascending=False, kind="stable")["world"]
@@ -60,26 +64,37 @@ def row_of(name: str, attempt: int, mind: MindDescription, worlds: int, seed: in
 
 
 def write_representations(
-    trainings: Mapping[str, Path], worlds: int, seed: int, out: Path
+    trainings: Mapping[str, tuple[Training | None, str]], way: Way, worlds: int, out: Path
 ) -> list[Path]:
     """Write a row for each attempt, a figure, and what they say.
 
     Args:
-        trainings: folders by plan.
+        trainings: by plan, each with a line on where it comes from; None where there is none.
+        way: in which they are come by.
         worlds: how many each attempt is scored in.
-        seed: of these worlds.
         out: the folder.
     """
-    rows = [row_of(*attempt, worlds, seed) for attempt in COLLECT.attempts_of(trainings)]
+    there = {name: one for name, (one, _) in trainings.items() if one is not None}
+    rows = [row_of(*attempt, worlds) for attempt in attempts_of(there)]
+    lines = [
+        "# Attempts at learning to count",
+        "",
+        f"{way.said('representations', 'counter')} Scored in {worlds} worlds that no training has "
+        f"seen (seed {SEED}), the same ones for all.",
+        "",
+        *(f"- {line}" for _, line in trainings.values()),
+        "",
+        *lines_of(rows),
+    ]
     written = write_figure("representations", draw(rows), rows, out)
     page = out / "representations.md"
-    page.write_text("\n".join(lines_of(rows)) + "\n", "utf-8")
+    page.write_text("\n".join(lines) + "\n", "utf-8")
     return [*written, page]
 
 
 def lines_of(rows: list[Row]) -> list[str]:
     """Return what the attempts come to, in words and a table."""
-    lines = ["# Attempts at learning to count", ""]
+    lines = []
     for name in dict.fromkeys(row["training"] for row in rows):
         own = [row for row in rows if row["training"] == name]
         shares = np.nan_to_num([row["correct_sequences"] for row in own])

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
-from socialmind.studies import Study
+from socialmind.studies import Study, Way
 
-SEED = 75
-"""Of the worlds that attempts are scored in."""
 WORLDS = 100
+QUICK_WORLDS = 10
 
 
 def steps(out: Path) -> list[Path]:
@@ -23,27 +21,23 @@ def steps(out: Path) -> list[Path]:
     return write_steps(out)
 
 
-def attempts(quick: bool, out: Path) -> list[Path]:
-    """Train all attempts, or go on with them, and say what their variables hold.
+def attempts(way: Way, out: Path) -> list[Path]:
+    """Say what the variables of all attempts hold, and how well they count.
 
     Args:
-        quick: whether small trainings will do.
-        out: the folder, in which trainings are made.
+        way: how their trainings are come by.
+        out: the folder.
     """
     from .representations import write_representations
-    from .trainings import COLLECT, PLANS
+    from .trainings import PLANS
 
-    return write_representations(
-        COLLECT.made(PLANS, out, quick), 10 if quick else WORLDS, SEED, out
-    )
+    trainings = {name: PLANS.training(name, way, out) for name in PLANS}
+    return write_representations(trainings, way, QUICK_WORLDS if way is Way.QUICK else WORLDS, out)
 
 
 studies = (
     Study("figure-7.5", "a robot that counts, step by step (7.5 and 7.6)", steps),
-    Study(
-        "representations",
-        "what the variables of several attempts at counting hold",
-        partial(attempts, False),
-        quick=partial(attempts, True),
+    Study.of_trainings(
+        "representations", "what the variables of several attempts at counting hold", attempts
     ),
 )

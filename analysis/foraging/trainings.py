@@ -1,10 +1,10 @@
 """The trainings behind the comparison of foraging robots, each with the command that makes it.
 
-python -m analysis.foraging.trainings foraging          # all its attempts, gone on with if begun
-python -m analysis.foraging.trainings all
+python -m analysis.foraging.trainings foraging        # or all; gone on with if begun
+python -m analysis.foraging.trainings keep foraging   # what it came to, into results/trainings/
+python -m analysis.foraging.trainings ship            # the best attempt's mind into the model
 
-They lie in `trainings/`, and begin with what `results/` holds of them. `keep` puts what they came
-to into `results/`, and `ship` the best attempt's mind into the model.
+They lie in `trainings/`, and begin with what `results/` holds of them.
 """
 
 from __future__ import annotations
@@ -14,21 +14,15 @@ import sys
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Lesson, Training
+from socialmind.learning.plans import Plan, Plans
 from socialmind.mind import MindDescription
 
-COLLECT = Path(__file__).parents[1] / "collect"
-MAKING = load_file(COLLECT / "trainings.py")
-KEEPING = load_file(COLLECT / "results.py")
 LESSONS = load_file(model_folder("foraging") / "lessons.py")
 MINDS = load_file(model_folder("foraging") / "minds.py")
-HOME = Path(__file__).parent / "trainings"
-KEPT = Path(__file__).parent / "results" / "trainings"
-SEED = MAKING.SEED
+SEED = 6
 ATTEMPTS = 3
 SMALL = {"attempts": 1, "generations": 3, "population": 20, "repetitions": 2, "ticks": 2000}
 """Of a small training: with four robots in a large arena a tick takes ten times as long as one of
@@ -74,32 +68,21 @@ def walker() -> MindDescription:
     return mind
 
 
-def plan(about: str, change: Change, mind: Callable[[], MindDescription] = MINDS.forager) -> Any:
+def plan(about: str, change: Change, mind: Callable[[], MindDescription] = MINDS.forager) -> Plan:
     """Return a training of all lessons, changed."""
-    return MAKING.Plan(about, ATTEMPTS, mind, lambda: curriculum(change), "foraging")
+    return Plan(about, ATTEMPTS, mind, lambda: curriculum(change), "foraging", SEED)
 
 
-PLANS: Mapping[str, Any] = {
-    SHIPPED: plan("all lessons, with signals and in sight of each other", same),
-    "deaf": plan("all lessons without signals", without(DEAF)),
-    "blind": plan("all lessons without seeing each other", without(BLIND)),
-    "random": plan("all lessons with a random walk in place of Search", at_random, walker),
-}
-
-
-def make(name: str, folder: Path, quick: bool = False) -> Training:
-    """Make a training, or go on with it.
-
-    Args:
-        name: of the plan.
-        folder: of the training.
-        quick: whether it is a small one.
-    """
-    planned = PLANS[name]
-    if quick:
-        planned = MAKING.small(planned, **SMALL)
-    MAKING.train(name, folder, planned, on_lesson=MAKING.told)
-    return Training(folder)
+PLANS = Plans(
+    Path(__file__).parent,
+    {
+        SHIPPED: plan("all lessons, with signals and in sight of each other", same),
+        "deaf": plan("all lessons without signals", without(DEAF)),
+        "blind": plan("all lessons without seeing each other", without(BLIND)),
+        "random": plan("all lessons with a random walk in place of Search", at_random, walker),
+    },
+    SMALL,
+)
 
 
 def best_of(training: Training) -> int:
@@ -110,41 +93,17 @@ def best_of(training: Training) -> int:
     return int(finished["attempt"].iloc[0])
 
 
-def keep(name: str) -> Path:
-    """Keep what a training came to, small enough for the repository."""
-    kept: Path = KEEPING.keep(HOME / name, KEPT)
-    return kept
-
-
 def ship(name: str = SHIPPED) -> Path:
     """Give the model the mind of the best attempt."""
-    training = Training(HOME / name)
+    training = Training(PLANS.home / name)
     target = model_folder("foraging") / "mind"
     shutil.rmtree(target, ignore_errors=True)
     training.mind(best_of(training)).save(target)
     return target
 
 
-def main(arguments: list[str]) -> None:
-    """Make trainings, keep them, or ship the mind of one."""
-    if arguments[:1] == ["ship"]:
-        print(ship(*arguments[1:2]), flush=True)
-        return
-    keeps = arguments[:1] == ["keep"]
-    names = arguments[1:] if keeps else arguments
-    for name in PLANS if names == ["all"] else names:
-        if name not in PLANS:
-            raise SocialmindError(
-                f"no training called {name!r}; expected one of {', '.join(PLANS)}"
-            )
-        if keeps:
-            print(keep(name), flush=True)
-            continue
-        folder = HOME / name
-        if not folder.is_dir():
-            KEEPING.take_out(name, folder, KEPT)
-        print(name, make(name, folder).folder, flush=True)
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    if sys.argv[1:2] == ["ship"]:
+        print(ship(*sys.argv[2:3]), flush=True)
+    else:
+        PLANS.main(sys.argv[1:])

@@ -10,13 +10,19 @@ import numpy as np
 
 from socialmind.catalogue import load_model
 from socialmind.experiments import paper, score
-from socialmind.studies import write_figure
+from socialmind.learning.plans import attempts_of
+from socialmind.mind import MindDescription
+from socialmind.studies import Way, write_figure
 
-from .trainings import COLLECT, FUNCTIONS, known
+from .trainings import FUNCTIONS, known
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from socialmind.learning import Training
+
+SEED = 73
+"""Of the worlds that attempts are scored in."""
 MEASURES = ("path_ratio", "path", "objects", "survived")
 MARK = 1.3
 """How much longer than those of the plain hierarchy ways may be."""
@@ -25,34 +31,54 @@ Row = dict[str, Any]
 
 
 def write_comparison(
-    trainings: Mapping[str, Path], worlds: int, seed: int, out: Path
+    trainings: Mapping[str, tuple[Training | None, str]], way: Way, worlds: int, out: Path
 ) -> list[Path]:
     """Write a row for each attempt, a figure, and what they say.
 
     Args:
-        trainings: folders by plan.
+        trainings: by plan, each with a line on where it comes from; None where there is none.
+        way: in which they are come by.
         worlds: how many each attempt is scored in.
-        seed: of these worlds.
         out: the folder.
     """
-    rows: list[Row] = []
-    model = load_model("target_variable")
-    for name, attempt, mind in COLLECT.attempts_of(trainings):
-        found = score(model, mind, episodes=worlds, seed=seed)
-        row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": seed}
-        row |= {key: round(found.intervals[key].mean, 4) for key in MEASURES}
-        row["path_ratio_low"] = round(found.intervals["path_ratio"].low, 4)
-        row["path_ratio_high"] = round(found.intervals["path_ratio"].high, 4)
-        rows.append(row)
+    there = {name: one for name, (one, _) in trainings.items() if one is not None}
+    rows = [row_of(*attempt, worlds) for attempt in attempts_of(there)]
+    lines = [
+        "# Functions of CollectVariable",
+        "",
+        f"{way.said('target-functions', 'target_variable')} Scored in {worlds} worlds that no "
+        f"training has seen (seed {SEED}), the same ones for all.",
+        "",
+        *(f"- {line}" for _, line in trainings.values()),
+        "",
+        *lines_of(rows),
+    ]
     written = write_figure("target-functions", draw(rows), rows, out)
     page = out / "target-functions.md"
-    page.write_text("\n".join(lines_of(rows)) + "\n", "utf-8")
+    page.write_text("\n".join(lines) + "\n", "utf-8")
     return [*written, page]
+
+
+def row_of(name: str, attempt: int, mind: MindDescription, worlds: int) -> Row:
+    """Return what an attempt comes to.
+
+    Args:
+        name: of the training.
+        attempt: its number.
+        mind: what it learned.
+        worlds: how many it is scored in.
+    """
+    found = score(load_model("target_variable"), mind, episodes=worlds, seed=SEED)
+    row: Row = {"training": name, "attempt": attempt, "worlds": worlds, "seed": SEED}
+    row |= {key: round(found.intervals[key].mean, 4) for key in MEASURES}
+    row["path_ratio_low"] = round(found.intervals["path_ratio"].low, 4)
+    row["path_ratio_high"] = round(found.intervals["path_ratio"].high, 4)
+    return row
 
 
 def lines_of(rows: list[Row]) -> list[str]:
     """Return what the attempts come to, in words and a table."""
-    lines = ["# Functions of CollectVariable", ""]
+    lines = []
     for name in dict.fromkeys(row["training"] for row in rows):
         own = np.array([row["path_ratio"] for row in rows if row["training"] == name], float)
         objects = np.array([row["objects"] for row in rows if row["training"] == name])

@@ -5,11 +5,10 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
-from socialmind.studies import Study
+from socialmind.studies import Study, Way
 
-SEED = 73
-"""Of the worlds that attempts are scored in."""
 WORLDS = 100
+QUICK_WORLDS = 10
 
 
 def trajectory(name: str, number: int, out: Path) -> list[Path]:
@@ -25,26 +24,24 @@ def trajectory(name: str, number: int, out: Path) -> list[Path]:
     return write_trajectory(name, number, out)
 
 
-def functions(quick: bool, out: Path) -> list[Path]:
-    """Train CollectVariable with each function, or go on with it, and measure the ways.
+def functions(way: Way, out: Path) -> list[Path]:
+    """Measure the ways that CollectVariable learned to go with each function.
 
     Args:
-        quick: whether small trainings will do.
-        out: the folder, in which trainings are made.
+        way: how its trainings are come by.
+        out: the folder.
     """
     from .comparison import write_comparison
-    from .trainings import COLLECT, PLANS
+    from .trainings import PLANS
 
-    return write_comparison(COLLECT.made(PLANS, out, quick), 10 if quick else WORLDS, SEED, out)
+    trainings = {name: PLANS.training(name, way, out) for name in PLANS}
+    return write_comparison(trainings, way, QUICK_WORLDS if way is Way.QUICK else WORLDS, out)
 
 
 studies = (
     Study("figure-7.2", "one target variable, one object", partial(trajectory, "figure-7.2", 1)),
     Study("figure-7.3", "one target variable, three objects", partial(trajectory, "figure-7.3", 3)),
-    Study(
-        "target-functions",
-        "functions that choose what a target variable holds",
-        partial(functions, False),
-        quick=partial(functions, True),
+    Study.of_trainings(
+        "target-functions", "functions that choose what a target variable holds", functions
     ),
 )

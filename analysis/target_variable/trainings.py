@@ -1,10 +1,11 @@
 """Functions of CollectVariable compared: what lets one of two signals through, and what does not.
 
-python -m analysis.target_variable.trainings selecting          # gone on with if begun
-python -m analysis.target_variable.trainings all
+python -m analysis.target_variable.trainings selecting        # or all; gone on with if begun
+python -m analysis.target_variable.trainings keep selecting   # into results/trainings/
 
-They lie in `trainings/`. The skills below CollectVariable are those of the model's trained mind, so
-that the comparison is about CollectVariable alone.
+They lie in `trainings/`, and begin with what `results/` holds of them. The skills below
+CollectVariable are those of the model's trained mind, so that the comparison is about
+CollectVariable alone.
 """
 
 from __future__ import annotations
@@ -16,12 +17,12 @@ from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
 from socialmind.learning import Curriculum
+from socialmind.learning.plans import Plan, Plans
 from socialmind.mind import InfluenceNetwork, InternalFunction, MindDescription, Perceptron
 
-COLLECT = load_file(Path(__file__).parents[1] / "collect" / "trainings.py")
 FOLDER = model_folder("target_variable")
 LESSONS = load_file(FOLDER / "lessons.py")
-HOME = Path(__file__).parent / "trainings"
+SEED = 6
 ATTEMPTS = 5
 FUNCTIONS: Mapping[str, tuple[str, InternalFunction]] = {
     "selecting": ("the influence network of the model", LESSONS.SELECTING),
@@ -48,18 +49,14 @@ def curriculum() -> Curriculum:
     return Curriculum((lesson.changed(generations=40),))
 
 
-PLANS: Mapping[str, COLLECT.Plan] = {
-    name: COLLECT.Plan(about, ATTEMPTS, partial(known, function), curriculum, "target_variable")
-    for name, (about, function) in FUNCTIONS.items()
-}
-
-
-def main(names: list[str]) -> None:
-    """Make trainings in `HOME`, or go on with them."""
-    for name in PLANS if names == ["all"] else names:
-        folder = HOME / name
-        print(name, COLLECT.train(name, folder, PLANS[name], on_lesson=COLLECT.told), flush=True)
+PLANS = Plans(
+    Path(__file__).parent,
+    {
+        name: Plan(about, ATTEMPTS, partial(known, function), curriculum, "target_variable", SEED)
+        for name, (about, function) in FUNCTIONS.items()
+    },
+)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    PLANS.main(sys.argv[1:])

@@ -51,6 +51,14 @@ class Training:
         return [one for one in numbers if (self._capsule.attempt(one) / CHECKPOINT).is_file()]
 
     @property
+    def finished(self) -> list[int]:
+        """The numbers of the attempts that have been through all their lessons."""
+        records = {
+            one: archive.load(self._capsule.attempt(one) / CHECKPOINT)[0] for one in self.attempts
+        }
+        return [one for one, record in records.items() if record["position"] is None]
+
+    @property
     def curve(self) -> pd.DataFrame:
         """One row a generation.
 

@@ -12,8 +12,8 @@ import pandas as pd
 import pytest
 
 from socialmind.catalogue import load_file
-from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Training
+from socialmind.learning.plans import Plans, most_ticks
 
 COLLECT = Path(__file__).parents[2] / "analysis" / "collect"
 trainings = load_file(COLLECT / "trainings.py")
@@ -54,8 +54,8 @@ def test_every_plan_teaches_what_its_mind_has(name):
     for lesson in curriculum.lessons:
         assert set(lesson.skills) <= set(mind.below(lesson.master))
     main = name in ("hierarchy", "monolith", "base_skills")
-    assert plan.attempts == (10 if main else 3 if name == "in_context" else 5)
-    small = trainings.small(plan)
+    assert plan.attempts == (10 if main else 5)
+    small = plan.small()
     assert small.attempts == 2
     assert small.seconds < 40
     assert [one.name for one in small.curriculum().lessons] == [
@@ -66,7 +66,7 @@ def test_every_plan_teaches_what_its_mind_has(name):
 def test_structures_that_are_compared_learn_for_as_many_ticks():
     def budget(name, *left_out):
         lessons = trainings.PLANS[name].curriculum().lessons
-        return {one.name: trainings.most_ticks(one) for one in lessons if one.name not in left_out}
+        return {one.name: most_ticks(one) for one in lessons if one.name not in left_out}
 
     hierarchy, monolith = budget("hierarchy"), budget("monolith")
     context = hierarchy.pop(trainings.CONTEXT.name)
@@ -87,11 +87,6 @@ def test_either_way_of_power_management_keeps_what_was_learned_but_the_old_maste
             genome = known.skills[name].genome
             assert genome is None or (mind.skills[name].genome == genome).all()
         assert mind.below("CollectPower")
-
-
-def test_an_unknown_training_is_refused():
-    with pytest.raises(SocialmindError, match="no training called 'x'; expected one of hierarchy"):
-        trainings.plan_of("x")
 
 
 # Standings -------------------------------------------------------------------------------------
@@ -265,7 +260,8 @@ def test_a_study_goes_from_training_to_table(tmp_path, monkeypatch):
     block = near["tables"].Block(near["tables"].ENDS, ("objects",), (structure,))
     table = near["tables"].Table("table-6.1", "one row", (block,))
     monkeypatch.setattr(near["tables"], "TABLES", (table,))
-    monkeypatch.setattr(near["trainings"], "PLANS", {"monolith_at_once": plan})
+    plans = Plans(tmp_path, {"monolith_at_once": plan})
+    monkeypatch.setattr(near["trainings"], "PLANS", plans)
     monkeypatch.setattr(near["standings"], "WORLDS", 2)
     (study,) = (one for one in studies.studies if one.name == "table-6.1")
     text, numbers, attempts = study.make(tmp_path)

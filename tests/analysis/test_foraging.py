@@ -8,7 +8,7 @@ import pandas as pd
 import pytest
 
 from socialmind.catalogue import load_file
-from socialmind.errors import SocialmindError
+from socialmind.learning.plans import most_ticks
 from socialmind.studies import studies_in
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging"
@@ -29,11 +29,11 @@ def test_its_studies_are_found():
 
 
 def test_a_small_training_has_short_episodes_and_few_of_them():
-    plan = TRAININGS.MAKING.small(TRAININGS.PLANS["foraging"], **TRAININGS.SMALL)
+    plan = TRAININGS.PLANS["foraging"].small(**TRAININGS.PLANS.small)
     taught = plan.curriculum().lessons
     assert [one.name for one in taught] == list(lessons("foraging"))
     assert all(one.episode_ticks <= 2000 for one in taught)
-    assert sum(map(TRAININGS.MAKING.most_ticks, taught)) < 2_000_000
+    assert sum(map(most_ticks, taught)) < 2_000_000
 
 
 @pytest.mark.parametrize(("name", "parameter"), [("deaf", "hearing"), ("blind", "company")])
@@ -54,11 +54,6 @@ def test_who_walks_at_random_learns_all_but_search():
     mind = TRAININGS.PLANS["random"].mind()
     assert mind.skills["Search"].genome_size == 0
     assert [str(one) for one in mind.skills["Search"].inputs] == ["SE:NOISE"]
-
-
-def test_an_unknown_training_is_told():
-    with pytest.raises(SocialmindError, match="no training called 'dumb'; expected one of foragi"):
-        TRAININGS.main(["dumb"])
 
 
 class Finished:

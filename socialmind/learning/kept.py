@@ -1,36 +1,34 @@
-"""Keeping what trainings came to, small enough for the repository, and going on from it.
+"""Keeping what trainings came to, small enough for a repository, and going on from it.
 
-python -m analysis.collect.results analysis/collect/trainings/hierarchy …
-
-puts the finished lessons of all attempts into `results/trainings/`, again and again as they come
-in. What is kept is a training's folder of its own, which `Training` reads and `resume` goes on
-with: only the generations of lessons that were in hand are not in it, and what can be made anew.
+What is kept is a training's folder of its own, which `Training` reads and `resume` goes on with:
+only the generations of lessons that were in hand are not in it, and what can be made anew. It may
+be kept again and again while the training is going on.
 """
 
 from __future__ import annotations
 
 import json
 import shutil
-import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from socialmind.catalogue import model_folder, source_hash
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import FINISHED, INTERRUPTED, MANIFEST, replace_file
-from socialmind.learning import Training, archive
+from socialmind.learning import archive
 from socialmind.learning.attempt import CHECKPOINT, result_file
 from socialmind.learning.ground import files_of
+from socialmind.learning.result import Training
 from socialmind.learning.training_capsule import TrainingManifest
 
-from .trainings import SEED, Plan
+if TYPE_CHECKING:
+    from socialmind.learning.plans import Plan
 
-RESULTS = Path(__file__).parent / "results"
-KEPT = RESULTS / "trainings"
+LESSONS, SOURCE = "the lessons", "the model's source"
 
 
-def keep(folder: Path, home: Path = KEPT) -> Path:
+def keep(folder: Path, home: Path) -> Path:
     """Keep the finished lessons of a training; it may still be going on.
 
     Args:
@@ -117,15 +115,19 @@ def identity(manifest: TrainingManifest) -> dict[str, Any]:
     }
 
 
-def take_out(name: str, folder: Path, home: Path = KEPT) -> bool:
+def take_out(kept: Path, folder: Path) -> bool:
     """Copy a kept training to where it can be gone on with.
+
+    Args:
+        kept: where it is kept.
+        folder: the one to make.
 
     Returns:
         Whether it is kept at all.
     """
-    if not (home / name / MANIFEST).is_file():
+    if not (kept / MANIFEST).is_file():
         return False
-    shutil.copytree(home / name, folder)
+    shutil.copytree(kept, folder)
     return True
 
 
@@ -139,15 +141,9 @@ def differences(training: Training, plan: Plan) -> list[str]:
         if path.is_file()
     }
     same = {
-        "the model's source": manifest.model["source_sha256"]
-        == source_hash(model_folder(plan.model)),
-        "the lessons": manifest.lessons == lessons,
+        SOURCE: manifest.model["source_sha256"] == source_hash(model_folder(plan.model)),
+        LESSONS: manifest.lessons == lessons,
         "the mind to begin from": mind == files_of(plan.mind()),
-        "the seed": manifest.seed == SEED,
+        "the seed": manifest.seed == plan.seed,
     }
     return [what for what, agrees in same.items() if not agrees]
-
-
-if __name__ == "__main__":
-    for one in sys.argv[1:]:
-        print(keep(Path(one)), flush=True)

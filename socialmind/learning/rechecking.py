@@ -1,7 +1,5 @@
 """Whether kept trainings are still those of today's model, after its files were edited.
 
-python -m analysis.collect.recheck hierarchy
-
 `resume` goes on with a training only if its model's files are the very ones it was begun with,
 comments included. Here the winners of all kept lessons are judged once more in the worlds of their
 finals: if each comes to the same score, to the last bit, the edit changed nothing that learning
@@ -10,35 +8,35 @@ sees, and the kept training takes the hash of today's files.
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from socialmind.catalogue import model_folder, source_hash
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import MANIFEST, replace_file
-from socialmind.learning import Lesson, Training, archive
+from socialmind.learning import archive
 from socialmind.learning.attempt import result_file
 from socialmind.learning.finalists import individual_of
+from socialmind.learning.kept import LESSONS, differences
 from socialmind.learning.keys import FINAL, seeds_for
+from socialmind.learning.lesson import Lesson
+from socialmind.learning.result import Training
 from socialmind.learning.teaching import ground_of
 from socialmind.mind import MindDescription
 
-from .results import KEPT, differences
-from .trainings import Plan, plan_of
-
-LESSONS, SOURCE = "the lessons", "the model's source"
+if TYPE_CHECKING:
+    from socialmind.learning.plans import Plan
 
 
-def recheck(name: str, plan: Plan, home: Path = KEPT) -> int:
+def recheck(kept: Path, plan: Plan) -> int:
     """Judge a kept training's winners again, and take today's model for its own if all agree.
 
     Args:
-        name: of the plan.
-        plan: the plan.
-        home: where trainings are kept.
+        kept: its folder.
+        plan: what it was made by.
 
     Returns:
         How many lessons were judged.
@@ -46,7 +44,7 @@ def recheck(name: str, plan: Plan, home: Path = KEPT) -> int:
     Raises:
         SocialmindError: the lessons are others, or a winner comes to another score.
     """
-    training = Training(home / name)
+    training = Training(kept)
     if LESSONS in differences(training, plan):
         raise SocialmindError(f"{training.folder}: of other lessons than the plan has; train anew")
     judged = 0
@@ -89,9 +87,3 @@ def _finals(
     episodes = ground_of(lesson, mind, training.manifest.engine).episodes()
     worlds = seeds_for(lesson.finals, FINAL, *key, lesson.name, 1)
     return float(episodes.run(genome[None], worlds).score.mean(axis=1)[0])
-
-
-if __name__ == "__main__":
-    for one in sys.argv[1:]:
-        count = recheck(one, plan_of(one))
-        print(f"{one}: {count} lessons come to the same scores", flush=True)
