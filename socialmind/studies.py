@@ -227,3 +227,24 @@ def write_figure(
         writer.writeheader()
         writer.writerows(table)
     return [*written, path]
+
+
+def write_page(name: str, title: str, told: Sequence[str], lines: Sequence[str], out: Path) -> Path:
+    """Write what a study found as a page of Markdown.
+
+    Args:
+        name: of the file.
+        title: its heading.
+        told: how it was made, and then where each of its trainings comes from.
+        lines: what was found.
+        out: the folder, made where it is missing.
+
+    Returns:
+        The file.
+    """
+    out.mkdir(parents=True, exist_ok=True)
+    made, *sources = told
+    text = [f"# {title}", "", made, "", *(f"- {line}" for line in sources), "", *lines]
+    path = out / f"{name}.md"
+    path.write_text("\n".join(text) + "\n", "utf-8")
+    return path

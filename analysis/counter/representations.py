@@ -13,7 +13,7 @@ from socialmind.catalogue import load_file, load_model, model_folder
 from socialmind.experiments import paper, score
 from socialmind.learning.plans import attempts_of
 from socialmind.mind import MindDescription
-from socialmind.studies import Way, write_figure
+from socialmind.studies import Way, write_figure, write_page
 
 from .trainings import PLANS, wanted_of
 
@@ -69,27 +69,20 @@ def write_representations(
     """Write a row for each attempt, a figure, and what they say.
 
     Args:
-        trainings: by plan, each with a line on where it comes from; None where there is none.
+        trainings: by plan, each with a line on where it comes from.
         way: in which they are come by.
         worlds: how many each attempt is scored in.
         out: the folder.
     """
-    there = {name: one for name, (one, _) in trainings.items() if one is not None}
-    rows = [row_of(*attempt, worlds) for attempt in attempts_of(there)]
-    lines = [
-        "# Attempts at learning to count",
-        "",
+    attempts = attempts_of({name: training for name, (training, _) in trainings.items()})
+    rows = [row_of(*attempt, worlds) for attempt in attempts]
+    made = (
         f"{way.said('representations', 'counter')} Scored in {worlds} worlds that no training has "
-        f"seen (seed {SEED}), the same ones for all.",
-        "",
-        *(f"- {line}" for _, line in trainings.values()),
-        "",
-        *lines_of(rows),
-    ]
-    written = write_figure("representations", draw(rows), rows, out)
-    page = out / "representations.md"
-    page.write_text("\n".join(lines) + "\n", "utf-8")
-    return [*written, page]
+        f"seen (seed {SEED}), the same ones for all."
+    )
+    told = [made, *(line for _, line in trainings.values())]
+    page = write_page("representations", "Attempts at learning to count", told, lines_of(rows), out)
+    return [*write_figure("representations", draw(rows), rows, out), page]
 
 
 def lines_of(rows: list[Row]) -> list[str]:

@@ -2,6 +2,7 @@
 
 python -m analysis.counter.trainings counter        # or all; gone on with if begun
 python -m analysis.counter.trainings keep counter   # what it came to, into results/trainings/
+python -m analysis.counter.trainings ship           # the minds that count best, into the model
 
 They lie in `trainings/`, and begin with what `results/` holds of them; `socialmind reproduce
 representations` makes its own.
@@ -9,18 +10,23 @@ representations` makes its own.
 
 from __future__ import annotations
 
+import shutil
 import sys
 from functools import partial
 from pathlib import Path
 
+import pandas as pd
+
 from socialmind.catalogue import load_file, model_folder
-from socialmind.learning import Curriculum
+from socialmind.learning import Curriculum, Training
 from socialmind.learning.plans import Plan, Plans
 from socialmind.mind import Perceptron, Simple
 
 LESSONS = load_file(model_folder("counter") / "lessons.py")
 SEED = 6
 ATTEMPTS = 10
+SHIPPED = {"counter": "mind", "wanted": "mind_wanted"}
+"""The trainings that the model has minds of, and their folders in it."""
 
 
 def plan(about, wanted=2, **options):
@@ -65,5 +71,25 @@ def wanted_of(name: str) -> int:
     return int(lesson.parameters["wanted"])
 
 
+def ship() -> list[Path]:
+    """Give the model the minds of the attempts that `results/representations.csv` has as best.
+
+    Returns:
+        Their folders.
+    """
+    found = pd.read_csv(PLANS.topic / "results" / "representations.csv")
+    targets = []
+    for name, mind in SHIPPED.items():
+        best = found[found["training"] == name].nlargest(1, "correct_sequences")
+        target = model_folder("counter") / mind
+        shutil.rmtree(target, ignore_errors=True)
+        Training(PLANS.kept / name).mind(int(best["attempt"].iloc[0])).save(target)
+        targets.append(target)
+    return targets
+
+
 if __name__ == "__main__":
-    PLANS.main(sys.argv[1:])
+    if sys.argv[1:] == ["ship"]:
+        print(*ship(), sep="\n")
+    else:
+        PLANS.main(sys.argv[1:])

@@ -95,7 +95,7 @@ def best_of(training: Training) -> int:
 
 def ship(name: str = SHIPPED) -> Path:
     """Give the model the mind of the best attempt."""
-    training = Training(PLANS.home / name)
+    training = Training(PLANS.kept / name)
     target = model_folder("foraging") / "mind"
     shutil.rmtree(target, ignore_errors=True)
     training.mind(best_of(training)).save(target)

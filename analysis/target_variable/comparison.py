@@ -12,7 +12,7 @@ from socialmind.catalogue import load_model
 from socialmind.experiments import paper, score
 from socialmind.learning.plans import attempts_of
 from socialmind.mind import MindDescription
-from socialmind.studies import Way, write_figure
+from socialmind.studies import Way, write_figure, write_page
 
 from .trainings import FUNCTIONS, known
 
@@ -36,27 +36,20 @@ def write_comparison(
     """Write a row for each attempt, a figure, and what they say.
 
     Args:
-        trainings: by plan, each with a line on where it comes from; None where there is none.
+        trainings: by plan, each with a line on where it comes from.
         way: in which they are come by.
         worlds: how many each attempt is scored in.
         out: the folder.
     """
-    there = {name: one for name, (one, _) in trainings.items() if one is not None}
-    rows = [row_of(*attempt, worlds) for attempt in attempts_of(there)]
-    lines = [
-        "# Functions of CollectVariable",
-        "",
-        f"{way.said('target-functions', 'target_variable')} Scored in {worlds} worlds that no "
-        f"training has seen (seed {SEED}), the same ones for all.",
-        "",
-        *(f"- {line}" for _, line in trainings.values()),
-        "",
-        *lines_of(rows),
-    ]
-    written = write_figure("target-functions", draw(rows), rows, out)
-    page = out / "target-functions.md"
-    page.write_text("\n".join(lines) + "\n", "utf-8")
-    return [*written, page]
+    attempts = attempts_of({name: training for name, (training, _) in trainings.items()})
+    rows = [row_of(*attempt, worlds) for attempt in attempts]
+    made = (
+        f"{way.said('target-functions', 'target_variable')} Scored in {worlds} worlds that "
+        f"no training has seen (seed {SEED}), the same ones for all."
+    )
+    told = [made, *(line for _, line in trainings.values())]
+    page = write_page("target-functions", "Functions of CollectVariable", told, lines_of(rows), out)
+    return [*write_figure("target-functions", draw(rows), rows, out), page]
 
 
 def row_of(name: str, attempt: int, mind: MindDescription, worlds: int) -> Row:

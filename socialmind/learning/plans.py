@@ -236,9 +236,17 @@ class Plans(Mapping[str, Plan]):
                 print(name, self.made(name).folder, flush=True)
 
 
-def attempts_of(trainings: Mapping[str, Training]) -> Iterator[tuple[str, int, MindDescription]]:
-    """Yield the name of each training, each attempt that is finished, and the mind at its end."""
+def attempts_of(
+    trainings: Mapping[str, Training | None],
+) -> Iterator[tuple[str, int, MindDescription]]:
+    """Yield the name of each training, each attempt that is finished, and the mind at its end.
+
+    Args:
+        trainings: by name; None where there is none.
+    """
     for name, training in trainings.items():
+        if training is None:
+            continue
         for attempt in training.finished:
             yield name, attempt, training.mind(attempt)
 

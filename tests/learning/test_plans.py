@@ -103,7 +103,7 @@ def test_attempts_that_are_not_finished_are_left_out(whole, tmp_path, tiny_plans
     stopped = Training(tmp_path / "tiny")
     assert stopped.attempts == [1, 2]
     assert stopped.finished == [1]
-    found = attempts_of({"whole": Training(whole), "stopped": stopped})
+    found = attempts_of({"whole": Training(whole), "none": None, "stopped": stopped})
     assert [(name, attempt) for name, attempt, _ in found] == [
         ("whole", 1), ("whole", 2), ("stopped", 1),
     ]  # fmt: skip
