@@ -12,8 +12,10 @@ import types
 import typing
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from socialmind.errors import ModelError
 
@@ -186,3 +188,14 @@ def place_of_field(cls: type, name: str) -> tuple[str | None, int | None]:
                 return str(Path(file)) if file else None, start + offset
         return str(Path(file)) if file else None, start
     return None, None
+
+
+def set_default(rows: NDArray[Any], field: Field) -> None:
+    """Give a field of all rows its default."""
+    if field.size is not None:
+        rows[field.name] = np.array(field.default)
+    elif field.optional:
+        rows[field.name] = 0 if field.default is None else field.default
+        rows[presence(field.name)] = field.default is not None
+    else:
+        rows[field.name] = field.default

@@ -11,7 +11,8 @@ from typing import Any, ClassVar
 import mesa
 
 from socialmind.errors import ModelError
-from socialmind.population import Agent, Population, Table
+from socialmind.population import Agent, Population
+from socialmind.table import Table
 
 
 class SocietyAgent(mesa.Agent):

@@ -11,7 +11,7 @@ from mesa import discrete_space
 from numpy.typing import NDArray
 
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.population import Table
+from socialmind.table import Table
 from socialmind.worlds.grid import Grid
 
 MAX_CELLS = 1_000_000

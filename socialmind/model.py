@@ -37,9 +37,10 @@ from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.model_state import restore, state_of
 from socialmind.parameter import Parameter
-from socialmind.population import Population, Table
+from socialmind.population import Population
 from socialmind.schedule import PhaseDeclaration, taken
 from socialmind.streams import STREAM
+from socialmind.table import Table
 from socialmind.worlds.grid import Grid, Torus
 from socialmind.worlds.plane.plane import Plane, plane_shape
 from socialmind.worlds.plane.trajectories import trajectories

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.fields import Field, class_fields, place_of_field
+from socialmind.fields import Field, class_fields, place_of_field, set_default
 from socialmind.language.layout import row_dtype
-from socialmind.population import set_default
 from socialmind.rows import PatchRow, patch_class
 from socialmind.worlds.torus import COMMANDS, patch_index, patches_in_radius
 

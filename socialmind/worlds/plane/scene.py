@@ -19,7 +19,7 @@ from socialmind.worlds.plane.sensors import RangeFinder
 if TYPE_CHECKING:
     from socialmind.arena import Arena
     from socialmind.model import Model
-    from socialmind.population import Table
+    from socialmind.table import Table
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
