@@ -205,10 +205,11 @@ class Plans(Mapping[str, Plan]):
         if not (self.kept / name).is_dir():
             return None, f"`{name}`: {plan.about}. Not kept; `{command}` makes it."
         training = Training(self.kept / name)
-        done, hours = training.manifest.finished, training.manifest.timings["seconds"] / 3600
+        done, minutes = training.manifest.finished, training.manifest.timings["seconds"] / 60
+        took = f"{minutes / 60:.1f} hours" if minutes > 6 else f"{minutes:.0f} minutes"
         line = (
             f"`{name}`: {plan.about}. {done} of {plan.attempts} attempts, seed {plan.seed}, "
-            f"{hours:.1f} hours; `{command}`."
+            f"{took}; `{command}`."
         )
         changed = differences(training, plan)
         return training, line + (f" Since then {', '.join(changed)} changed." if changed else "")

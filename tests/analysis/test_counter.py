@@ -2,11 +2,14 @@
 
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 import pytest
 
-from socialmind.catalogue import load_file
+from socialmind.catalogue import load_file, model_folder
 from socialmind.errors import SocialmindError
+from socialmind.learning import Training
+from socialmind.mind import MindDescription
 from socialmind.studies import studies_in
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "counter"
@@ -43,3 +46,33 @@ def test_it_says_so_where_no_run_has_a_correct_sequence(tmp_path, monkeypatch):
     monkeypatch.setattr(STEPS, "SEEDS", range(2))
     with pytest.raises(SocialmindError, match="no correct sequence in 2 runs of 10 ticks"):
         STEPS.write_steps(tmp_path)
+
+
+def test_the_model_has_the_minds_of_attempts_that_are_kept():
+    trainings = load_file(FOLDER / "trainings.py")
+    for name, (attempt, folder) in trainings.SHIPPED.items():
+        learned = Training(trainings.PLANS.kept / name).mind(attempt).skills["CountObjects"]
+        shipped = MindDescription.load(model_folder("counter") / folder).skills["CountObjects"]
+        assert np.array_equal(learned.genome, shipped.genome)
+
+
+def test_attempts_are_told_apart_by_what_their_variable_holds():
+    representations = load_file(FOLDER / "representations.py")
+
+    def row(attempt, correct, *steps):
+        return {"training": "counter", "attempt": attempt, "worlds": 9, "seed": 1,
+                "correct_sequences": correct, "sequences": 1.0, "objects": 2.0, "survived": 1.0,
+                **{f"step {n}": value for n, value in enumerate(steps, 1)}}  # fmt: skip
+
+    rows = [
+        row(1, 0.95, 0.1, 0.1, 0.2, 0.2, 0.0),
+        row(2, 0.91, 0.1, 0.1, 0.2, 0.2, 0.0),
+        row(3, 0.99, 0.1, 0.2, 0.2, 0.3, 0.1),
+        row(4, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0),
+        row(5, np.nan, None, None, None, None, None),
+    ]
+    text = "\n".join(representations.lines_of(rows))
+    assert "3 of 5 attempts with 90%" in text
+    assert "(best 0.99); 2 different representations among them" in text
+    (axes,) = representations.draw(rows).axes
+    assert len(axes.lines) == 4

@@ -62,7 +62,7 @@ def test_a_study_takes_its_trainings_in_each_way(plans, whole, tmp_path, capsys)
     keep(whole, plans.kept)
     kept, line = plans.training("tiny", Way.KEPT, out)
     assert kept.folder == plans.kept / "tiny"
-    assert line.startswith("`tiny`: tiny. 2 of 2 attempts, seed 6, 0.0 hours;")
+    assert line.startswith("`tiny`: tiny. 2 of 2 attempts, seed 6, 0 minutes;")
     assert not out.exists()
     small, line = plans.training("tiny", Way.QUICK, out)
     assert line == "`tiny`: tiny. 1 attempt, trained small, seed 6."
