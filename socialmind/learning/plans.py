@@ -134,17 +134,7 @@ class Plans(Mapping[str, Plan]):
     small: Mapping[str, int] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Plan:
-        """Return the plan of a name.
-
-        Raises:
-            SocialmindError: there is none.
-        """
-        if name not in self.plans:
-            raise SocialmindError(f"no training called {name!r}; {did_you_mean(name, self.plans)}")
         return self.plans[name]
-
-    def __contains__(self, name: object) -> bool:
-        return name in self.plans
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.plans)
@@ -222,19 +212,33 @@ class Plans(Mapping[str, Plan]):
                 is not about making them.
 
         Raises:
-            SocialmindError: there is no plan of a name.
+            SystemExit: with a line on what is wrong: a name that no plan has, …
         """
         act, *names = words if words[:1] in (["keep"], ["recheck"]) else ["make", *words]
-        chosen = list(self) if names == ["all"] else names
-        for name in chosen:
-            plan = self[name]
-            if act == "keep":
-                print(keep(self.home / name, self.kept), flush=True)
-            elif act == "recheck":
-                count = recheck(self.kept / name, plan)
-                print(f"{name}: {count} lessons come to the same scores", flush=True)
-            else:
-                print(name, self.made(name).folder, flush=True)
+        try:
+            for name in self._chosen(names):
+                print(self._done(act, name), flush=True)
+        except SocialmindError as error:
+            raise SystemExit(f"error: {error}") from error
+
+    def _chosen(self, names: list[str]) -> list[str]:
+        if names == ["all"]:
+            return list(self)
+        if not names:
+            raise SocialmindError(f"which training? expected all, or some of {', '.join(self)}")
+        for name in names:
+            if name not in self:
+                raise SocialmindError(f"no training called {name!r}; {did_you_mean(name, self)}")
+        return names
+
+    def _done(self, act: str, name: str) -> str:
+        """Do it with a training; return a line on what came of it."""
+        if act == "keep":
+            return str(keep(self.home / name, self.kept))
+        if act == "recheck":
+            count = recheck(self.kept / name, self[name])
+            return f"{name}: {count} lessons come to the same scores"
+        return f"{name} {self.made(name).folder}"
 
 
 def attempts_of(

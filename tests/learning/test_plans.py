@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import pytest
 
-from socialmind.errors import SocialmindError
 from socialmind.learning import Training
 from socialmind.learning.kept import keep
 from socialmind.learning.plans import Plans, attempts_of, most_ticks
@@ -37,10 +36,11 @@ def test_a_small_plan_has_the_same_lessons_and_less_of_all(tiny_plans):
 
 
 def test_a_name_that_no_plan_has_is_refused(plans):
-    with pytest.raises(SocialmindError, match="no training called 'tinny'; did you mean tiny"):
-        plans.main(["tinny"])
-    assert "tinny" not in plans
-    assert plans.get("tiny") is plans["tiny"]
+    with pytest.raises(SystemExit, match="error: no training called 'tinny'; did you mean tiny"):
+        plans.main(["keep", "tinny"])
+    with pytest.raises(SystemExit, match="error: which training. expected all, or some of tiny"):
+        plans.main([])
+    assert plans.get("tinny") is None
 
 
 def test_a_training_is_made_from_what_is_kept_of_it(plans, whole, tiny_plans):
