@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,8 +11,17 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 
+LONGEST_MESSAGE = 1000
+"""Characters of an error's message; what a user gave may be a million long."""
+LONGEST_VALUE = 80
+"""Characters of a value within a message."""
+
+
 class CogLogoError(ValueError):
-    """Anything about a scheme or a mind that the user can put right."""
+    """Anything about a scheme or a mind that the user can put right; its message is one line."""
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(one_line(message))
 
 
 class MindError(CogLogoError):
@@ -68,6 +78,41 @@ class SchemeError(CogLogoError):
     def __reduce__(self) -> tuple[type[SchemeError], tuple[object, ...]]:
         """Keep the fields when the error crosses a process boundary."""
         return type(self), (self.found, self.expected, self.remedy, self.file, self.line)
+
+
+def one_line(message: str) -> str:
+    r"""Return a message as one line of at most `LONGEST_MESSAGE` characters.
+
+    >>> one_line("bad indent\n  at line 3")
+    'bad indent at line 3'
+    """
+    flat = " ".join(message.split()) if "\n" in message or "\r" in message else message
+    return shortened(flat, LONGEST_MESSAGE)
+
+
+def shortened(text: str, longest: int) -> str:
+    """Return a text, its middle left out where it is longer than so many characters."""
+    if len(text) <= longest:
+        return text
+    half = (longest - 3) // 2
+    return f"{text[:half]} … {text[-half:]}"
+
+
+def shown(value: object) -> str:
+    r"""Return a value as an error message shows it: in one line, and not at any length.
+
+    >>> shown("a\nb"), shown(10**5000)
+    ("'a\\nb'", 'a whole number of more than 4300 digits')
+    """
+    if isinstance(value, str):
+        value = shortened(value, 2 * LONGEST_VALUE)  # the whole repr of a megabyte takes its time
+    try:
+        text = repr(value)
+    except ValueError:  # Python writes no whole numbers of more digits
+        return f"a whole number of more than {sys.get_int_max_str_digits()} digits"
+    except Exception:
+        return f"a {type(value).__name__}"
+    return shortened(" ".join(text.split()) if "\n" in text else text, LONGEST_VALUE)
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:

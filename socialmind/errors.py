@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from coglogo_py.errors import one_line
+
 
 class SocialmindError(Exception):
     """Anything the user can put right: a file, a name, a value, a folder.
 
     The command line prints its message on one line and ends with exit code 2.
     """
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(one_line(message))
 
 
 class IdleWarning(UserWarning):
