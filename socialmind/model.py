@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import inspect
 import re
+import sys
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -35,6 +36,7 @@ from socialmind.language.layout import model_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
+from socialmind.language.source import hold_text
 from socialmind.model_state import restore, state_of
 from socialmind.parameter import Parameter
 from socialmind.population import Population
@@ -117,6 +119,7 @@ class Model:
 
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
+        hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
         found = declaration_of(cls, Model)
         cls.parameters, cls.variables, cls.populations, cls.torus, cls.plane = found[:5]
         cls.rewards, cls.interruptions = found.rewards, found.interruptions
@@ -160,14 +163,15 @@ class Model:
 
     @classmethod
     def typed(cls, compiled: bool = True) -> Program:
-        """Return the typed rules of the model; they are typed once.
+        """Return the typed rules of the model; typed anew once a constant or helper is another.
 
         Raises:
             ModelError: a rule outside the language.
         """
-        if compiled not in cls._programs:
-            cls._programs[compiled] = Program(cls.shape, compiled)
-        return cls._programs[compiled]
+        known = cls._programs.get(compiled)
+        if known is None or known.outdated:
+            known = cls._programs[compiled] = Program(cls.shape, compiled)
+        return known
 
     @classmethod
     def steerings(cls, given: Any = None) -> dict[str, Steering]:

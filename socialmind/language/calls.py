@@ -88,9 +88,10 @@ def _called_in_module(
     root = module.__name__.split(".")[0]
     if root in MODULES:
         typer.refuse(node, f"{full}() in a rule", MODULES[root])
-    if module.__name__ != "math" and not hasattr(module, name):
+    names = typer.program.module_names(module)
+    if module.__name__ != "math" and name not in names:
         typer.refuse(node, f"the unknown function {full!r}", nearest(name, dir(module)))
-    return _called_value(typer, node, full, getattr(module, name, None))
+    return _called_value(typer, node, full, names.get(name))
 
 
 def _called_value(typer: ExpressionTyper, node: ast.Call, name: str, value: Any) -> Typed:

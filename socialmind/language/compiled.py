@@ -8,13 +8,11 @@ from __future__ import annotations
 
 import hashlib
 import importlib.util
-import inspect
 import os
 import platform
 import sys
 import tempfile
 from collections.abc import Callable, Mapping
-from functools import cache
 from pathlib import Path
 from threading import RLock
 from types import ModuleType
@@ -24,62 +22,18 @@ import numba
 import numpy as np
 import platformdirs
 
+from socialmind.language.reached import fingerprint, reached_files
+
 _LOADING = RLock()
 
 CACHE_VARIABLE = "SOCIALMIND_CACHE_DIR"
 """Environment variable that names the folder of compiled modules."""
-
-_FILES = (
-    "coglogo_py/kernel.py",
-    "coglogo_py/streams.py",
-    "coglogo_py/borrow.py",
-    "coglogo_py/arrays.py",
-    "socialmind/streams.py",
-    "socialmind/bookkeeping.py",
-    "socialmind/language/arithmetic.py",
-    "socialmind/language/memory.py",
-    "socialmind/worlds/torus.py",
-    "socialmind/worlds/plane/relative.py",
-    "socialmind/worlds/plane/layout.py",
-    "socialmind/worlds/plane/kernel/bodies.py",
-    "socialmind/worlds/plane/kernel/contacts.py",
-    "socialmind/worlds/plane/kernel/motion.py",
-    "socialmind/worlds/plane/kernel/rays.py",
-    "socialmind/worlds/plane/kernel/stones.py",
-    "socialmind/mind/functions/activations.py",
-    "socialmind/mind/functions/network.py",
-    "socialmind/mind/regulation.py",
-    "socialmind/mind/kernel/flow.py",
-    "socialmind/mind/kernel/layout.py",
-    "socialmind/mind/kernel/networks.py",
-    "socialmind/mind/kernel/record.py",
-    "socialmind/mind/kernel/reach.py",
-    "socialmind/mind/kernel/signals.py",
-    "socialmind/mind/kernel/variables.py",
-    "socialmind/mind/kernel/weights.py",
-)
 
 
 def cache_folder() -> Path:
     """Return the folder of compiled modules: the user's cache, or what the variable names."""
     named = os.environ.get(CACHE_VARIABLE)
     return Path(named) if named else Path(platformdirs.user_cache_dir("socialmind"))
-
-
-@cache
-def _surroundings() -> bytes:
-    """Return a hash of all that a compiled module depends on beside its own text."""
-    import coglogo_py
-    import socialmind
-
-    packages = {"coglogo_py": coglogo_py, "socialmind": socialmind}
-    digest = hashlib.sha256()
-    for name in _FILES:
-        package, _, rest = name.partition("/")
-        digest.update((Path(str(packages[package].__file__)).parent / rest).read_bytes())
-    versions = (numba.__version__, np.__version__, sys.version, platform.machine())
-    digest.update(repr(versions).encode())
-    return digest.digest()
 
 
 def compiled_module(text: str, own_makers: Mapping[str, Callable[..., Any]]) -> ModuleType:
@@ -89,16 +43,25 @@ def compiled_module(text: str, own_makers: Mapping[str, Callable[..., Any]]) -> 
         text: the module's source.
         own_makers: population -> the `choose` function of its scheme's own decision maker.
     """
-    digest = hashlib.sha256(_surroundings() + text.encode())
-    for name, choose in own_makers.items():
-        digest.update(f"{name}\n{inspect.getsource(choose)}".encode())
-    key = digest.hexdigest()[:24]
+    key = _key(text, own_makers)
     name = f"socialmind_compiled_{key}"
     # Another thread must not take for whole what is still being loaded.
     with _LOADING:
         if name in sys.modules:
             return sys.modules[name]
         return _loaded(name, _written(key, text), own_makers)
+
+
+def _key(text: str, own_makers: Mapping[str, Callable[..., Any]]) -> str:
+    """Return a hash of all that the machine code of a text depends on."""
+    digest = hashlib.sha256(text.encode())
+    for file in reached_files(text):
+        digest.update(f"{file.name}\n".encode() + file.read_bytes())
+    for name, choose in own_makers.items():
+        digest.update(f"{name}\n{fingerprint(choose)}".encode())
+    versions = (numba.__version__, np.__version__, sys.version, platform.machine())
+    digest.update(repr(versions).encode())
+    return digest.hexdigest()[:24]
 
 
 def _loaded(name: str, file: Path, own_makers: Mapping[str, Callable[..., Any]]) -> ModuleType:

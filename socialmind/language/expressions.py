@@ -300,14 +300,15 @@ class ExpressionTyper:
     def module_attribute(self, node: ast.Attribute, module: python_types.ModuleType) -> Typed:
         """Return a constant of `math`, or one of the author's own modules."""
         name = f"{module.__name__}.{node.attr}"
-        if not hasattr(module, node.attr):
+        names = self.program.module_names(module)
+        if node.attr not in names:
             self.refuse(node, f"the unknown name {name!r}", nearest(node.attr, dir(module)))
         if module.__name__ == "math" and node.attr not in MATH_CONSTANTS:
             self.refuse(node, f"{name!r} as a value", f"call it: {name}(…)")
         root = module.__name__.split(".")[0]
         if root in MODULES:
             self.refuse(node, f"{name!r} in a rule", MODULES[root])
-        return self.module_value(node, name, getattr(module, node.attr))
+        return self.module_value(node, name, names[node.attr])
 
     def _model_attribute(self, node: ast.Attribute) -> Typed:
         name = node.attr

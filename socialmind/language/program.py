@@ -12,7 +12,7 @@ from socialmind.errors import ModelError
 from socialmind.language import arithmetic
 from socialmind.language.nodes import nearest
 from socialmind.language.shape import ModelShape, PhaseShape
-from socialmind.language.source import RuleSource, rule_source
+from socialmind.language.source import Names, RuleSource, rule_source
 from socialmind.language.statements import FunctionTyper
 from socialmind.language.syntax import compiled
 from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TextType
@@ -87,6 +87,7 @@ class Program:
         self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
         self.plane: PlaneProgram | None = None
         self._sources: dict[Callable[..., Any], RuleSource] = {}
+        self._modules: dict[python_types.ModuleType, Names] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
         self._open: list[Callable[..., Any]] = []
         # The populations whose plans a function carries out, and those whose agents it changes
@@ -105,6 +106,17 @@ class Program:
         if function not in self._sources:
             self._sources[function] = rule_source(function)
         return self._sources[function]
+
+    def module_names(self, module: python_types.ModuleType) -> Names:
+        """Return the names of a module that a rule names."""
+        return self._modules.setdefault(module, Names(vars(module)))
+
+    @property
+    def outdated(self) -> bool:
+        """Whether typing the same rules again would read other constants or call other helpers."""
+        return any(source.outdated for source in self._sources.values()) or any(
+            names.outdated for names in self._modules.values()
+        )
 
     def _phases(self, shapes: tuple[PhaseShape, ...], first_tag: int) -> tuple[Phase, ...]:
         tags = phase_tags(first_tag, [self.source(shape.rule).name for shape in shapes])
