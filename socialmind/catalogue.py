@@ -105,7 +105,7 @@ def load_model(name_or_path: str | Path) -> type[Model]:
     Loading the same, unchanged folder again gives the same class.
 
     Args:
-        name_or_path: as for `model_folder`.
+        name_or_path: as for `model_folder`; or the path of any Python file that defines a model.
 
     Returns:
         The one subclass of `socialmind.model.Model` that ``model.py`` defines, or the one that
@@ -115,8 +115,62 @@ def load_model(name_or_path: str | Path) -> type[Model]:
         SocialmindError: there is no such model.
         ModelError: the file cannot be read or run, or which class is meant is unclear.
     """
+    script = Path(name_or_path).expanduser()
+    if script.suffix == ".py" and script.name != MODEL_FILE and script.is_file():
+        return load_script(script)
     folder = model_folder(name_or_path)
     return _model_class(load_file(folder / MODEL_FILE))
+
+
+def load_script(path: Path, name: str | None = None) -> type[Model]:
+    """The model class that a Python file of any name defines.
+
+    Files beside it can be imported, as when Python runs it; what it does under
+    ``if __name__ == "__main__":`` it does not do.
+
+    Args:
+        path: the file.
+        name: of the class; the only one by default.
+
+    Raises:
+        ModelError: the file cannot be read or run, or which class is meant is unclear.
+    """
+    with modules_from(path.resolve().parent):
+        module = load_file(path.resolve(), alone=True)
+    if name is None:
+        return _model_class(module)
+    from socialmind.model import Model
+
+    found = getattr(module, name, None)
+    if not (isinstance(found, type) and issubclass(found, Model)):
+        raise ModelError(f"no model called {name!r} any more", file=path)
+    return found
+
+
+@contextmanager
+def modules_from(folder: Path) -> Iterator[None]:
+    """Let imports find the modules of a folder first, and load those anew.
+
+    Args:
+        folder: which need not exist.
+    """
+    own = {one.stem for one in folder.iterdir()} if folder.is_dir() else set()
+    before = {name: one for name, one in sys.modules.items() if name.partition(".")[0] in own}
+    from_elsewhere = {
+        name
+        for name, one in before.items()
+        if not str(getattr(one, "__file__", None) or "").startswith(str(folder))
+        and name.partition(".")[0] not in sys.stdlib_module_names
+    }
+    for name in from_elsewhere:
+        del sys.modules[name]
+    sys.path.insert(0, str(folder))
+    try:
+        yield
+    finally:
+        sys.path.remove(str(folder))
+        for name in from_elsewhere:
+            sys.modules[name] = before[name]
 
 
 def load_figures(folder: Path) -> ModuleType | None:
@@ -152,12 +206,12 @@ def _source_hash(folder: Path, above: tuple[Path, ...]) -> str:
     named: set[str] = set()
     if folder.is_file():
         content = folder.read_bytes()
-        named |= _models_in(content)
+        named |= models_in(content)
         total.update(content)
     else:
-        for path in _deciding_files(folder):
+        for path in deciding_files(folder):
             content = path.read_bytes()
-            named |= _models_in(content)
+            named |= models_in(content)
             total.update(f"{path.relative_to(folder).as_posix()}\0{len(content)}\0".encode())
             total.update(content)
     known = catalogue() if named else {}
@@ -168,7 +222,7 @@ def _source_hash(folder: Path, above: tuple[Path, ...]) -> str:
     return total.hexdigest()
 
 
-def _deciding_files(folder: Path) -> Iterator[Path]:
+def deciding_files(folder: Path) -> Iterator[Path]:
     """The Python files of a model that decide how it runs, in order."""
     for path in sorted(folder.rglob("*.py")):
         place = path.relative_to(folder)
@@ -178,10 +232,10 @@ def _deciding_files(folder: Path) -> Iterator[Path]:
             yield path
 
 
-def _models_in(source: bytes) -> set[str]:
+def models_in(source: bytes) -> set[str]:
     """The names of models whose folders a Python file asks for.
 
-    >>> _models_in(b"import x; model_folder('collect')")
+    >>> models_in(b"import x; model_folder('collect')")
     {'collect'}
     """
     if model_folder.__name__.encode() not in source:
@@ -204,7 +258,7 @@ def _models_in(source: bytes) -> set[str]:
     return {name for name in names if isinstance(name, str)}
 
 
-def load_file(path: Path) -> ModuleType:
+def load_file(path: Path, alone: bool = False) -> ModuleType:
     """Run a Python file as a module with a private name that stands for its folder's content.
 
     The module is the package of its folder, so ``from .rules import eat`` finds ``rules.py``
@@ -212,12 +266,14 @@ def load_file(path: Path) -> ModuleType:
 
     Args:
         path: the file.
+        alone: whether it stands for itself, and not for the folder that it lies in.
 
     Raises:
         ModelError: it is no Python, or stopped with an error.
     """
     source = path.read_bytes()
-    key = hashlib.sha256(f"{path}\0{source_hash(path.parent)}\0".encode() + source).hexdigest()
+    around = "" if alone else source_hash(path.parent)
+    key = hashlib.sha256(f"{path}\0{around}\0".encode() + source).hexdigest()
     name = f"{PRIVATE}{path.parent.name}_{path.stem}_{key[:16]}"
     if name in sys.modules:
         return sys.modules[name]

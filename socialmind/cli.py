@@ -32,6 +32,10 @@ app = typer.Typer(
 )
 
 Folder = Annotated[Path, typer.Argument(metavar="DIR", help="A run's folder.", show_default=False)]
+Source = Annotated[
+    str | None,
+    typer.Option(metavar="kept", help="Take the copies of the model's source that the run keeps."),
+]
 Quiet = Annotated[bool, typer.Option("--quiet", help="Say nothing but the result.")]
 
 
@@ -125,6 +129,7 @@ def run(
         Path | None,
         typer.Option(metavar="DIR", help="Go on with a run; --ticks makes a finished one longer."),
     ] = None,
+    source: Source = None,
     quiet: Quiet = False,
 ) -> None:
     """Run a model into a folder, or go on with a run."""
@@ -135,6 +140,8 @@ def run(
             raise SocialmindError(
                 "which model? give a name (`socialmind list` shows them) or a folder"
             )
+        if source is not None:
+            raise SocialmindError("--source is for --resume: a new run has no copies yet")
         folder = running.start(
             model, ticks, seed or 0, settings or [], scheme or [], mind or [],
             every, agents_every, out, compiled=not interpreted, quiet=quiet,
@@ -152,7 +159,10 @@ def run(
                 f"--resume with {', '.join(given)}: a run keeps what it was started with; "
                 "leave it out, or start another run"
             )
-        folder = running.go_on(resume, ticks, compiled=False if interpreted else None, quiet=quiet)
+        folder = running.go_on(
+            resume, ticks, compiled=False if interpreted else None, quiet=quiet,
+            kept=_is_kept(source),
+        )  # fmt: skip
     if figures:
         running.draw(folder)
     typer.echo(folder)
@@ -347,11 +357,11 @@ def render(
 
 
 @command
-def replay(folder: Folder, quiet: Quiet = False) -> None:
+def replay(folder: Folder, source: Source = None, quiet: Quiet = False) -> None:
     """Run a run again and compare: exit code 0 when it comes out equal, 1 when not."""
     from socialmind.commands.running import again
 
-    if not again(folder, quiet):
+    if not again(folder, quiet, _is_kept(source)):
         raise typer.Exit(1)
 
 
@@ -421,6 +431,13 @@ def new(
 
     write_model(folder)
     typer.echo(f"{folder}: run it with `socialmind run {_as_path(folder)}`")
+
+
+def _is_kept(source: str | None) -> bool:
+    """Whether a run's own copies are asked for."""
+    if source not in (None, "kept"):
+        raise SocialmindError(f"--source {source}; expected kept, the run's own copies")
+    return source == "kept"
 
 
 def _as_path(folder: Path) -> str:

@@ -40,6 +40,7 @@ from socialmind.language.source import hold_text
 from socialmind.model_state import restore, state_of
 from socialmind.parameter import Parameter
 from socialmind.population import Population
+from socialmind.provenance import note_definition
 from socialmind.schedule import PhaseDeclaration, taken
 from socialmind.streams import STREAM
 from socialmind.table import Table
@@ -120,6 +121,7 @@ class Model:
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
         hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
+        note_definition(cls.__module__)
         found = declaration_of(cls, Model)
         cls.parameters, cls.variables, cls.populations, cls.torus, cls.plane = found[:5]
         cls.rewards, cls.interruptions = found.rewards, found.interruptions

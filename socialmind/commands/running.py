@@ -78,11 +78,13 @@ def by_population(values: Sequence[str], option: str) -> Path | dict[str, Path] 
     return named or None
 
 
-def go_on(folder: Path, ticks: int | None, compiled: bool | None, quiet: bool) -> Path:
+def go_on(
+    folder: Path, ticks: int | None, compiled: bool | None, quiet: bool, kept: bool = False
+) -> Path:
     """Go on with a run; `socialmind run --resume`."""
     _save_memory()
     with progress_bar(quiet) as on_progress:
-        folder = execution.resume(folder, ticks, compiled, on_progress=on_progress)
+        folder = execution.resume(folder, ticks, compiled, on_progress=on_progress, kept=kept)
     _conclude(folder, quiet)
     return folder
 
@@ -96,12 +98,12 @@ def draw(folder: Path) -> list[Path]:
     return draw_figures(folder)
 
 
-def again(folder: Path, quiet: bool) -> bool:
+def again(folder: Path, quiet: bool, kept: bool = False) -> bool:
     """Replay a run and say what comes out; True when it is equal."""
     from socialmind.experiments.verification import replay
 
     with progress_bar(quiet) as on_progress:
-        found = replay(folder, on_progress=on_progress)
+        found = replay(folder, on_progress=on_progress, kept=kept)
     for note in found.notes:
         typer.echo(f"note: {note}", err=True)
     for difference in found.differences:

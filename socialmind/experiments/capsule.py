@@ -32,8 +32,9 @@ class Manifest:
     """What a run is and how far it came; the content of ``manifest.json``.
 
     Args:
-        model: ``name``, ``path`` (folder; None for a class that no file defines) and
-            ``source_sha256`` of its Python files.
+        model: ``name``, ``path`` (folder; None for a class that no file defines), ``source_sha256``
+            of the folder's Python files, and ``sources``: all that decided how it runs, as
+            `socialmind.provenance.Sources.record` says it.
         parameters: value of every parameter.
         seed: of the run.
         compiled: whether compiled or interpreted; the result is the same.
@@ -56,7 +57,7 @@ class Manifest:
         format: of this file.
     """
 
-    model: dict[str, str | None]
+    model: dict[str, Any]
     parameters: dict[str, Any]
     seed: int
     compiled: bool

@@ -28,8 +28,10 @@ from socialmind.experiments.sources import (
     model_source,
     physics_of,
     scheme_copies,
+    with_late_reads,
 )
 from socialmind.experiments.tables import AGENTS, SERIES, TABLES, GrowingTable, merge
+from socialmind.provenance import sources_of
 
 if TYPE_CHECKING:
     from socialmind.experiments.sources import HierarchyArgument, SchemeArgument
@@ -144,7 +146,8 @@ def run(
         versions=capsules.versions(),
         platforms=[capsules.fingerprint()],
     )
-    capsule = Capsule.create(target, manifest, {**scheme_files, **mind_files})
+    files = {**scheme_files, **mind_files, **sources_of(model_class).copies()}
+    capsule = Capsule.create(target, manifest, files)
     with capsule.locked():
         _Execution(capsule, model, None, started).go(length, on_progress, checkpoint_every)
     return capsule.folder
@@ -157,6 +160,7 @@ def resume(
     model_class: type[Model] | None = None,
     on_progress: Progress | None = None,
     checkpoint_every: float = 5.0,
+    kept: bool = False,
 ) -> Path:
     """Go on with a run that was stopped, or make a finished one longer.
 
@@ -169,6 +173,7 @@ def resume(
         model_class: the model; loaded from where the run says it stands by default.
         on_progress: as for `run`.
         checkpoint_every: as for `run`.
+        kept: whether to take the copies of the model's source that the run keeps.
 
     Returns:
         The run's folder.
@@ -200,7 +205,7 @@ def resume(
             shutil.rmtree(capsule.parts, ignore_errors=True)
             if length == done:
                 return capsule.folder
-        model = model_of(capsule, model_class, compiled)
+        model = model_of(capsule, model_class, compiled, kept)
         if capsule.manifest.status == capsules.FINISHED:
             checkpoint = _reopen(capsule, checkpoint, length)
         machine = capsules.fingerprint()
@@ -325,7 +330,9 @@ class _Execution:
             state=self._model.state(),
         )
         checkpoint.save(self._capsule.checkpoint)
-        self._capsule.update(status=status, **_so_far(self._capsule.manifest, checkpoint))
+        model = with_late_reads(self._capsule.manifest.model, type(self._model))
+        changes = _so_far(self._capsule.manifest, checkpoint)
+        self._capsule.update(status=status, model=model, **changes)
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
 
 

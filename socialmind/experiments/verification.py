@@ -67,6 +67,7 @@ def replay(
     folder: str | Path,
     model_class: type[Model] | None = None,
     on_progress: Progress | None = None,
+    kept: bool = False,
 ) -> Replay:
     """Run a capsule's model again, in a temporary folder, and compare what comes out.
 
@@ -74,6 +75,7 @@ def replay(
         folder: of a finished run.
         model_class: the model; loaded from where the run says it stands by default.
         on_progress: as for `socialmind.experiments.run`.
+        kept: whether to take the copies of the model's source that the run keeps.
 
     Returns:
         Whether the tables are reproduced, and where they first differ.
@@ -88,7 +90,7 @@ def replay(
             f"{stored.folder}: the run is {manifest.status} at tick {manifest.ticks_done} of "
             f"{manifest.ticks}; finish it with --resume first"
         )
-    cls = recorded_class(stored) if model_class is None else model_class
+    cls = recorded_class(stored, kept) if model_class is None else model_class
     notes = [changed] if (changed := changes_since(stored, cls)) else []
     here = capsules.versions()
     notes += [

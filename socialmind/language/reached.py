@@ -83,7 +83,7 @@ def _parts(value: Any, seen: set[int]) -> Iterator[str]:
     yield type(value).__qualname__
     if isinstance(value, FunctionType):
         yield f"{value.__module__}.{value.__qualname__}"
-        if id(value) not in seen and not _is_of_a_package(value.__code__.co_filename):
+        if id(value) not in seen and not is_of_a_package(value.__code__.co_filename):
             seen.add(id(value))
             yield from _parts_of_function(value, seen)
     elif isinstance(value, tuple | list):
@@ -126,7 +126,7 @@ def _names(code: CodeType) -> set[str]:
 
 
 @lru_cache(maxsize=1024)
-def _is_of_a_package(file: str) -> bool:
+def is_of_a_package(file: str) -> bool:
     """Return whether a file is Python's or of an installed package; their versions stand for it."""
     homes = {sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")}
     return file.startswith("<frozen") or any(

@@ -27,6 +27,7 @@ from socialmind.learning.training_capsule import TrainingCapsule, TrainingManife
 from socialmind.learning.workers import Stopped, hired
 from socialmind.mind.description import MindDescription
 from socialmind.model import Model
+from socialmind.provenance import difference, sources_of
 
 OnGeneration = Callable[[News, float | None], None]
 OnLesson = Callable[[int, Lesson, Result], None]
@@ -327,11 +328,8 @@ def _recorded(capsule: TrainingCapsule, lessons: Any) -> Curriculum:
             "go on with socialmind.learning.resume(folder, lessons=...)"
         )
     model = None if manifest.model["path"] is None else _recorded_model(capsule)
-    if model is not None and source_hash(model) != manifest.model["source_sha256"]:
-        raise SocialmindError(
-            f"{model}: the model's source is not the one the training was begun with; "
-            "put the old file back, or start another training"
-        )
+    if model is not None and (other := _changes(manifest, model)):
+        raise SocialmindError(f"{other}; put the old file back, or start another training")
     given = manifest.chosen if lessons is None else lessons
     named = model if model is not None and (model / MODEL_FILE).is_file() else None
     curriculum, _ = curriculum_of(named, given)
@@ -357,9 +355,18 @@ def _recorded_model(capsule: TrainingCapsule) -> Path:
     return shipped
 
 
-def _source(model: str | Path | type[Model] | None) -> dict[str, str | None]:
+def _changes(manifest: TrainingManifest, model: Path) -> str | None:
+    """Return what differs between a training's model and the files as they are, or None."""
+    if manifest.model.get("sources") is not None:
+        return difference(manifest.model["sources"], sources_of(load_model(model)))
+    if source_hash(model) != manifest.model["source_sha256"]:
+        return f"{model}: the model's source is not the one the training was begun with"
+    return None
+
+
+def _source(model: str | Path | type[Model] | None) -> dict[str, Any]:
     if model is None:
-        return {"name": None, "path": None, "source_sha256": None}
+        return {"name": None, "path": None, "source_sha256": None, "sources": None}
     return model_source(model if isinstance(model, type) else load_model(model))
 
 

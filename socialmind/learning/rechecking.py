@@ -52,7 +52,8 @@ def recheck(kept: Path, plan: Plan) -> int:
         judged += _judge(training, attempt, plan)
     hashed = source_hash(model_folder(plan.model))
     manifest = training.manifest
-    changed = replace(manifest, model={**manifest.model, "source_sha256": hashed})
+    model = {key: one for key, one in manifest.model.items() if key != "sources"}
+    changed = replace(manifest, model={**model, "source_sha256": hashed})
     replace_file(training.folder / MANIFEST, changed.content())
     return judged
 

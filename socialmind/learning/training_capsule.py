@@ -33,8 +33,8 @@ class TrainingManifest:
     """What a training is and how far it came; the content of its ``manifest.json``.
 
     Args:
-        model: ``name``, ``path`` and ``source_sha256`` of its Python files; all None where the
-            lessons were given without a model.
+        model: ``name``, ``path``, ``source_sha256`` and ``sources``, as for a run; all None where
+            the lessons were given without a model.
         lessons: of the curriculum: all that decides their results.
         chosen: the names or files of the lessons that were asked for; None for the model's whole
             curriculum; the empty list for lessons that were given in Python.
@@ -56,7 +56,7 @@ class TrainingManifest:
         format: of this file.
     """
 
-    model: dict[str, str | None]
+    model: dict[str, Any]
     lessons: list[dict[str, Any]]
     chosen: list[str] | None
     changes: dict[str, Any]
