@@ -314,7 +314,7 @@ def _living_mind(row: HeldRow) -> AgentMind:
 def unknown(name: str, owner: str, kind: type, fields: Iterable[str]) -> UnknownNameError:
     """Return the error for a name that agents or patches do not have, or that cannot be set."""
     fields = list(fields)
-    if name in fields or hasattr(kind, name):
+    if name == "id" or name in fields or hasattr(kind, name):
         return UnknownNameError(
             f"{name!r} of {owner!r} cannot be set; its fields are {', '.join(fields) or 'none'}"
         )
