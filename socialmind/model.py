@@ -114,6 +114,7 @@ class ModelKind(ABCMeta):
     """
 
     def __call__(cls, *arguments: Any, **settings: Any) -> Any:
+        """Return a society, finished."""
         made = super().__call__(*arguments, **settings)
         made._made = True
         return made

@@ -63,12 +63,9 @@ class HeldArray(ArrayField):
     def __setitem__(self, place: int | slice, value: Any) -> None:
         name = f"the field {self._field.name!r}"
         several = isinstance(value, Iterable)
-        checked = [fitted(_element(self._field), one, name) for one in (value if several else [value])]
+        field = Field(name, self._field.kind, self._field.storage, self._field.default)
+        checked = [fitted(field, one, name) for one in (value if several else [value])]
         self._values[place] = checked if several else checked[0]
-
-
-def _element(field: Field) -> Field:
-    return Field(field.name, field.kind, field.storage, field.default)
 
 
 class Row:
@@ -277,9 +274,7 @@ class HeldRow(Row):
         raise unknown(name, self._table.shape.name, type(self), self._table.shape.fields)
 
     def __eq__(self, other: object) -> bool:
-        return (
-            isinstance(other, Row) and other._table is self._table and other.id == self._identity
-        )
+        return isinstance(other, Row) and other._table is self._table and other.id == self._identity
 
     def __hash__(self) -> int:
         return hash((id(self._table), self._identity))

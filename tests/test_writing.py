@@ -19,14 +19,14 @@ class Human(Agent):
     rank: np.int16 = 0
     awake: bool = True
     land: int | None = None
-    fields: list[float] = [0.0] * 3  # noqa: RUF012  # the declaration of an array field
+    fields: list[float] = [0.0] * 3  # the declaration of an array field
     unknown: float = math.nan
 
 
 class Land(Patch):
     grass: float = 0.0
     owner: int | None = None
-    crops: list[int] = [0] * 2  # noqa: RUF012
+    crops: list[int] = [0] * 2
 
 
 def age(human):
@@ -37,7 +37,7 @@ class Village(Model):
     n: int = 4
     price: float = 2.0
     debt: float | None = None
-    stocks: list[float] = [0.0] * 3  # noqa: RUF012
+    stocks: list[float] = [0.0] * 3
     humans = Population(Human, 4)
     world = Torus(5, Land)
     schedule = (each(humans, age),)
@@ -151,8 +151,8 @@ def test_a_column_is_checked_as_a_whole(village, name, value, line):
     before = village.humans.rows.copy()
     with pytest.raises(ValueRefusedError, match=line):
         setattr(village.humans, name, value)
-    assert all(np.array_equal(village.humans.rows[one], before[one], equal_nan=before[one].dtype.kind == "f")
-               for one in before.dtype.names)  # fmt: skip
+    for one in before.dtype.names:
+        assert village.humans.rows[one].tobytes() == before[one].tobytes()
 
 
 def test_a_field_whose_default_is_not_finite_takes_such_numbers(village):
@@ -246,7 +246,7 @@ def test_a_modeller_keeps_attributes_of_their_own(village):
     village._cache = 3  # theirs, by its name
     village.ticks = 20  # declared by the class
     assert village.notes == ["rain"] and village._cache == 3 and village.ticks == 20
-    with pytest.raises(SocialmindError, match="ticks: found 2.5"):
+    with pytest.raises(SocialmindError, match=r"ticks: found 2\.5"):
         village.ticks = 2.5
 
 
@@ -309,7 +309,8 @@ def test_variables_are_checked_and_parameters_refused(village):
     assert (village.price, village.debt, list(village.stocks)) == (3.0, 4.5, [1.0, 2.0, 3.0])
     village.debt = None
     assert village.debt is None
-    for name, value in (("price", math.nan), ("price", "dear"), ("debt", True), ("stocks", [1]), ("n", 1.5)):  # fmt: skip
+    wrong = [("price", math.nan), ("price", "dear"), ("debt", True), ("stocks", [1]), ("n", 1.5)]
+    for name, value in wrong:
         with pytest.raises(ValueRefusedError, match=f"the variable '{name}' of village"):
             setattr(village, name, value)
 

@@ -16,7 +16,6 @@ from socialmind.language.program import TypedFunction
 from socialmind.language.shape import ModelShape
 from socialmind.language.syntax import parsed
 
-
 PLACES = ("x", "y")
 """The fields of an agent that are brought back into a torus wherever they are set."""
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.mind import variants
@@ -259,9 +260,7 @@ class Hierarchy:
         Raises:
             SocialmindError: the seed is none.
         """
-        if isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0:
-            raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 or more")
-        rng = np.random.default_rng(seed)
+        rng = np.random.default_rng(whole_number(seed, "seed", 0, error=SocialmindError))
         for name in sorted(self.skills):
             size = self.description.skills[name].genome_size
             if size:

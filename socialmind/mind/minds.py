@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.mind.arrays import Assembly, assemble, master_of
@@ -68,10 +69,7 @@ class Minds:
         for what, number, least in (
             ("agents", agents, 1), ("instances", instances, 0), ("lanes", lanes, 1),
         ):  # fmt: skip
-            if not _is_whole(number) or number < least:
-                raise SocialmindError(
-                    f"{what}: found {number!r}; expected a whole number, {least} or more"
-                )
+            whole_number(number, what, least, error=SocialmindError)
         self.description = description
         self.master = master_of(description, master)
         self.assembly: Assembly = assemble(description, self.master, drive is not None)
@@ -304,7 +302,7 @@ class Minds:
             hint = nearest(group, sorted(groups)) if groups else "no variable is shared"
             raise ModelError(f"the unknown group {group!r}", remedy=hint)
         count = len(self.state_arrays.instances)
-        if instance is not None and not (_is_whole(instance) and 0 <= instance < count):
+        if instance is not None and not (is_whole(instance) and 0 <= instance < count):
             raise ModelError(
                 f"the instance {instance!r} of the group {group!r}",
                 f"0 … {count - 1}" if count else "Minds(…, instances=N)",
@@ -427,10 +425,6 @@ def _unset(assembly: Assembly) -> set[str]:
     """Return the skills whose genomes must be set before anything can be evaluated."""
     skills = assembly.description.skills
     return {name for name in assembly.skills if skills[name].genome_size}
-
-
-def _is_whole(number: Any) -> bool:
-    return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 
 def _numbers(values: Any, what: str) -> NDArray[np.float64]:
