@@ -7,13 +7,16 @@ from collections.abc import Mapping
 from types import FunctionType
 from typing import Any, NamedTuple
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.fields import Field, declared, place_of_field, presence
 from socialmind.language.nodes import nearest
 from socialmind.parameter import Parameter
 from socialmind.population import Population
-from socialmind.rows import ArrayField
+from socialmind.rows import ArrayField, HeldArray
 from socialmind.schedule import PhaseDeclaration
+from socialmind.values import fitted
 from socialmind.worlds.grid import Torus
 from socialmind.worlds.plane.devices import Interruption, Reward
 from socialmind.worlds.plane.measures import RESERVED, Measure
@@ -73,12 +76,15 @@ class Variable:
         if model is None:
             return self
         if self.field.size is not None:
-            return ArrayField(model.context[self.field.name])
+            values = model.context[self.field.name]
+            return ArrayField(values) if model._in_rules else HeldArray(values, self.field)
         if self.field.optional and not model.context[presence(self.field.name)]:
             return None
         return model.context[self.field.name].item()
 
     def __set__(self, model: Any, value: Any) -> None:
+        if not model._in_rules:
+            value = fitted(self.field, value, f"the variable {self.field.name!r} of {model.name}")
         if self.field.optional:
             model.context[presence(self.field.name)] = value is not None
             value = 0 if value is None else value
@@ -158,11 +164,11 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
             _refuse(cls, name, error.found, error.expected, error.remedy)
     elif name in SETTINGS:
         kinds, expected = SETTINGS[name]
-        right = isinstance(value, kinds) and not isinstance(value, bool)
-        if not right or (isinstance(value, int) and value < 0):
+        right = is_whole(value) and value >= 0 if int in kinds else isinstance(value, kinds)
+        if not right:
             alone = isinstance(value, PhaseDeclaration)
             remedy = f"write {name} = (…,), with a comma" if alone else None
-            _refuse(cls, name, f"{name} = {value if alone else repr(value)}", expected, remedy)
+            _refuse(cls, name, f"{name} = {value if alone else shown(value)}", expected, remedy)
     elif name in OWN_NAMES or (hasattr(model, name) and not name.startswith("__")):
         there = getattr(model, name, None)
         allowed: tuple[type, ...] = ()
@@ -213,8 +219,8 @@ def _check_sizes(cls: type, found: Declaration) -> None:
             if size not in whole:
                 expected = "a number or the name of a parameter of whole numbers"
                 _refuse(cls, name, f"the size {size!r}", expected, nearest(size, whole))
-        elif isinstance(size, bool) or not isinstance(size, int) or size < least:
-            _refuse(cls, name, f"the size {size!r}", f"a whole number, {least} or more")
+        elif not is_whole(size) or size < least:
+            _refuse(cls, name, f"the size {shown(size)}", f"a whole number, {least} or more")
 
 
 def _check_plane(cls: type, found: Declaration) -> None:

@@ -10,11 +10,15 @@ instance is a running society:
 
 from __future__ import annotations
 
+import copy
+import copyreg
 import inspect
 import re
 import sys
 import warnings
-from collections.abc import Mapping, Sequence
+from abc import ABCMeta
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -24,12 +28,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
+from coglogo_py.numbers import whole_number
 from coglogo_py.society import Society
 from socialmind.arena import Arena
 from socialmind.connection import names_of_minds
-from socialmind.declaration import declaration_of
+from socialmind.declaration import SETTINGS, declaration_of
 from socialmind.engine import Engine
-from socialmind.errors import IdleWarning, SocialmindError
+from socialmind.errors import IdleWarning, SocialmindError, UnknownNameError
 from socialmind.fields import Field, place_of_field, presence
 from socialmind.hindsight import explained
 from socialmind.language.layout import model_dtype
@@ -38,6 +43,7 @@ from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
 from socialmind.model_state import restore, state_of
+from socialmind.packing import is_private, packed, reference, unpacked
 from socialmind.parameter import Parameter
 from socialmind.population import Population
 from socialmind.provenance import note_definition
@@ -58,6 +64,39 @@ _KEPT_OF_POPULATIONS = ("_steered",)
 """Columns of the record with a leading underscore that are state, not addresses and sizes: their
 names, and how the names of those of a population end."""
 
+KEPT_BY_MODELS = frozenset(
+    (
+        "_addresses",
+        "_hierarchy",
+        "_in_rules",
+        "_made",
+        "_scheme",
+        "_sets_up",
+        "_steerings",
+        "arena",
+        "assemblies",
+        "compiled",
+        "connected",
+        "context",
+        "contexts",
+        "engine",
+        "grid",
+        "names",
+        "physics",
+        "program",
+        "schemes",
+        "seed",
+        "stream",
+        "tables",
+        "watch",
+        "watched",
+        "without",
+    )
+)
+"""The attributes that an instance keeps beside those of the modeller."""
+_REPLACED = ("connected", "watch", "watched")
+"""Those that are replaced while it runs."""
+
 Loaded = TypeVar("Loaded", bound="Model")
 
 
@@ -70,7 +109,28 @@ class Idle:
     first_tick: int | None
 
 
-class Model:
+class ModelKind(ABCMeta):
+    """The class of model classes.
+
+    They go to other processes wherever they were loaded from, and a society that is made takes no
+    further attributes.
+    """
+
+    def __call__(cls, *arguments: Any, **settings: Any) -> Any:
+        """Return a society, finished."""
+        made = super().__call__(*arguments, **settings)
+        made._made = True
+        return made
+
+
+def _reduced(kind: ModelKind) -> Any:
+    return reference(kind) if is_private(kind) else kind.__qualname__
+
+
+copyreg.pickle(ModelKind, _reduced)
+
+
+class Model(metaclass=ModelKind):
     """A society of agents.
 
     Class attributes that a modeller declares:
@@ -132,6 +192,8 @@ class Model:
 
     _programs: ClassVar[dict[bool, Program]] = {}
     _sets_up: ClassVar[bool] = True
+    _made = False
+    _in_rules = False
 
     @classmethod
     def _shape(cls) -> ModelShape:
@@ -194,6 +256,7 @@ class Model:
         model = cls.__new__(cls)
         model._sets_up = False  # type: ignore[misc]  # of this one
         model.__init__(**arguments)  # type: ignore[misc]  # what __new__ left out
+        model._made = True
         return model
 
     @classmethod
@@ -211,9 +274,7 @@ class Model:
         without: Sequence[str] = (),
         **parameters: Any,
     ) -> None:
-        if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**64:
-            raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 … 2**64 - 1")
-        self.seed = seed
+        self.seed = whole_number(seed, "seed", 0, 2**64 - 1, SocialmindError)
         self.compiled = compiled
         self._scheme = scheme
         self._hierarchy = hierarchy
@@ -239,7 +300,7 @@ class Model:
             for name in self.arena.shape.robots:
                 self.context[f"_{name}_steered"] = 1
         self.stream = np.zeros(1, STREAM)
-        self.stream["key_0"], self.stream["key_1"] = seed & 0xFFFFFFFF, seed >> 32
+        self.stream["key_0"], self.stream["key_1"] = self.seed & 0xFFFFFFFF, self.seed >> 32
         self.connected: list[NDArray[Any]] = []
         self._addresses = [
             name
@@ -349,7 +410,64 @@ class Model:
             lambda: self.tick,
         )
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        if self._made and name not in self.variables and not name.startswith("_"):
+            value = self._admitted(name, value)
+        object.__setattr__(self, name, value)
+
+    def _admitted(self, name: str, value: Any) -> Any:
+        """Return what an attribute may be set to, or refuse it.
+
+        A society takes its variables, what its class declares, what `__init__` made, and names
+        with a leading underscore, which are the modeller's own.
+        """
+        if name in _REPLACED or isinstance(getattr(type(self), name, None), Parameter | property):
+            return value  # these speak for themselves
+        known = [*self.variables, *self.parameters, *self.populations]
+        if name in self.populations:
+            raise UnknownNameError(
+                f"the population {name!r} of {self.name} stays; set fields of its agents: "
+                f"society.{name}.FIELD = …"
+            )
+        if name == "world":
+            raise UnknownNameError(
+                f"the world of {self.name} stays; set fields of its patches: "
+                "society.world.FIELD = …"
+            )
+        if name in ("ticks", "score_every"):
+            return whole_number(value, name, 0, error=SocialmindError)
+        there = getattr(type(self), name, None)
+        if name in KEPT_BY_MODELS or name in SETTINGS:
+            raise UnknownNameError(
+                f"{name!r} of {self.name} stays as it was when the society was made; make another"
+            )
+        if inspect.isroutine(there) and not callable(value):
+            raise UnknownNameError(f"{name!r} of {self.name}, which is a method; call it")
+        if there is None and name not in vars(self):
+            raise UnknownNameError(
+                f"{self.name} has no variable {name!r}; {nearest(name, known)}; declare it in the "
+                f"class ({name}: float = 0.0), set it in __init__, or call it _{name}"
+            )
+        return value
+
     # Running ----------------------------------------------------------------------------------
+
+    @contextmanager
+    def following_rules(self) -> Iterator[None]:
+        """Hand out agents and patches as rules hold them, bare, while interpreted rules run."""
+        within = self._in_rules
+        self._hand_out(True)
+        try:
+            yield
+        finally:
+            self._hand_out(within)
+
+    def _hand_out(self, bare: bool) -> None:
+        self._in_rules = bare
+        for table in self.tables.values():
+            table.hand_out(bare)
+        if self.grid is not None:
+            self.grid.hand_out(bare)
 
     @property
     def tick(self) -> int:
@@ -360,14 +478,16 @@ class Model:
         """Run a number of ticks.
 
         Args:
-            ticks: 0 or more.
+            ticks: a whole number, 0 or more.
 
         Raises:
+            SocialmindError: `ticks` is none.
             RuleError: a rule failed, with its file, line, agent and tick.
 
         Warns:
             IdleWarning: for the first decision of the society that found no plan available.
         """
+        ticks = whole_number(ticks, "ticks", 0, error=SocialmindError)
         known = self.idle.count
         self.engine.advance(ticks)
         idle = self.idle
@@ -519,11 +639,62 @@ class Model:
         """Take back the arrays of a checkpoint of the same model with the same parameters."""
         restore(self, state)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpacked_model, (packed(self._parts()),), self._own() or None
+
+    def __copy__(self: Loaded) -> Loaded:
+        return _remade(*self._parts(), self._own())
+
+    def __deepcopy__(self: Loaded, memo: dict[int, Any]) -> Loaded:
+        made = _remade(*self._parts(), {})
+        memo[id(self)] = made
+        vars(made).update(copy.deepcopy(self._own(), memo))
+        return made
+
+    def _parts(self: Loaded) -> tuple[type[Loaded], dict[str, Any], dict[str, NDArray[Any]]]:
+        """Return what the society is made of anew: its class, its settings and its state."""
+        settings: dict[str, Any] = {
+            "seed": self.seed,
+            "compiled": self.compiled,
+            "scheme": self.schemes or None,
+            "hierarchy": False if not self.minded else self._steerings or None,
+            "physics": self.physics,
+            "without": self.without,
+        }
+        return type(self), settings | self.parameter_values(), self.state()
+
+    def _own(self) -> dict[str, Any]:
+        """Return the attributes that a modeller's methods gave the society."""
+        return {name: one for name, one in vars(self).items() if name not in KEPT_BY_MODELS}
+
     def mesa(self) -> Any:
         """Return a real `mesa.Model` over this society; see docs/mesa.md."""
         from socialmind.mesa_model import mesa_model
 
         return mesa_model(self)
+
+
+def _unpacked_model(content: bytes) -> Model:
+    kind, settings, state = unpacked(content)
+    made: Model = _remade(kind, settings, state, {})
+    return made
+
+
+def _remade(
+    kind: type[Loaded],
+    settings: Mapping[str, Any],
+    state: Mapping[str, NDArray[Any]],
+    own: Mapping[str, Any],
+) -> Loaded:
+    """Return a society in a state, with attributes that a modeller's methods gave it."""
+    made = kind.__new__(kind)
+    made._sets_up = False  # type: ignore[misc]  # of this one, until it has its state
+    Model.__init__(made, **settings)
+    del made._sets_up
+    made.restore(state)
+    vars(made).update(own)
+    made._made = True
+    return made
 
 
 def _snake_case(name: str) -> str:

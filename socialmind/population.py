@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
 from socialmind.language.shape import PopulationShape
@@ -160,8 +162,10 @@ class Population:
     def _check_hierarchy(self) -> None:
         """Refuse what belongs to a hierarchy where there is none, and wrong instances."""
         number = self.instances
-        if isinstance(number, bool) or not isinstance(number, int) or number < 0:
-            raise ModelError(f"instances={number!r} for {self.name!r}", "a whole number, 0 or more")
+        if not is_whole(number) or number < 0:
+            found = f"instances={shown(number)} for {self.name!r}"
+            raise ModelError(found, "a whole number, 0 or more")
+        self.instances = int(number)
         given = {"master": self.master, "drive": self.drive, "own_genomes": self.own_genomes,
                  "instances": number}  # fmt: skip
         for setting, value in given.items():

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.mind.arrays import Assembly, assemble, master_of
@@ -18,6 +19,7 @@ from socialmind.mind.kernel.layout import LIVES, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.regulation import Counter
 from socialmind.mind.state import Record, copied, new_state, restored, societies_of
+from socialmind.packing import packed, unpacked
 
 LANES = 256
 """How many agents are evaluated in lockstep: the more, the longer the vectors; all nodes of a
@@ -67,10 +69,7 @@ class Minds:
         for what, number, least in (
             ("agents", agents, 1), ("instances", instances, 0), ("lanes", lanes, 1),
         ):  # fmt: skip
-            if not _is_whole(number) or number < least:
-                raise SocialmindError(
-                    f"{what}: found {number!r}; expected a whole number, {least} or more"
-                )
+            whole_number(number, what, least, error=SocialmindError)
         self.description = description
         self.master = master_of(description, master)
         self.assembly: Assembly = assemble(description, self.master, drive is not None)
@@ -303,7 +302,7 @@ class Minds:
             hint = nearest(group, sorted(groups)) if groups else "no variable is shared"
             raise ModelError(f"the unknown group {group!r}", remedy=hint)
         count = len(self.state_arrays.instances)
-        if instance is not None and not (_is_whole(instance) and 0 <= instance < count):
+        if instance is not None and not (is_whole(instance) and 0 <= instance < count):
             raise ModelError(
                 f"the instance {instance!r} of the group {group!r}",
                 f"0 … {count - 1}" if count else "Minds(…, instances=N)",
@@ -374,6 +373,23 @@ class Minds:
             )
         self._record.connect(self.agents, self.state_arrays, self.societies)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpacked_minds, (packed(self._parts()),)
+
+    def __copy__(self) -> Minds:
+        return _remade(*self._parts())
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Minds:
+        return _remade(*self._parts())
+
+    def _parts(self) -> tuple[tuple[Any, ...], set[str], dict[str, NDArray[Any]]]:
+        """Return what the minds are made of anew: settings, genomes not set yet, and state."""
+        settings = (
+            self.description, self.master, self.agents, self.own_genomes, self.seed, self.drive,
+            len(self.state_arrays.instances), self.lanes,
+        )  # fmt: skip
+        return settings, set(self.unset), self.state()
+
     def _numbers_of(self, agents: Any) -> NDArray[np.int64]:
         """Return the numbers of agents, one or several, as an array."""
         found = np.atleast_1d(np.asarray(agents))
@@ -393,14 +409,22 @@ class Minds:
         return f"<{self.agents} minds {self.description.name!r} with the master {self.master!r}>"
 
 
+def _unpacked_minds(content: bytes) -> Minds:
+    return _remade(*unpacked(content))
+
+
+def _remade(settings: tuple[Any, ...], unset: set[str], state: Mapping[str, NDArray[Any]]) -> Minds:
+    """Return minds in a state."""
+    made = Minds(*settings)
+    made.restore(state)
+    made.unset = set(unset)
+    return made
+
+
 def _unset(assembly: Assembly) -> set[str]:
     """Return the skills whose genomes must be set before anything can be evaluated."""
     skills = assembly.description.skills
     return {name for name in assembly.skills if skills[name].genome_size}
-
-
-def _is_whole(number: Any) -> bool:
-    return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 
 def _numbers(values: Any, what: str) -> NDArray[np.float64]:
