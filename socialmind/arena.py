@@ -152,6 +152,16 @@ class Arena:
         if fault:
             raise self._not_finite(fault - 1)
 
+    def settle(self) -> None:
+        """Pay robots what is still due to them: an episode ends here.
+
+        The engine does so itself where an interruption ends it, not at a limit of ticks, which it
+        does not know.
+        """
+        from socialmind.worlds.plane.interpreted import settle_rewards
+
+        settle_rewards(self._model, self._model.engine.functions, ended=True)
+
     def _not_finite(self, place: int) -> SocialmindError:
         """Return the error for a body, by its place among the slots of all bodies."""
         for name in self.shape.bodies:

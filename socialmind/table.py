@@ -200,6 +200,8 @@ class Table:
             raise ValueError("hatch() of an agent that is dead")
         slot = self._place()
         self.rows[slot] = self.rows[parent._slot]
+        for name in self.shape.own:
+            self.columns[name][slot] = self.default[name][0]
         agent = self._named(slot)
         if self.society is not None:
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
