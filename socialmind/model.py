@@ -10,9 +10,12 @@ instance is a running society:
 
 from __future__ import annotations
 
+import copy
+import copyreg
 import inspect
 import re
 import warnings
+from abc import ABCMeta
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -37,6 +40,7 @@ from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.model_state import restore, state_of
+from socialmind.packing import is_private, packed, reference, unpacked
 from socialmind.parameter import Parameter
 from socialmind.population import Population
 from socialmind.schedule import PhaseDeclaration, taken
@@ -57,6 +61,35 @@ _KEPT_OF_POPULATIONS = ("_steered",)
 """Columns of the record with a leading underscore that are state, not addresses and sizes: their
 names, and how the names of those of a population end."""
 
+KEPT_BY_MODELS = frozenset(
+    (
+        "_addresses",
+        "_hierarchy",
+        "_scheme",
+        "_sets_up",
+        "_steerings",
+        "arena",
+        "assemblies",
+        "compiled",
+        "connected",
+        "context",
+        "contexts",
+        "engine",
+        "grid",
+        "names",
+        "physics",
+        "program",
+        "schemes",
+        "seed",
+        "stream",
+        "tables",
+        "watch",
+        "watched",
+        "without",
+    )
+)
+"""The attributes that an instance keeps beside those of the modeller."""
+
 Loaded = TypeVar("Loaded", bound="Model")
 
 
@@ -69,7 +102,18 @@ class Idle:
     first_tick: int | None
 
 
-class Model:
+class ModelKind(ABCMeta):
+    """The class of model classes: they go to other processes wherever they were loaded from."""
+
+
+def _reduced(kind: ModelKind) -> Any:
+    return reference(kind) if is_private(kind) else kind.__qualname__
+
+
+copyreg.pickle(ModelKind, _reduced)
+
+
+class Model(metaclass=ModelKind):
     """A society of agents.
 
     Class attributes that a modeller declares:
@@ -519,11 +563,61 @@ class Model:
         """Take back the arrays of a checkpoint of the same model with the same parameters."""
         restore(self, state)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpacked_model, (packed(self._parts()),), self._own() or None
+
+    def __copy__(self: Loaded) -> Loaded:
+        return _remade(*self._parts(), self._own())
+
+    def __deepcopy__(self: Loaded, memo: dict[int, Any]) -> Loaded:
+        made = _remade(*self._parts(), {})
+        memo[id(self)] = made
+        vars(made).update(copy.deepcopy(self._own(), memo))
+        return made
+
+    def _parts(self: Loaded) -> tuple[type[Loaded], dict[str, Any], dict[str, NDArray[Any]]]:
+        """Return what the society is made of anew: its class, its settings and its state."""
+        settings: dict[str, Any] = {
+            "seed": self.seed,
+            "compiled": self.compiled,
+            "scheme": self.schemes or None,
+            "hierarchy": False if not self.minded else self._steerings or None,
+            "physics": self.physics,
+            "without": self.without,
+        }
+        return type(self), settings | self.parameter_values(), self.state()
+
+    def _own(self) -> dict[str, Any]:
+        """Return the attributes that a modeller's methods gave the society."""
+        return {name: one for name, one in vars(self).items() if name not in KEPT_BY_MODELS}
+
     def mesa(self) -> Any:
         """Return a real `mesa.Model` over this society; see docs/mesa.md."""
         from socialmind.mesa_model import mesa_model
 
         return mesa_model(self)
+
+
+def _unpacked_model(content: bytes) -> Model:
+    kind, settings, state = unpacked(content)
+    made: Model = _remade(kind, settings, state, {})
+    return made
+
+
+def _remade(
+    kind: type[Loaded],
+    settings: Mapping[str, Any],
+    state: Mapping[str, NDArray[Any]],
+    own: Mapping[str, Any],
+) -> Loaded:
+    """Return a society in a state, with attributes that a modeller's methods gave it."""
+    made = kind.__new__(kind)
+    made._sets_up = False  # type: ignore[misc]  # of this one, until it has its state
+    Model.__init__(made, **settings)
+    del made._sets_up
+    made.restore(state)
+    vars(made).update(own)
+    return made
 
 
 def _snake_case(name: str) -> str:

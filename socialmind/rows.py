@@ -67,6 +67,9 @@ class Row:
     def __hash__(self) -> int:
         return hash((id(self._table), self._slot))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _row_of, (self._table, self._slot)
+
     def __repr__(self) -> str:
         fields = ", ".join(f"{name}={getattr(self, name)!r}" for name in self._table.shape.fields)
         return f"<{self._table.shape.name} {self.id}: {fields}>"
@@ -86,6 +89,9 @@ class AgentMind(Mind):
         return made
 
     _row: Row
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _mind, (self._row,)
 
     def choose_next_plan(self) -> str | None:
         """Choose the next plan; None, and counted as idle, when none is available."""
@@ -130,6 +136,11 @@ class AgentMind(Mind):
                 reach = table.weighing.weighing_plans.item(0)
                 society.weights_scratch[place] = weights.weighed(command, reach)
         return count
+
+
+def _row_of(table: Any, slot: int) -> Row:
+    row: Row = table.row_class(table, slot)
+    return row
 
 
 def _mind(row: Row) -> AgentMind:
@@ -233,8 +244,16 @@ class PatchRow:
         """The row, low … high."""
         return self._place % self._world.size + self._world.low
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _patch_of, (self._world, self._place)
+
     def __repr__(self) -> str:
         return f"<patch {self.x} {self.y}>"
+
+
+def _patch_of(world: Any, place: int) -> PatchRow:
+    patch: PatchRow = world.row_class(world, place)
+    return patch
 
 
 def patch_class(fields: dict[str, Field]) -> type[PatchRow]:

@@ -106,6 +106,9 @@ class Table:
         names = self.dtype.names or ()
         self.columns = {name: self.rows[name] for name in names}
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _population_of, (self.model, self.shape.name)
+
     # The living -------------------------------------------------------------------------------
 
     def __len__(self) -> int:
@@ -306,3 +309,7 @@ class Table:
         if self.society is None:
             raise AttributeError(f"the agents of {self.shape.name!r} have no minds")
         return self.society.mind_in(int(self.columns["_mind"][slot]))
+
+
+def _population_of(model: Model, name: str) -> Table:
+    return model.tables[name]

@@ -86,6 +86,17 @@ class MindDescription:
 
         return findings(self, master, check_program)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        from socialmind.packing import packed
+
+        return _unpacked_mind, (packed(vars(self)),)
+
+    def __copy__(self) -> MindDescription:
+        return self  # it never changes
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> MindDescription:
+        return self
+
     def _parents(self) -> dict[str, tuple[str, ...]]:
         parents: dict[str, list[str]] = {name: [] for name in self.skills}
         for skill in self.skills.values():
@@ -274,3 +285,11 @@ def _joined(own: Mapping[str, Any], added: Mapping[str, Any], what: str) -> list
         if name in own and own[name] != one:
             raise ModelError(f"the {what} {name!r} as {one}", f"{own[name]}, as in the mind")
     return [*own.values(), *(one for name, one in added.items() if name not in own)]
+
+
+def _unpacked_mind(content: bytes) -> MindDescription:
+    from socialmind.packing import unpacked
+
+    made = MindDescription.__new__(MindDescription)
+    vars(made).update(unpacked(content))
+    return made

@@ -19,8 +19,9 @@ from socialmind.mind.kernel.reach import ROUNDING
 from socialmind.mind.links import Input
 from socialmind.mind.modules import Skill
 from socialmind.mind.running_skill import RunningSkill
-from socialmind.mind.state import Record, new_state, societies_of
+from socialmind.mind.state import Record, copied, new_state, restored, societies_of
 from socialmind.mind.steps import Steps
+from socialmind.packing import packed, unpacked
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -278,6 +279,34 @@ class Hierarchy:
         """Write the mind with its genomes: a folder, or YAML where the path ends in .yaml."""
         self.trained().save(path)
 
+    # Copies -----------------------------------------------------------------------------------
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpacked_hierarchy, (packed(self._parts()),)
+
+    def __copy__(self) -> Hierarchy:
+        return _remade(*self._parts())
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Hierarchy:
+        return _remade(*self._parts())
+
+    def _parts(self) -> tuple[tuple[Any, ...], dict[str, Any], dict[str, Any]]:
+        """Return what the mind is made of anew: its settings, its genomes and its state."""
+        settings = (self.description, self.master, self.seed, self.drive)
+        return settings, dict(self._genomes), self._state_of()
+
+    def _state_of(self) -> dict[str, Any]:
+        schemes = [society.state() for society in self._societies]
+        return {"tick": self.tick, "state": copied(self._state), "schemes": schemes}
+
+    def _restore(self, state: Mapping[str, Any]) -> None:
+        self.tick = state["tick"]
+        self._state = restored(self._state, state["state"])
+        for society, one in zip(self._societies, state["schemes"], strict=True):
+            society.restore(one)
+        self._record.connect(1, self._state, self._societies)
+        self._steps.connect(self._state, self._societies)
+
     # Variants ---------------------------------------------------------------------------------
 
     def replace(self, name: str, other: Skill | Hierarchy, **modules: Any) -> Hierarchy:
@@ -380,6 +409,22 @@ class Hierarchy:
         return (
             f"<hierarchy {self.description.name!r}: {self.master!r} over {len(self.skills)} skills>"
         )
+
+
+def _unpacked_hierarchy(content: bytes) -> Hierarchy:
+    return _remade(*unpacked(content))
+
+
+def _remade(
+    settings: tuple[Any, ...], genomes: Mapping[str, Any], state: Mapping[str, Any]
+) -> Hierarchy:
+    """Return a hierarchy with genomes, in a state."""
+    made = Hierarchy(*settings)
+    for name, genome in genomes.items():
+        if genome is not None and made.description.skills[name].genome_size:
+            made.set_genome(name, genome)
+    made._restore(state)
+    return made
 
 
 def load_mind(

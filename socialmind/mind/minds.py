@@ -18,6 +18,7 @@ from socialmind.mind.kernel.layout import LIVES, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.regulation import Counter
 from socialmind.mind.state import Record, copied, new_state, restored, societies_of
+from socialmind.packing import packed, unpacked
 
 LANES = 256
 """How many agents are evaluated in lockstep: the more, the longer the vectors; all nodes of a
@@ -374,6 +375,23 @@ class Minds:
             )
         self._record.connect(self.agents, self.state_arrays, self.societies)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpacked_minds, (packed(self._parts()),)
+
+    def __copy__(self) -> Minds:
+        return _remade(*self._parts())
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Minds:
+        return _remade(*self._parts())
+
+    def _parts(self) -> tuple[tuple[Any, ...], set[str], dict[str, NDArray[Any]]]:
+        """Return what the minds are made of anew: settings, genomes not set yet, and state."""
+        settings = (
+            self.description, self.master, self.agents, self.own_genomes, self.seed, self.drive,
+            len(self.state_arrays.instances), self.lanes,
+        )  # fmt: skip
+        return settings, set(self.unset), self.state()
+
     def _numbers_of(self, agents: Any) -> NDArray[np.int64]:
         """Return the numbers of agents, one or several, as an array."""
         found = np.atleast_1d(np.asarray(agents))
@@ -391,6 +409,18 @@ class Minds:
 
     def __repr__(self) -> str:
         return f"<{self.agents} minds {self.description.name!r} with the master {self.master!r}>"
+
+
+def _unpacked_minds(content: bytes) -> Minds:
+    return _remade(*unpacked(content))
+
+
+def _remade(settings: tuple[Any, ...], unset: set[str], state: Mapping[str, NDArray[Any]]) -> Minds:
+    """Return minds in a state."""
+    made = Minds(*settings)
+    made.restore(state)
+    made.unset = set(unset)
+    return made
 
 
 def _unset(assembly: Assembly) -> set[str]:

@@ -163,6 +163,11 @@ class Skill:
         function.check(self)
         object.__setattr__(self, "genome", None if genome is None else self.fitting(genome))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Made anew, so that its genome is read-only again.
+        fields = (self.name, self.inputs, self.outputs, self.function, self.genome)
+        return Skill, (*fields, self.file, self.line)
+
     def _check_outputs(self) -> None:
         if not self.outputs:
             raise self.refused("without outputs", "one or more", "name what it commands")

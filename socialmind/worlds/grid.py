@@ -99,6 +99,9 @@ class Grid:
         names = self.rows.dtype.names or ()
         self.columns = {name: self.rows[name] for name in names}
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _grid_of, (self.fields, self.size, self.rows)
+
     def __getattr__(self, name: str) -> NDArray[Any]:
         """Return a field of all patches."""
         fields = self.__dict__.get("fields", {})
@@ -132,3 +135,9 @@ class Grid:
             raise SocialmindError("the checkpoint's patches are not those of the model")
         self.rows = np.array(state["rows"])
         self._see_columns()
+
+
+def _grid_of(fields: dict[str, Field], size: int, rows: NDArray[Any]) -> Grid:
+    grid = Grid(fields, size)
+    grid.restore({"rows": rows})
+    return grid

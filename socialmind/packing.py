@@ -1,0 +1,107 @@
+"""Models and minds as bytes that another process can read, and as copies in this one.
+
+Classes and functions of a model's folder stand in modules with private names (`catalogue`), which
+no other process can import. In bytes made here they are known by their file, which is loaded again.
+"""
+
+from __future__ import annotations
+
+import importlib
+import io
+import pickle
+import sys
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+from socialmind.catalogue import PRIVATE, catalogue, load_file
+from socialmind.errors import ModelError
+
+
+def packed(content: Any) -> bytes:
+    """Return anything as bytes; `unpacked` is the way back, in this or another process.
+
+    Args:
+        content: what is to be packed.
+
+    Raises:
+        pickle.PicklingError: a class or function in it is in no file, or within a function.
+    """
+    stream = io.BytesIO()
+    try:
+        _Packer(stream, pickle.HIGHEST_PROTOCOL).dump(content)
+    except (pickle.PicklingError, AttributeError, TypeError) as error:
+        raise pickle.PicklingError(
+            f"a part that another process cannot find ({error}); write classes and functions at "
+            "the top of a file, such as a model.py"
+        ) from None
+    return stream.getvalue()
+
+
+def unpacked(content: bytes) -> Any:
+    """Return what was packed.
+
+    Raises:
+        ModelError: a model's file has changed since, or is gone.
+    """
+    return pickle.loads(content)
+
+
+class _Packer(pickle.Pickler):
+    def reducer_override(self, something: Any) -> Any:
+        if isinstance(something, type | FunctionType) and is_private(something):
+            return reference(something)
+        return NotImplemented
+
+
+def is_private(something: Any) -> bool:
+    """Return whether a class or function stands in a module that was loaded by its path."""
+    return str(getattr(something, "__module__", None)).startswith(PRIVATE)
+
+
+def reference(something: Any) -> tuple[Any, tuple[str, str, str, str, str]]:
+    """Return a class or function of such a module as a call that finds it, for `__reduce__`."""
+    if "<locals>" in something.__qualname__:
+        raise pickle.PicklingError(f"{something.__qualname__} is made within a function")
+    name, _, inner = something.__module__.partition(".")
+    file = Path(str(sys.modules[name].__file__)).resolve()
+    model = ""
+    for known, folder in catalogue().items():
+        if file.is_relative_to(folder.resolve()):
+            model = known
+    return _found, (name, str(file), model, inner, something.__qualname__)
+
+
+def _found(name: str, file: str, model: str, inner: str, qualified: str) -> Any:
+    """Return a class or function by its module's name and file.
+
+    Args:
+        name: the module's private name.
+        file: its file.
+        model: the model of the catalogue whose folder the file lies in, which may stand elsewhere
+            on another machine; empty for none.
+        inner: the module within it, where the folder has several.
+        qualified: the qualified name.
+    """
+    module = sys.modules.get(name)
+    if module is None:
+        path = Path(file)
+        elsewhere = bool(model) and not path.is_file()
+        if elsewhere:
+            path = catalogue().get(model, path.parent) / path.name
+        if not path.is_file():
+            raise ModelError("a file that is gone", "the one that was packed", file=path)
+        module = load_file(path)
+        if module.__name__ != name and not elsewhere:
+            raise ModelError(
+                "another file than the one that was packed",
+                "the same, unchanged",
+                "make the model anew, or put the old file back",
+                path,
+            )
+    found: Any = module
+    if inner:
+        found = importlib.import_module(f"{module.__name__}.{inner}")
+    for part in qualified.split("."):
+        found = getattr(found, part)
+    return found
