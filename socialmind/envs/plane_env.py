@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -121,6 +122,9 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
             self._world.advance()
             reward += self._column("reward")
         return self._observation(), reward, self._ended, self._world.up, self._info()
+
+    def __copy__(self) -> Any:
+        return copy.deepcopy(self)  # or both would run one world
 
     def render(self) -> Any:
         """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""

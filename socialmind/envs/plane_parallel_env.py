@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
@@ -193,6 +194,9 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         up = dict.fromkeys(acting, self._world.up)
         self.agents = [agent for agent in acting if not (ended[agent] or up[agent])]
         return self._observations(acting), rewards, ended, up, self._infos(acting)
+
+    def __copy__(self) -> Any:
+        return copy.deepcopy(self)  # or both would run one world
 
     def render(self) -> Any:
         """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
