@@ -12,8 +12,9 @@ from socialmind.fields import Field, declared, place_of_field, presence
 from socialmind.language.nodes import nearest
 from socialmind.parameter import Parameter
 from socialmind.population import Population
-from socialmind.rows import ArrayField
+from socialmind.rows import ArrayField, HeldArray
 from socialmind.schedule import PhaseDeclaration
+from socialmind.values import fitted
 from socialmind.worlds.grid import Torus
 from socialmind.worlds.plane.devices import Interruption, Reward
 from socialmind.worlds.plane.measures import RESERVED, Measure
@@ -73,12 +74,15 @@ class Variable:
         if model is None:
             return self
         if self.field.size is not None:
-            return ArrayField(model.context[self.field.name])
+            values = model.context[self.field.name]
+            return ArrayField(values) if model._in_rules else HeldArray(values, self.field)
         if self.field.optional and not model.context[presence(self.field.name)]:
             return None
         return model.context[self.field.name].item()
 
     def __set__(self, model: Any, value: Any) -> None:
+        if not model._in_rules:
+            value = fitted(self.field, value, f"the variable {self.field.name!r} of {model.name}")
         if self.field.optional:
             model.context[presence(self.field.name)] = value is not None
             value = 0 if value is None else value

@@ -21,6 +21,14 @@ class IdleWarning(UserWarning):
     """An agent's decision found no plan available; the agent does nothing until the next."""
 
 
+class UnknownNameError(SocialmindError, AttributeError):
+    """A name that an agent, a population, a patch or a model does not have, or keeps to itself."""
+
+
+class ValueRefusedError(SocialmindError, ValueError):
+    """A value that a field cannot hold; nothing was written."""
+
+
 class ModelError(SocialmindError):
     """Something in a model's own files is wrong: says where, what, and what to do.
 

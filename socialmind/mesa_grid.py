@@ -36,7 +36,7 @@ if _MESA_LAYER is not None:
             self.dimensions = (world.size, world.size)
 
         def _read(self) -> Any:
-            return getattr(self.world, self.name)
+            return self.world.layer(self.name)
 
         def _write(self, values: Any) -> None:
             self._read()[...] = values
@@ -94,7 +94,7 @@ class SocietyGrid(discrete_space.OrthogonalMooreGrid):
             if self._rows is not None:
                 self.remove_property_layer(name)
             if _MESA_LAYER is None:
-                self.add_property_layer(name, getattr(self.world, name))
+                self.add_property_layer(name, self.world.layer(name))
             else:
                 self.add_property_layer(PatchLayer(name, self.world))
         self._rows = self.world.rows

@@ -16,7 +16,8 @@ import inspect
 import re
 import warnings
 from abc import ABCMeta
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -26,13 +27,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
+from coglogo_py.numbers import whole_number
 from coglogo_py.society import Society
 from socialmind.arena import Arena
 from socialmind.bookkeeping import GONE, GONE_SCORE
 from socialmind.connection import names_of_minds
-from socialmind.declaration import declaration_of
+from socialmind.declaration import SETTINGS, declaration_of
 from socialmind.engine import Engine
-from socialmind.errors import IdleWarning, SocialmindError
+from socialmind.errors import IdleWarning, SocialmindError, UnknownNameError
 from socialmind.fields import Field, place_of_field, presence
 from socialmind.hindsight import explained
 from socialmind.language.layout import model_dtype
@@ -65,6 +67,8 @@ KEPT_BY_MODELS = frozenset(
     (
         "_addresses",
         "_hierarchy",
+        "_in_rules",
+        "_made",
         "_scheme",
         "_sets_up",
         "_steerings",
@@ -89,6 +93,8 @@ KEPT_BY_MODELS = frozenset(
     )
 )
 """The attributes that an instance keeps beside those of the modeller."""
+_REPLACED = ("connected", "watch", "watched")
+"""Those that are replaced while it runs."""
 
 Loaded = TypeVar("Loaded", bound="Model")
 
@@ -103,7 +109,16 @@ class Idle:
 
 
 class ModelKind(ABCMeta):
-    """The class of model classes: they go to other processes wherever they were loaded from."""
+    """The class of model classes.
+
+    They go to other processes wherever they were loaded from, and a society that is made takes no
+    further attributes.
+    """
+
+    def __call__(cls, *arguments: Any, **settings: Any) -> Any:
+        made = super().__call__(*arguments, **settings)
+        made._made = True
+        return made
 
 
 def _reduced(kind: ModelKind) -> Any:
@@ -173,6 +188,8 @@ class Model(metaclass=ModelKind):
 
     _programs: ClassVar[dict[bool, Program]] = {}
     _sets_up: ClassVar[bool] = True
+    _made = False
+    _in_rules = False
 
     @classmethod
     def _shape(cls) -> ModelShape:
@@ -234,6 +251,7 @@ class Model(metaclass=ModelKind):
         model = cls.__new__(cls)
         model._sets_up = False  # type: ignore[misc]  # of this one
         model.__init__(**arguments)  # type: ignore[misc]  # what __new__ left out
+        model._made = True
         return model
 
     @classmethod
@@ -251,9 +269,7 @@ class Model(metaclass=ModelKind):
         without: Sequence[str] = (),
         **parameters: Any,
     ) -> None:
-        if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**64:
-            raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 … 2**64 - 1")
-        self.seed = seed
+        self.seed = whole_number(seed, "seed", 0, 2**64 - 1, SocialmindError)
         self.compiled = compiled
         self._scheme = scheme
         self._hierarchy = hierarchy
@@ -279,7 +295,7 @@ class Model(metaclass=ModelKind):
             for name in self.arena.shape.robots:
                 self.context[f"_{name}_steered"] = 1
         self.stream = np.zeros(1, STREAM)
-        self.stream["key_0"], self.stream["key_1"] = seed & 0xFFFFFFFF, seed >> 32
+        self.stream["key_0"], self.stream["key_1"] = self.seed & 0xFFFFFFFF, self.seed >> 32
         self.connected: list[NDArray[Any]] = []
         self._addresses = [
             name
@@ -389,7 +405,64 @@ class Model(metaclass=ModelKind):
             lambda: self.tick,
         )
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        if self._made and name not in self.variables and not name.startswith("_"):
+            value = self._admitted(name, value)
+        object.__setattr__(self, name, value)
+
+    def _admitted(self, name: str, value: Any) -> Any:
+        """Return what an attribute may be set to, or refuse it.
+
+        A society takes its variables, what its class declares, what `__init__` made, and names
+        with a leading underscore, which are the modeller's own.
+        """
+        if name in _REPLACED or isinstance(getattr(type(self), name, None), Parameter | property):
+            return value  # these speak for themselves
+        known = [*self.variables, *self.parameters, *self.populations]
+        if name in self.populations:
+            raise UnknownNameError(
+                f"the population {name!r} of {self.name} stays; set fields of its agents: "
+                f"society.{name}.FIELD = …"
+            )
+        if name == "world":
+            raise UnknownNameError(
+                f"the world of {self.name} stays; set fields of its patches: "
+                "society.world.FIELD = …"
+            )
+        if name in ("ticks", "score_every"):
+            return whole_number(value, name, 0, error=SocialmindError)
+        there = getattr(type(self), name, None)
+        if name in KEPT_BY_MODELS or name in SETTINGS:
+            raise UnknownNameError(
+                f"{name!r} of {self.name} stays as it was when the society was made; make another"
+            )
+        if inspect.isroutine(there) and not callable(value):
+            raise UnknownNameError(f"{name!r} of {self.name}, which is a method; call it")
+        if there is None and name not in vars(self):
+            raise UnknownNameError(
+                f"{self.name} has no variable {name!r}; {nearest(name, known)}; declare it in the "
+                f"class ({name}: float = 0.0), set it in __init__, or call it _{name}"
+            )
+        return value
+
     # Running ----------------------------------------------------------------------------------
+
+    @contextmanager
+    def following_rules(self) -> Iterator[None]:
+        """Hand out agents and patches as rules hold them, bare, while interpreted rules run."""
+        within = self._in_rules
+        self._hand_out(True)
+        try:
+            yield
+        finally:
+            self._hand_out(within)
+
+    def _hand_out(self, bare: bool) -> None:
+        self._in_rules = bare
+        for table in self.tables.values():
+            table.hand_out(bare)
+        if self.grid is not None:
+            self.grid.hand_out(bare)
 
     @property
     def tick(self) -> int:
@@ -400,14 +473,16 @@ class Model(metaclass=ModelKind):
         """Run a number of ticks.
 
         Args:
-            ticks: 0 or more.
+            ticks: a whole number, 0 or more.
 
         Raises:
+            SocialmindError: `ticks` is none.
             RuleError: a rule failed, with its file, line, agent and tick.
 
         Warns:
             IdleWarning: for the first decision of the society that found no plan available.
         """
+        ticks = whole_number(ticks, "ticks", 0, error=SocialmindError)
         known = self.idle.count
         self.engine.advance(ticks)
         idle = self.idle
@@ -617,6 +692,7 @@ def _remade(
     del made._sets_up
     made.restore(state)
     vars(made).update(own)
+    made._made = True
     return made
 
 

@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
-from socialmind.errors import ModelError, SocialmindError
+from coglogo_py.errors import shown
+from socialmind.errors import ModelError, SocialmindError, UnknownNameError
 
 
 @dataclass
@@ -51,8 +52,10 @@ class Parameter:
         return self if model is None else model.context[self.name].item()
 
     def __set__(self, model: Any, value: Any) -> None:
-        raise AttributeError(
-            f"the parameter {self.name!r} stays as it is in a run; declare a variable of the model"
+        raise UnknownNameError(
+            f"the parameter {self.name!r} stays as it is in a run; give it when the society is "
+            f"made, {type(model).__name__}({self.name}={shown(value)}), or declare a variable of "
+            "the model"
         )
 
     @property

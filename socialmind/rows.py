@@ -1,16 +1,25 @@
 """Rows: an agent or a patch as interpreted rules and users hold it.
 
-A row reads and writes the arrays, and gives plain Python values, not NumPy's.
+A row reads and writes the arrays, and gives plain Python values, not NumPy's. Rules are typed
+before they run, so theirs are bare; users get rows that check names, values and whether the agent
+still lives (`Held…`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
+from coglogo_py.errors import shown
 from coglogo_py.mind import Mind
+from socialmind.errors import UnknownNameError
 from socialmind.fields import Field, presence
+from socialmind.language.arithmetic import brought_back, turned
+from socialmind.language.lowering import PLACES
+from socialmind.language.nodes import nearest
 from socialmind.language.shape import PopulationShape
 from socialmind.mind.kernel import weights
+from socialmind.values import fitted
 
 
 class ArrayField:
@@ -37,6 +46,29 @@ class ArrayField:
 
     def __repr__(self) -> str:
         return repr(self._values.tolist())
+
+
+class HeldArray(ArrayField):
+    """An array field as users hold it: what is written into it is checked."""
+
+    __slots__ = ("_field",)
+
+    def __init__(self, values: Any, field: Field) -> None:
+        super().__init__(values)
+        self._field = field
+
+    def __getitem__(self, place: int | slice) -> Any:
+        return self._values[place].tolist()
+
+    def __setitem__(self, place: int | slice, value: Any) -> None:
+        name = f"the field {self._field.name!r}"
+        several = isinstance(value, Iterable)
+        checked = [fitted(_element(self._field), one, name) for one in (value if several else [value])]
+        self._values[place] = checked if several else checked[0]
+
+
+def _element(field: Field) -> Field:
+    return Field(field.name, field.kind, field.storage, field.default)
 
 
 class Row:
@@ -173,11 +205,21 @@ def _hierarchy(row: Row) -> Any:
     return row._table.minds.of(row._slot)
 
 
-def row_class(shape: PopulationShape) -> type[Row]:
-    """Return the class of a population's rows, with its fields as properties."""
+def row_class(shape: PopulationShape, wraps: bool, turns: bool) -> type[Row]:
+    """Return the class of a population's rows as rules hold them, its fields as properties.
+
+    Args:
+        shape: the population's.
+        wraps: whether places are brought back into a torus.
+        turns: whether headings are kept in [0, 360).
+    """
     members: dict[str, Any] = {"__slots__": ()}
     for field in shape.fields.values():
         members[field.name] = _field_property(field, _slot_of_row)
+        if wraps and field.name in PLACES:
+            members[field.name] = _place_property(field.name)
+        if turns and field.name == "heading":
+            members["heading"] = _heading
     if shape.minded:
         members["mind"] = property(_mind)
         members["plan"] = property(_plan, _set_plan)
@@ -185,6 +227,101 @@ def row_class(shape: PopulationShape) -> type[Row]:
     if shape.hierarchy:
         members["hierarchy"] = property(_hierarchy)
     return type(shape.name, (Row,), members)
+
+
+class HeldRow(Row):
+    """An agent as users hold it: for as long as it lives, and with what is written checked."""
+
+    __slots__ = ("_identity", "_place")
+
+    def __init__(self, table: Any, slot: int) -> None:
+        put = object.__setattr__
+        put(self, "_table", table)
+        put(self, "_place", slot)
+        put(self, "_identity", table.columns["_id"].item(slot))
+
+    @property
+    def _slot(self) -> int:  # type: ignore[override]  # a slot of the class there
+        if self._table.columns["_id"].item(self._place) != self._identity:
+            raise self._dead()
+        return self._place
+
+    @property
+    def id(self) -> int:
+        """The agent's identity, never used again."""
+        return self._identity
+
+    def _dead(self) -> UnknownNameError:
+        return UnknownNameError(f"agent {self._identity} of {self._table.shape.name!r} is dead")
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        table = self._table
+        field = table.shape.fields.get(name)
+        if field is None:
+            if name == "plan" and table.shape.minded:
+                object.__setattr__(self, name, value)
+                return
+            raise unknown(name, table.shape.name, type(self), table.shape.fields)
+        if not table.alive[self._slot]:
+            raise self._dead()
+        value = fitted(field, value, f"the field {name!r} of agent {self._identity}")
+        if field.size is not None:
+            table.columns[name][self._slot] = value
+        else:
+            object.__setattr__(self, name, value)
+
+    def __getattr__(self, name: str) -> Any:
+        # Python comes here too when a property raises AttributeError, which then raises again.
+        if name.startswith("__") or hasattr(type(self), name):
+            return object.__getattribute__(self, name)
+        raise unknown(name, self._table.shape.name, type(self), self._table.shape.fields)
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, Row) and other._table is self._table and other.id == self._identity
+        )
+
+    def __hash__(self) -> int:
+        return hash((id(self._table), self._identity))
+
+    def __repr__(self) -> str:
+        if not self._table.contains(self._identity):
+            return f"<{self._table.shape.name} {self._identity}: dead>"
+        return super().__repr__()
+
+
+def held_class(bare: type[Row], shape: PopulationShape) -> type[HeldRow]:
+    """Return the class of a population's rows as users hold them."""
+    members: dict[str, Any] = {"__slots__": ()}
+    for field in shape.fields.values():
+        if field.size is not None:
+            members[field.name] = _held_array(field, _slot_of_row)
+    if shape.minded:
+        members["mind"] = property(_living_mind)
+    return type(shape.name, (HeldRow, bare), members)
+
+
+def _living_mind(row: HeldRow) -> AgentMind:
+    """The agent's mind."""
+    if not row._table.contains(row._identity):
+        raise UnknownNameError(
+            f"agent {row._identity} of {row._table.shape.name!r} is dead and has no mind any more; "
+            "read what you need of it before it dies"
+        )
+    return AgentMind.of(row)
+
+
+def unknown(name: str, owner: str, kind: type, fields: Iterable[str]) -> UnknownNameError:
+    """Return the error for a name that agents or patches do not have, or that cannot be set."""
+    fields = list(fields)
+    if name in fields or hasattr(kind, name):
+        return UnknownNameError(
+            f"{name!r} of {owner!r} cannot be set; its fields are {', '.join(fields) or 'none'}"
+        )
+    return UnknownNameError(
+        f"{owner!r} has no field {shown(name)}; {nearest(name, fields)}; "
+        "a further field is declared in the class"
+    )
 
 
 def _slot_of_row(row: Any) -> tuple[Any, int]:
@@ -225,6 +362,47 @@ def _field_property(field: Field, place: Any) -> property:
     return property(read, write)
 
 
+def _place_property(name: str) -> property:
+    """Return a coordinate, which is brought back into the world where it is set."""
+
+    def read(row: Any) -> float:
+        value: float = row._table.columns[name].item(row._slot)
+        return value
+
+    def write(row: Any, value: float) -> None:
+        table = row._table
+        grid = table.model.grid
+        table.columns[name][row._slot] = brought_back(value, grid.low, grid.size)
+
+    return property(read, write)
+
+
+def _read_heading(row: Any) -> float:
+    value: float = row._table.columns["heading"].item(row._slot)
+    return value
+
+
+def _turn(row: Any, value: float) -> None:
+    row._table.columns["heading"][row._slot] = turned(value)
+
+
+_heading = property(_read_heading, _turn)
+
+
+def _held_array(field: Field, place: Any) -> property:
+    name = field.name
+
+    def read(row: Any) -> HeldArray:
+        columns, slot = place(row)
+        return HeldArray(columns[name][slot], field)
+
+    def write(row: Any, values: Any) -> None:
+        columns, slot = place(row)
+        columns[name][slot] = fitted(field, values, f"the field {name!r}")
+
+    return property(read, write)
+
+
 class PatchRow:
     """One patch: its fields as attributes, and the coordinates of its centre."""
 
@@ -251,6 +429,28 @@ class PatchRow:
         return f"<patch {self.x} {self.y}>"
 
 
+class HeldPatch(PatchRow):
+    """A patch as users hold it: what is written is checked."""
+
+    __slots__ = ()
+
+    def __init__(self, world: Any, place: int) -> None:
+        object.__setattr__(self, "_world", world)
+        object.__setattr__(self, "_place", place)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        field = self._world.fields.get(name)
+        if field is None:
+            raise unknown(name, "patch", type(self), self._world.fields)
+        value = fitted(field, value, f"the field {name!r} of the patch {self.x} {self.y}")
+        object.__setattr__(self, name, value)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__") or hasattr(type(self), name):
+            return object.__getattribute__(self, name)
+        raise unknown(name, "patch", type(self), self._world.fields)
+
+
 def _patch_of(world: Any, place: int) -> PatchRow:
     patch: PatchRow = world.row_class(world, place)
     return patch
@@ -262,3 +462,12 @@ def patch_class(fields: dict[str, Field]) -> type[PatchRow]:
     for field in fields.values():
         members[field.name] = _field_property(field, lambda row: (row._world.columns, row._place))
     return type("Patch", (PatchRow,), members)
+
+
+def held_patch_class(bare: type[PatchRow], fields: dict[str, Field]) -> type[HeldPatch]:
+    """Return the class of a world's patches as users hold them."""
+    members: dict[str, Any] = {"__slots__": ()}
+    for field in fields.values():
+        if field.size is not None:
+            members[field.name] = _held_array(field, lambda row: (row._world.columns, row._place))
+    return type("Patch", (HeldPatch, bare), members)

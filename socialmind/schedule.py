@@ -71,17 +71,19 @@ def once(rule: Rule) -> PhaseDeclaration:
 
 def run_setup(model: Model, functions: dict[str, Rule]) -> None:
     """Run the setup of a model in interpreted Python."""
-    for phase in model.program.setup:
-        _run(model, functions, phase)
+    with model.following_rules():
+        for phase in model.program.setup:
+            _run(model, functions, phase)
     _settle(model)
 
 
 def run_tick(model: Model, functions: dict[str, Rule]) -> None:
     """Run one tick of a model in interpreted Python."""
-    if model.arena is None:
-        _run_schedule(model, functions)
-    else:
-        _run_plane(model, functions)
+    with model.following_rules():
+        if model.arena is None:
+            _run_schedule(model, functions)
+        else:
+            _run_plane(model, functions)
     _settle(model)
     model.context["_tick"] += 1
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.bookkeeping import (
     ALIVE,
     COUNT,
@@ -23,13 +25,17 @@ from socialmind.bookkeeping import (
     short_of_room,
     slot_of_agent,
 )
+from socialmind.columns import check_fields, column, columns_of
 from socialmind.connection import plan_functions
-from socialmind.errors import SocialmindError
+from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError
 from socialmind.fields import Field, presence, set_default
+from socialmind.language.arithmetic import brought_back, turned
 from socialmind.language.layout import row_dtype
+from socialmind.language.lowering import PLACES
 from socialmind.language.nodes import nearest
 from socialmind.language.shape import PopulationShape
-from socialmind.rows import row_class
+from socialmind.rows import Row, held_class, row_class, unknown
+from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
     from coglogo_py import Mind, Society
@@ -39,15 +45,27 @@ if TYPE_CHECKING:
     from socialmind.model import Model
 
 
+KEPT_BY_TABLES = frozenset(
+    (
+        "acting", "alive", "columns", "counters", "default", "dtype", "free", "minds", "model",
+        "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
+    )
+)  # fmt: skip
+"""What a table keeps under names without an underscore; users assign to fields alone."""
+
+
 class Table:
     """A population of a running model.
 
     It is what `model.humans` gives: the number of the living, an agent by its identity, a loop
-    over all of them, and each field as a NumPy array over the living in order of birth:
+    over all of them, and each field as a NumPy array over the living in order of birth, which is a
+    copy. Assigning to the field writes it, one value for all or an array:
 
         model.humans.wheat.sum()
         for human in model.humans: ...
         model.humans[3].wheat
+        model.humans.wheat = 0.0
+        model.humans.wheat *= 2
 
     Args:
         model: the model.
@@ -73,6 +91,10 @@ class Table:
         self.default = np.zeros(1, self.dtype)
         for field in shape.fields.values():
             set_default(self.default, field)
+        self._turns = model.shape.plane is None
+        self._wraps = self._turns and model.grid is not None
+        for name in ("x", "y", "heading"):
+            self.default[name] = self._kept_within(name, self.default[name])
         if shape.minded:
             self.default["_mind"] = self.default["_plan"] = self.default["_decided"] = -1
         capacity = max(size, 1)
@@ -98,7 +120,9 @@ class Table:
         if weighing is not None and society is not None and self.minds is not None:
             description = self.minds.assembly.description
             self.weighing = weighing.places(society.scheme, description)
-        self.row_class = row_class(shape)
+        self._bare = row_class(shape, self._wraps, self._turns)
+        self._held = held_class(self._bare, shape)
+        self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
         self._see_columns()
 
@@ -130,17 +154,122 @@ class Table:
         return self.row_class(self, slot)
 
     def __getattr__(self, name: str) -> NDArray[Any]:
-        """Return a field of the living agents as an array, in order of birth."""
+        """Return a field of the living agents, in order of birth: a copy, and read-only."""
         shape = self.__dict__.get("shape")
-        if shape is None or (name != "id" and name not in shape.fields):
-            known = "" if shape is None else ", ".join(["id", *shape.fields])
-            raise AttributeError(f"no field {name!r}; there is {known}")
-        column = self.columns["_id" if name == "id" else name][self.slots]
+        if shape is None or name.startswith("_"):
+            raise AttributeError(f"no attribute {name!r}")
+        if name != "id" and name not in shape.fields:
+            raise unknown(name, shape.name, type(self), ["id", *shape.fields])
+        values = self.columns["_id" if name == "id" else name][self.slots]
         field: Field | None = shape.fields.get(name)
         if field is not None and field.optional:
-            column = column.astype(object)
-            column[~self.holds(name)] = None
-        return column
+            values = values.astype(object)
+            values[~self.holds(name)] = None
+        return column(values, f"society.{shape.name}.{name}")
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Set a field of all the living: one value for all, or an array in order of birth."""
+        shape = self.__dict__.get("shape")
+        if shape is not None and name in shape.fields:
+            self.set(**{name: value})
+        elif name.startswith("_") or name in KEPT_BY_TABLES:
+            object.__setattr__(self, name, value)
+        else:
+            raise unknown(name, "" if shape is None else shape.name, type(self), shape.fields)
+
+    def set(self, **fields: Any) -> None:
+        """Set fields of all the living.
+
+        Nothing is written unless all of it can be.
+
+        Args:
+            fields: by name, one value for all, or a value for each in order of birth; of an array
+                field one row for all, or a row for each. None stands for none, and in columns of
+                numbers for optional fields NaN too.
+
+        Raises:
+            UnknownNameError: there is no such field.
+            ValueRefusedError: too many or few values, or one that the field cannot hold.
+        """
+        self._put(fields, self.slots)
+
+    def set_from(self, data: Any, by: str | None = None) -> None:
+        """Set fields of the living from a table of data, one row for an agent.
+
+        Nothing is written unless all of it can be.
+
+        Args:
+            data: a data frame, an Arrow table or a mapping; its columns are called as the fields.
+            by: the column that holds the agents' identities; unless given, one called `agent` or
+                `id`. Agents that no row is for stay as they are. Without such a column the rows
+                are for all the living, in order of birth.
+
+        Raises:
+            UnknownNameError: a column is no field.
+            ValueRefusedError: a row is for no living agent, two are for one, or a value is one
+                that the field cannot hold, with the row.
+        """
+        what = f"data for {self.shape.name!r}"
+        columns = columns_of(data, what)
+        if by is None:
+            by = next((name for name in ("agent", "id") if name in columns), None)
+        elif by not in columns:
+            raise UnknownNameError(f"{what} without the column {by!r}; {nearest(by, columns)}")
+        if by is None:
+            self._put(columns, self.slots)
+            return
+        identities = np.asarray(columns.pop(by))
+        slots = np.zeros(len(identities), np.int64)
+        seen: dict[int, int] = {}
+        for row, identity in enumerate(identities.tolist()):
+            whole = is_whole(identity) or (isinstance(identity, float) and identity.is_integer())
+            if not whole or not self.contains(int(identity)):
+                raise ValueRefusedError(
+                    f"{what}, row {row}: found {shown(identity)} as {by}; expected the identity of "
+                    f"a living agent{_ends(self.id)}"
+                )
+            if int(identity) in seen:
+                raise ValueRefusedError(
+                    f"{what}, row {row}: agent {int(identity)} again, as in row "
+                    f"{seen[int(identity)]}; expected one row for each"
+                )
+            seen[int(identity)] = row
+            slots[row] = slot_of_agent(self.slot_of, int(identity))
+        self._put(columns, slots)
+
+    def _put(self, fields: Mapping[str, Any], slots: NDArray[np.int64]) -> None:
+        """Write fields of the agents in some slots, once all of them are checked."""
+        check_fields(fields, self.shape.fields, repr(self.shape.name))
+        checked = {}
+        identities = self.columns["_id"][slots]
+        for name, values in fields.items():
+            field = self.shape.fields[name]
+            found, there = fitted_column(
+                field,
+                values,
+                len(slots),
+                f"the field {name!r} of {self.shape.name!r}",
+                lambda place: f"agent {identities[place]} (row {place})",
+            )
+            checked[name] = self._kept_within(name, found), there
+        for name, (found, there) in checked.items():
+            self.columns[name][slots] = found
+            if self.shape.fields[name].optional:
+                self.columns[presence(name)][slots] = there
+
+    def _kept_within(self, name: str, values: NDArray[Any]) -> NDArray[Any]:
+        """Return places and headings as agents keep them, one by one as rules set them."""
+        grid = self.model.grid
+        if self._wraps and name in PLACES and grid is not None:
+            low, size = grid.low, grid.size
+            return np.array([brought_back(one, low, size) for one in values.tolist()], float)
+        if self._turns and name == "heading":
+            return np.array([turned(one) for one in values.tolist()], float)
+        return values
+
+    def hand_out(self, bare: bool) -> None:
+        """Give out agents as rules hold them, or, as else, as users do."""
+        self.row_class = self._bare if bare else self._held
 
     def holds(self, name: str) -> NDArray[np.bool_]:
         """Say for each of the living whether an optional field holds a value."""
@@ -218,7 +347,7 @@ class Table:
         if self.alive[slot]:
             died(self.counters, self.alive, self.slot_of, slot, agent.id)
             if self.society is not None:
-                agent.mind.die()
+                self.mind_of(slot).die()
                 self.columns["_mind"][slot] = -1
 
     def _place(self) -> int:
@@ -308,7 +437,18 @@ class Table:
         """Return the mind of the agent in a slot."""
         if self.society is None:
             raise AttributeError(f"the agents of {self.shape.name!r} have no minds")
-        return self.society.mind_in(int(self.columns["_mind"][slot]))
+        mind = int(self.columns["_mind"][slot])
+        if mind < 0:
+            identity = int(self.columns["_id"][slot])
+            raise ValueError(
+                f"the mind of agent {identity} of {self.shape.name!r}, which is dead; "
+                "read what you need of it before it dies"
+            )
+        return self.society.mind_in(mind)
+
+
+def _ends(identities: NDArray[np.int64]) -> str:
+    return f", {identities[0]} … {identities[-1]}" if len(identities) else "; none lives"
 
 
 def _population_of(model: Model, name: str) -> Table:

@@ -410,3 +410,40 @@ def fitting(value: int, low: int, high: int) -> int:
     if value < low or value > high:
         raise OverflowError("a whole number beyond what its field can hold")
     return value
+
+
+NOWHERE = 1e15
+"""Beyond it coordinates say no more in which patch they are."""
+
+
+@register_jitable
+def brought_back(value: float, low: int, size: int) -> float:
+    """Return a coordinate as a torus keeps it: what leaves on one side comes back on the other.
+
+    Args:
+        value: the coordinate.
+        low: the first column of patches.
+        size: how many there are.
+    """
+    edge = low - 0.5
+    if edge <= value < edge + size:
+        return value
+    if not abs(value) < NOWHERE:
+        raise ValueError("a point that is nowhere")
+    value = value - size * math.floor((value - edge) / size)
+    if value < edge or value >= edge + size:  # a hair off, by rounding
+        value = edge
+    return value
+
+
+@register_jitable
+def turned(heading: float) -> float:
+    """Return a heading in [0, 360) degrees."""
+    if 0.0 <= heading < 360.0:
+        return heading
+    if not heading - heading == 0.0:
+        raise ValueError("a heading that is not finite")
+    heading = heading % 360.0
+    if heading >= 360.0:  # a hair below 0, rounded up
+        heading = 0.0
+    return heading

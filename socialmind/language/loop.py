@@ -40,7 +40,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             *(minds.population_text(name, name in robots) for name in minded),
         ]
     for function in program.functions.values():
-        parts.append(f"@_inner\n{lowered(function)}")
+        parts.append(f"@_inner\n{lowered(function, shape)}")
     for name, plans in program.plans.items():
         parts.append(plans_text(name, list(plans.values())))
     parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]

@@ -13,13 +13,23 @@ from typing import Any
 
 from socialmind.fields import Field, presence
 from socialmind.language.program import TypedFunction
+from socialmind.language.shape import ModelShape
 from socialmind.language.syntax import parsed
 
 
-def lowered(function: TypedFunction) -> str:
-    """Return the source of a function for numba."""
+PLACES = ("x", "y")
+"""The fields of an agent that are brought back into a torus wherever they are set."""
+
+
+def lowered(function: TypedFunction, shape: ModelShape | None = None) -> str:
+    """Return the source of a function for numba.
+
+    Args:
+        function: the function.
+        shape: the model's, on which it depends what is brought back where places are set.
+    """
     tree = copy.deepcopy(function.tree)
-    tree = _Lowering().visit(tree)
+    tree = _Lowering(shape).visit(tree)
     tree.args.args.insert(0, ast.arg("_model"))
     return ast.unparse(ast.fix_missing_locations(tree))
 
@@ -51,7 +61,9 @@ def _parsed(text: str) -> Any:
 class _Lowering(ast.NodeTransformer):
     """Rewrites the marked nodes of a tree, the inner ones first."""
 
-    def __init__(self) -> None:
+    def __init__(self, shape: ModelShape | None) -> None:
+        self.turns = shape is not None and shape.plane is None
+        self.wraps = self.turns and shape is not None and shape.patch is not None
         self.loops = 0
         self.kept = 0
 
@@ -110,6 +122,8 @@ class _Lowering(ast.NodeTransformer):
         if not isinstance(field, Field):  # a plan
             target = ast.Attribute(self.visit(place.value), "_plan", ast.Store())
             return [ast.Assign([target], value)]
+        if place.mark[0] == "agent":
+            value = self.kept_within(field.name, value)
         holder = self.holder(place, place.mark)
         if not field.optional:
             return [ast.Assign([ast.Attribute(holder, place.attr, ast.Store())], value)]
@@ -130,6 +144,15 @@ class _Lowering(ast.NodeTransformer):
             ast.Assign([ast.Attribute(holder, place.attr, ast.Store())], value),
             ast.Assign([there], ast.Constant(not mark[1])),
         ]
+
+    def kept_within(self, name: str, value: ast.expr) -> ast.expr:
+        """Return a new place or heading as agents keep it (`rows` has the interpreted twin)."""
+        if self.wraps and name in PLACES:
+            low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
+            return ast.Call(_name("_brought_back"), [value, low, size], [])
+        if self.turns and name == "heading":
+            return ast.Call(_name("_turned"), [value], [])
+        return value
 
     def visit_Constant(self, node: ast.Constant) -> ast.expr:
         is_nan = isinstance(node.value, float) and node.value != node.value

@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.errors import ModelError, SocialmindError
-from socialmind.fields import Field, class_fields, place_of_field, set_default
+from socialmind.columns import check_fields, column
+from socialmind.errors import ModelError, SocialmindError, ValueRefusedError
+from socialmind.fields import Field, class_fields, place_of_field, presence, set_default
 from socialmind.language.layout import row_dtype
-from socialmind.rows import PatchRow, patch_class
+from socialmind.rows import PatchRow, held_patch_class, patch_class, unknown
+from socialmind.values import fitted_column
 from socialmind.worlds.torus import COMMANDS, patch_index, patches_in_radius
 
 
@@ -73,11 +75,13 @@ class Grid:
     """The torus of a running model.
 
     It is what `model.world` gives: its size, a patch, the patches around an agent, and each field
-    of the patches as a NumPy array of shape (size, size), column by column from the south-west:
+    of the patches as a NumPy array of shape (size, size), column by column from the south-west,
+    which is a copy. Assigning to the field writes it:
 
         model.world.size, model.world.low, model.world.high
         model.world.patch(3, -2).taken
         model.world.taken[x - model.world.low, y - model.world.low]
+        model.world.taken = False
 
     Args:
         fields: the fields of a patch.
@@ -92,7 +96,9 @@ class Grid:
         self.rows = np.zeros(size * size, row_dtype(fields, None))
         for field in fields.values():
             set_default(self.rows, field)
-        self.row_class = patch_class(fields)
+        self._bare = patch_class(fields)
+        self._held = held_patch_class(self._bare, fields)
+        self.row_class: type[PatchRow] = self._held
         self._see_columns()
 
     def _see_columns(self) -> None:
@@ -103,12 +109,70 @@ class Grid:
         return _grid_of, (self.fields, self.size, self.rows)
 
     def __getattr__(self, name: str) -> NDArray[Any]:
-        """Return a field of all patches."""
+        """Return a field of all patches: a copy, and read-only."""
         fields = self.__dict__.get("fields", {})
+        if name.startswith("_"):
+            raise AttributeError(f"no attribute {name!r}")
         if name not in fields:
-            raise AttributeError(f"no field {name!r} of a patch; there is {', '.join(fields)}")
-        column = self.columns[name]
-        return column.reshape((self.size, self.size, *column.shape[1:]))
+            raise unknown(name, "world", type(self), fields)
+        values = self.layer(name).copy()
+        if fields[name].optional:
+            values = values.astype(object)
+            values[~self.layer(presence(name))] = None
+        return column(values, f"society.world.{name}")
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Set a field of all patches: one value for all, or an array (size, size)."""
+        fields = self.__dict__.get("fields", {})
+        if name in fields:
+            self.set(**{name: value})
+        elif name.startswith("_") or name in TAKEN_NAMES:
+            object.__setattr__(self, name, value)
+        else:
+            raise unknown(name, "world", type(self), fields)
+
+    def set(self, **fields: Any) -> None:
+        """Set fields of all patches.
+
+        Args:
+            fields: by name, one value for all, or an array (size, size), column by column from the
+                south-west, as the field itself is given.
+
+        Raises:
+            UnknownNameError: there is no such field.
+            ValueRefusedError: an array of another shape, or a value that the field cannot hold.
+        """
+        check_fields(fields, self.fields, "the world")
+        checked = {}
+        for name, values in fields.items():
+            shape = np.shape(values)
+            if len(shape) >= 2 and shape[:2] == (self.size, self.size):
+                values = np.asarray(values).reshape((self.size * self.size, *shape[2:]))
+            elif len(shape) > (self.fields[name].size is not None):
+                raise ValueRefusedError(
+                    f"the field {name!r} of the world: found the shape {shape}; expected "
+                    f"{(self.size, self.size)}, or one value for all"
+                )
+            checked[name] = fitted_column(
+                self.fields[name],
+                values,
+                len(self.rows),
+                f"the field {name!r} of the world",
+                lambda place: repr(self._held(self, place)),
+            )
+        for name, (found, there) in checked.items():
+            self.columns[name][:] = found
+            if self.fields[name].optional:
+                self.columns[presence(name)][:] = there
+
+    def layer(self, name: str) -> NDArray[Any]:
+        """Return a column of the patches themselves, (size, size), not checked when written."""
+        found = self.columns[name]
+        return found.reshape((self.size, self.size, *found.shape[1:]))
+
+    def hand_out(self, bare: bool) -> None:
+        """Give out patches as rules hold them, or, as else, as users do."""
+        self.row_class = self._bare if bare else self._held
 
     def patch(self, x: float, y: float) -> PatchRow:
         """Return the patch around a point."""

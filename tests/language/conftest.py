@@ -68,8 +68,8 @@ def _content(model):
 
 
 def watched(society):
-    """Note in `society.met` the errors of compiled code, which the interpreted speed then asks."""
-    society.met = []
+    """Note in `society._met` the errors of compiled code, which the interpreted speed then asks."""
+    society._met = []
     guarded = society.engine._guarded
 
     def noting(run, again):
@@ -77,7 +77,7 @@ def watched(society):
             try:
                 return run()
             except Exception as error:
-                society.met.append(type(error).__name__)
+                society._met.append(type(error).__name__)
                 raise
 
         return guarded(noted, again)

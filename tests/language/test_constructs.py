@@ -24,7 +24,7 @@ def compared(society, walk, speeds, stem):
         if different:
             break
     assert not different, "\n".join(different)
-    assert compiled.met == []
+    assert compiled._met == []
 
 
 @pytest.mark.parametrize("stem", ["numbers", "control", "helpers", "bodies"])
@@ -40,7 +40,7 @@ def test_commands_run_alike(society, walk, speeds):
         compiled.advance(1)
         interpreted.advance(1)
         assert not speeds.differences(compiled, interpreted), rule.__name__
-    assert set(compiled.met) <= {"NoRoomError"}
+    assert set(compiled._met) <= {"NoRoomError"}
 
 
 def test_more_than_a_hundred_constructs(walk):

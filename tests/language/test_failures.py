@@ -116,7 +116,7 @@ def test_failures_are_alike(body, failing, speeds):
         cause = error.__cause__ or error
         assert isinstance(cause, FAILURES[body]), repr(cause)
         assert model.tick == 3
-        assert len(model.met) == compiled
+        assert len(model._met) == compiled
         if compiled:
             assert str(file) in str(error)
             broken = model

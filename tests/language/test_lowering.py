@@ -120,7 +120,7 @@ def test_odd_names_and_fields_run_alike(speeds):
     fast, slow = speeds.watched(OddModel(2)), OddModel(2, compiled=False)
     for model in (fast, slow):
         model.advance(6)
-    assert fast.met == []
+    assert fast._met == []
     assert not speeds.differences(fast, slow)
     assert list(fast.seen) == list(slow.seen)
     assert fast.agent.flags.dtype == bool

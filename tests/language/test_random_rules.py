@@ -33,5 +33,5 @@ def test_random_rules_run_alike(seed, society, speeds, tmp_path):
         assert not speeds.differences(one, other), f"rule {case}"
         if failed is None:
             finished += 1
-            assert one.met == []  # compiled code did not ask the interpreted speed
+            assert one._met == []  # compiled code did not ask the interpreted speed
     assert finished > RULES / 3

@@ -47,7 +47,7 @@ def test_a_sheep_eats_crop_before_grass_at_the_owners_loss(make):
     society.advance(1)
     assert sheep.food == pytest.approx(0.05)
     assert farmer.loss == 0
-    society.world.crop[:] = 0.03
+    society.world.crop = 0.03
     put(sheep, farmer.field_x, farmer.field_y)
     society.advance(1)
     assert sheep.food == pytest.approx(0.08)  # no more than there is
