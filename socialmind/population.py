@@ -55,6 +55,7 @@ TAKEN_NAMES = frozenset(
         "counters",
         "default",
         "dtype",
+        "edge",
         "free",
         "model",
         "order",

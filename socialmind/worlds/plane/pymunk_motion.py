@@ -396,9 +396,11 @@ def _accelerate(kind: Kind, slot: int, dt: float) -> tuple[float, float, float, 
     angle += dt * spin
     if not abs(x + dt * vx) + abs(y + dt * vy) + abs(angle) < FARTHEST:
         # Pymunk ends the whole process at a number that is none.
+        who = rows["_id"].item(slot) if "_id" in (rows.dtype.names or ()) else slot
         raise ModelError(
-            f"a body of {kind.name!r} at ({x}, {y}), angle {angle}, velocity ({vx}, {vy})",
-            "finite numbers",
+            f"agent {who} of {kind.name!r}, whose motion is not finite: x={x}, y={y}, "
+            f"angle={angle}, vx={vx}, vy={vy}",
+            "numbers up to a thousand million",
         )
     angle = turned(angle)
     rows["vx"][slot], rows["vy"][slot], rows["spin"][slot] = vx, vy, spin
