@@ -31,6 +31,7 @@ from coglogo_py import CognitiveScheme
 from coglogo_py.numbers import whole_number
 from coglogo_py.society import Society
 from socialmind.arena import Arena
+from socialmind.bookkeeping import GONE, GONE_SCORE
 from socialmind.connection import names_of_minds
 from socialmind.declaration import SETTINGS, declaration_of
 from socialmind.engine import Engine
@@ -51,6 +52,7 @@ from socialmind.schedule import PhaseDeclaration, taken
 from socialmind.streams import STREAM
 from socialmind.table import Table
 from socialmind.worlds.grid import Grid, Torus
+from socialmind.worlds.plane.bodies import OWN
 from socialmind.worlds.plane.plane import Plane, plane_shape
 from socialmind.worlds.plane.trajectories import trajectories
 
@@ -210,7 +212,7 @@ class Model(metaclass=ModelKind):
             )
             for name, robots in plane.robots.items():
                 fields = {**populations[name].fields, **robots.fields}
-                populations[name] = replace(populations[name], fields=fields)
+                populations[name] = replace(populations[name], fields=fields, own=OWN)
         return ModelShape(
             name=cls.name,
             parameters={
@@ -546,7 +548,7 @@ class Model(metaclass=ModelKind):
         """Return what a run records of the society at a tick: a name and a number for each column.
 
         A model overrides it. Unless it does: the size of each population, and the variables; on a
-        plane also the mean score of the robots, and the interruption that ended it, if any.
+        plane also the mean score of the robots, the dead included, and what ended it, if any.
         """
         sizes: dict[str, Any] = {name: len(table) for name, table in self.tables.items()}
         plain = {
@@ -555,8 +557,12 @@ class Model(metaclass=ModelKind):
         plane = self.shape.plane
         if plane is None:
             return sizes | plain
-        scores = [one for name in plane.robots for one in self.tables[name].score.tolist()]
-        fared = {"score": sum(scores) / len(scores) if scores else None} if plane.robots else {}
+        tables = [self.tables[name] for name in plane.robots]
+        scores = [one for table in tables for one in table.score.tolist()]
+        count = len(scores) + sum(int(table.counters[GONE]) for table in tables)
+        # The dead count with what they had.
+        scores += [float(table.counters.view(np.float64)[GONE_SCORE]) for table in tables]
+        fared = {"score": sum(scores) / count if count else None} if plane.robots else {}
         return sizes | fared | plain | {"over": self.over}
 
     def agents(self) -> dict[str, Any]:

@@ -57,6 +57,7 @@ TAKEN_NAMES = frozenset(
         "counters",
         "default",
         "dtype",
+        "edge",
         "free",
         "model",
         "order",

@@ -95,15 +95,17 @@ def _run_schedule(model: Model, functions: dict[str, Rule]) -> None:
 
 def _run_plane(model: Model, functions: dict[str, Rule]) -> None:
     """Run a tick on a plane, on which nothing happens any more after an interruption."""
-    from socialmind.worlds.plane.interpreted import before_minds, think
+    from socialmind.worlds.plane.interpreted import before_minds, settle_rewards, think
 
-    if model.over is None:
+    over = model.over
+    if over is None:
         before_minds(model, functions)
     if model.over is None:
         think(model)
         _run_schedule(model, functions)
         if model.arena is not None and model.arena.shifting:
             model.arena.build()
+    settle_rewards(model, functions, model.over != over)
 
 
 def _run(model: Model, functions: dict[str, Rule], phase: Phase) -> None:

@@ -235,6 +235,10 @@ def population_text(population: PopulationShape, own_maker: bool) -> str:
             "NEW_HIERARCHY": f"_begin_hierarchy_{name}(_model, slot)",
             "HATCHED_HIERARCHY": f"_copy_hierarchy_{name}(_model, parent._slot, slot)",
         }
+    if population.own:
+        born = f"born = carray(_as_pointer(_model._{name}_default), (1,), {name}_ROW)[0]"
+        lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
+        fills["HATCHED_MIND"] = "\n    ".join([*lines, fills["HATCHED_MIND"]])
     text = _POPULATION
     for mark, fill in fills.items():
         text = text.replace(mark, fill)
