@@ -174,12 +174,16 @@ def _weigh_NAME(_model, agent, slot, minds, weights, plans, count):
 
 _CHOOSE_AMONG = "_choose_NAME = _kernel.choose_among"
 
-_CHOOSE_BY_OWN_MAKER = """@_inner
+_CHOOSE_BY_OWN_MAKER = """from coglogo_py.own_maker import position_of as _position_of
+
+
+@_inner
 def _choose_NAME(scheme, minds, slot, weights, plans, count):
     plan = -1
     if count > 0:
         u = _kernel.next_draw(minds, slot)
-        plan = plans[_own_NAME(weights[:count], scheme.maker[1], u)]
+        place = _own_NAME(weights[:count].copy(), scheme.maker[1], u)
+        plan = plans[_position_of(place, count)]
     minds.draws[slot] += 1
     return plan"""
 

@@ -66,6 +66,7 @@ from numba import carray, njit
 from coglogo_py import kernel as _kernel
 from coglogo_py.arrays import MindArrays as _MindArrays
 from coglogo_py.arrays import SchemeArrays as _SchemeArrays
+from coglogo_py.machine_code import kept as _kept
 from socialmind import bookkeeping as _bookkeeping
 from socialmind import streams as _streams
 from socialmind.language import arithmetic as _arithmetic
@@ -246,14 +247,14 @@ def advance(models, ticks):
     return _advance(models.view(MODEL), ticks)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def _prepare(models):
     _model = models[0]
     rng = _stream(_model)
 {setup}    _end_tick(_model)
 
 
-@njit(cache=True, nogil=True)
+@_kept(__name__, nogil=True)
 def _advance(models, ticks):
     _model = models[0]
     rng = _stream(_model)

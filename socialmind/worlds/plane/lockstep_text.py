@@ -150,7 +150,7 @@ THINK
     return
 
 
-@_cfunc("int64(int64, int64, int64)", cache=True)
+@_kept_callback(__name__, "int64(int64, int64, int64)")
 def run_lanes(address, rounds, nothing):
     \"\"\"Run all lanes for so many ticks; return 1 while there is more to do, 0, -1: failed.\"\"\"
     # One call alone: numba for Python 3.12 loses errors out of loops inside a `try`.

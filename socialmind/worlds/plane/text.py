@@ -5,7 +5,7 @@ from __future__ import annotations
 from socialmind.worlds.plane.stages import PLACED, Call, PlaneProgram, Seek, Stage
 
 HEAD = """import math as _math
-from numba import cfunc as _cfunc
+from coglogo_py.machine_code import kept_callback as _kept_callback
 from socialmind.language.memory import call_at as _call
 from socialmind.worlds.plane import relative as _relative
 
