@@ -16,6 +16,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from socialmind.agent_columns import as_before
 from socialmind.catalogue import failure_in_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
@@ -229,8 +230,11 @@ class _Execution:
         self._every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
         parts = checkpoint.parts if checkpoint else {}
         self._tables = {
-            name: GrowingTable(name, capsule.parts, parts.get(name, ())) for name in TABLES
+            name: GrowingTable(name, capsule.parts, parts.get(name, ()), _source_of(model, name))
+            for name in TABLES
         }
+        self._begun_with = self._tables[AGENTS].columns
+        self._first = next(iter(getattr(model, "populations", {})), None)
         self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(TABLES, -1)
         self._loop_seconds = checkpoint.loop_seconds if checkpoint else 0.0
         self._started = started - (checkpoint.seconds if checkpoint else 0.0)
@@ -299,11 +303,12 @@ class _Execution:
         """Take down what is due at this tick and not in the tables yet."""
         for name, every in self._every.items():
             if tick > self._recorded[name] and (tick % every == 0 or tick == length):
-                if name == SERIES:
-                    row = {k: [v] for k, v in self._model.series().items()}
-                    self._tables[name].add(tick, {"tick": [tick], **row})
-                else:
-                    self._tables[name].add(tick, self._model.agents())
+                columns: Any = self._model.series() if name == SERIES else self._model.agents()
+                if name == SERIES and hasattr(columns, "items"):
+                    columns = {column: [value] for column, value in columns.items()}
+                elif self._begun_with is not None and isinstance(columns, Mapping):
+                    columns = as_before(columns, self._begun_with, self._first)
+                self._tables[name].add(tick, columns)
                 self._recorded[name] = tick
 
     def _checkpoint(self, status: str = capsules.RUNNING) -> Checkpoint:
@@ -327,6 +332,13 @@ class _Execution:
         checkpoint.save(self._capsule.checkpoint)
         self._capsule.update(status=status, **_so_far(self._capsule.manifest, checkpoint))
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
+
+
+def _source_of(model: Model, name: str) -> str:
+    """The method that gives a table's rows, with the file and line where it is written."""
+    written = getattr(getattr(type(model), name), "__code__", None)
+    place = "" if written is None else f"{written.co_filename}:{written.co_firstlineno}: "
+    return f"{place}{name}()"
 
 
 def _finish(capsule: Capsule, checkpoint: Checkpoint) -> None:

@@ -150,7 +150,7 @@ def test_every_column_has_one_of_five_types(tmp_path, values, kind):
 )
 def test_values_no_column_can_hold_are_named(tmp_path, values, message):
     table = GrowingTable("series", tmp_path)
-    with pytest.raises(SocialmindError, match=f"series: {message}"):
+    with pytest.raises(SocialmindError, match=f"series at tick 0: {message}"):
         table.add(0, {"x": values})
         table.flush()
 
