@@ -20,6 +20,7 @@ from socialmind.agent_columns import as_before
 from socialmind.catalogue import failure_in_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
+from socialmind.experiments.arrays_file import make_room
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
 from socialmind.experiments.signals import deferred_signals
@@ -30,7 +31,16 @@ from socialmind.experiments.sources import (
     physics_of,
     scheme_copies,
 )
-from socialmind.experiments.tables import AGENTS, SERIES, TABLES, GrowingTable, merge
+from socialmind.experiments.tables import (
+    AGENTS,
+    SERIES,
+    TABLES,
+    GrowingTable,
+    check_content,
+    merge,
+    part_name,
+    seal,
+)
 
 if TYPE_CHECKING:
     from socialmind.experiments.sources import HierarchyArgument, SchemeArgument
@@ -181,7 +191,7 @@ def resume(
     started = time.perf_counter()
     capsule = Capsule(folder)
     with capsule.locked():
-        checkpoint = Checkpoint.load(capsule.checkpoint) if capsule.checkpoint.is_file() else None
+        checkpoint = _checked(capsule)
         # Killed between its last tick and its last file: only the files are missing.
         if (
             checkpoint is not None
@@ -202,6 +212,8 @@ def resume(
             if length == done:
                 return capsule.folder
         model = model_of(capsule, model_class, compiled)
+        if checkpoint is not None:
+            _restore(model, checkpoint, capsule.checkpoint)
         if capsule.manifest.status == capsules.FINISHED:
             checkpoint = _reopen(capsule, checkpoint, length)
         machine = capsules.fingerprint()
@@ -213,8 +225,6 @@ def resume(
             compiled=capsule.manifest.compiled if compiled is None else compiled,
             platforms=known if machine in known else [*known, machine],
         )
-        if checkpoint is not None:
-            model.restore(dict(checkpoint.state))
         _Execution(capsule, model, checkpoint, started).go(length, on_progress, checkpoint_every)
     return capsule.folder
 
@@ -230,7 +240,13 @@ class _Execution:
         self._every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
         parts = checkpoint.parts if checkpoint else {}
         self._tables = {
-            name: GrowingTable(name, capsule.parts, parts.get(name, ()), _source_of(model, name))
+            name: GrowingTable(
+                name,
+                capsule.parts,
+                parts.get(name, ()),
+                _source_of(model, name),
+                checkpoint.sums if checkpoint else None,
+            )
             for name in TABLES
         }
         self._begun_with = self._tables[AGENTS].columns
@@ -328,10 +344,53 @@ class _Execution:
             loop_seconds=self._loop_seconds,
             seconds=time.perf_counter() - self._started,
             state=self._model.state(),
+            sums={part: one for table in self._tables.values() for part, one in table.sums.items()},
+            run=self._capsule.manifest.identity(),
         )
         checkpoint.save(self._capsule.checkpoint)
         self._capsule.update(status=status, **_so_far(self._capsule.manifest, checkpoint))
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
+
+
+def _checked(capsule: Capsule) -> Checkpoint | None:
+    """A run's checkpoint, when all that it goes on from is as the run wrote it.
+
+    Raises:
+        SocialmindError: a part or a table is missing or was changed; nothing is written yet.
+    """
+    manifest = capsule.manifest
+    checkpoint = None
+    if capsule.checkpoint.exists() or capsule.checkpoint.is_symlink():
+        checkpoint = Checkpoint.load(capsule.checkpoint)
+        if checkpoint.run not in (None, manifest.identity()):
+            raise SocialmindError(
+                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not those "
+                f"that {capsule.checkpoint.name} was written with; put them back"
+            )
+    if manifest.status == capsules.FINISHED:
+        for name in TABLES:
+            check_content(capsule.table(name), manifest.tables[name]["sha256"])
+    elif checkpoint is not None:
+        checkpoint.check_parts(capsule.parts)
+    return checkpoint
+
+
+def _restore(model: Model, checkpoint: Checkpoint, path: Path) -> None:
+    """Put a model where a run's checkpoint says it was.
+
+    Raises:
+        SocialmindError: the checkpoint is not one of this model with these parameters.
+    """
+    try:
+        before = model.parameter_values()
+        model.restore(dict(checkpoint.state))
+        if model.parameter_values() != before or model.tick != checkpoint.tick:
+            raise ValueError("it holds other parameters or another tick than the run")
+    except (SocialmindError, ValueError, KeyError, TypeError, IndexError) as error:
+        raise SocialmindError(
+            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy of "
+            "the folder, or delete it and the run starts again from its first tick"
+        ) from error
 
 
 def _source_of(model: Model, name: str) -> str:
@@ -366,19 +425,20 @@ def _reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Che
         )
     every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
     capsule.parts.mkdir(exist_ok=True)
-    parts, recorded = {}, {}
+    parts, recorded, sums = {}, {}, {}
     for name, step in every.items():
-        part = f"{name}-000000.parquet"
+        part = part_name(name, 0)
         off_grid = checkpoint.tick % step
         merge(
             [capsule.table(name)],
-            capsule.parts / part,
+            make_room(capsule.parts / part),
             name,
             drop_tick=checkpoint.tick if off_grid else None,
         )
         parts[name] = [part]
+        sums[part] = seal(capsule.parts / part)
         recorded[name] = checkpoint.tick - off_grid
-    reopened = Checkpoint(**{**vars(checkpoint), "parts": parts, "recorded": recorded})
+    reopened = replace(checkpoint, parts=parts, recorded=recorded, sums=sums)
     reopened.save(capsule.checkpoint)
     capsule.update(status=capsules.RUNNING, ticks=length, tables={})
     for name in TABLES:

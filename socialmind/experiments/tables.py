@@ -11,6 +11,7 @@ pyarrow is imported by the functions that write or read: a run reaches its first
 from __future__ import annotations
 
 import hashlib
+import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,7 +22,9 @@ import numpy as np
 from coglogo_py.errors import shown
 from socialmind.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
+from socialmind.experiments.arrays_file import make_room
 from socialmind.experiments.columns import EXPECTED, from_arrow, to_arrow
+from socialmind.experiments.record import within
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -63,13 +66,20 @@ class GrowingTable:
         folder: where the parts go; made when the first is written.
         parts: names of the parts that already count, for a run that goes on.
         source: what gives the rows, for errors.
+        sums: what `seal` gave for these parts, where it is known.
     """
 
     def __init__(
-        self, name: str, folder: Path, parts: Iterable[str] = (), source: str = ""
+        self,
+        name: str,
+        folder: Path,
+        parts: Iterable[str] = (),
+        source: str = "",
+        sums: Mapping[str, list[Any]] | None = None,
     ) -> None:
         self.name = name
         self.parts = list(parts)
+        self.sums = {part: one for part, one in (sums or {}).items() if part in self.parts}
         self.source = source or name
         self._folder = folder
         self._waiting: list[Columns] = []
@@ -135,11 +145,46 @@ class GrowingTable:
             before = self._types.get(field.name, field.type)
             self._types[field.name] = _common_type(before, field.type, self.source, field.name)
         self._folder.mkdir(exist_ok=True)
-        part = f"{self.name}-{len(self.parts):06d}.parquet"
-        pq.write_table(table, self._folder / part, row_group_size=ROW_GROUP, compression="zstd")
+        part = part_name(self.name, len(self.parts))
+        path = make_room(self._folder / part)
+        pq.write_table(table, path, row_group_size=ROW_GROUP, compression="zstd")
+        self.sums[part] = seal(path)
         self.parts.append(part)
         self._waiting = []
         self._rows = 0
+
+
+def part_name(name: str, number: int) -> str:
+    """The name of a table's part, by its number from 0."""
+    return f"{name}-{number:06d}.parquet"
+
+
+def seal(path: Path) -> list[Any]:
+    """Bring a file safely to the disk; gives its size in bytes and its SHA-256."""
+    with path.open("rb") as file:
+        os.fsync(file.fileno())
+        return [path.stat().st_size, hashlib.file_digest(file, "sha256").hexdigest()]
+
+
+def check_part(path: Path, sealed: Sequence[Any] | None) -> None:
+    """Raise unless a part is the file that the run wrote.
+
+    Args:
+        path: the part.
+        sealed: what `seal` gave; None where that is not known, and it must be readable.
+
+    Raises:
+        SocialmindError: it is missing, cut off, changed, a folder or a link elsewhere.
+    """
+    within(path.parent, path.name)
+    remedy = "take it from a copy of the folder"
+    if not path.is_file():
+        found = "is no file" if path.exists() else "is missing"
+        raise SocialmindError(f"{path}: this part of the run {found}; {remedy}")
+    if sealed is None:
+        content_of(path)
+    elif [path.stat().st_size] != list(sealed[:1]) or seal(path) != list(sealed):
+        raise SocialmindError(f"{path}: this part of the run is cut off or was changed; {remedy}")
 
 
 def _items(columns: Any, where: str) -> Iterable[tuple[str, Any]]:
@@ -193,7 +238,7 @@ def merge(
 
     schema = _common_schema([pq.read_schema(part) for part in parts], name)
     digest = ContentDigest(schema)
-    unfinished = target.with_name(target.name + ".partial")
+    unfinished = make_room(target.with_name(target.name + ".partial"))
     with pq.ParquetWriter(unfinished, schema, compression="zstd") as writer:
         for rows in pieces(parts, schema, drop_tick):
             digest.update(rows)
@@ -219,9 +264,21 @@ def content_of(path: Path) -> TableContent:
         digest = ContentDigest(schema)
         for rows in pieces([path], schema):
             digest.update(rows)
-    except (OSError, pa.ArrowException) as error:
-        raise SocialmindError(f"{path}: cannot be read as a table ({error})") from error
+    except (OSError, pa.ArrowException, UnicodeDecodeError) as error:
+        raise _unreadable(path) from error
     return digest.content()
+
+
+def check_content(path: Path, sha256: str) -> None:
+    """Raise unless a table's content is the one that a run wrote.
+
+    Raises:
+        SocialmindError: it cannot be read, or was changed.
+    """
+    if content_of(path).sha256 != sha256:
+        raise SocialmindError(
+            f"{path}: is not the table that the run wrote; take it from a copy of the folder"
+        )
 
 
 def read(paths: Sequence[Path], name: str) -> pa.Table:
@@ -234,8 +291,14 @@ def read(paths: Sequence[Path], name: str) -> pa.Table:
         return pa.Table.from_batches(
             (b for t in _batches(paths, schema) for b in t.to_batches()), schema
         )
-    except (OSError, pa.ArrowException) as error:
-        raise SocialmindError(f"{name}: cannot be read as a table ({error})") from error
+    except (OSError, pa.ArrowException, UnicodeDecodeError) as error:
+        raise _unreadable(paths[0] if len(paths) == 1 else Path(name)) from error
+
+
+def _unreadable(path: Path) -> SocialmindError:
+    # Arrow's own words, of messages and protocols, are not about what the user can do.
+    found = "cannot be read as a table; it is missing, cut off or was changed"
+    return SocialmindError(f"{path}: {found}; take it from a copy of the folder")
 
 
 class ContentDigest:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from socialmind.errors import SocialmindError
+from socialmind.experiments.arrays_file import load_arrays, make_room
 
 _RECORD = "record"
 
@@ -27,13 +27,17 @@ def save(
         arrays: by name; numbers and texts, no Python objects.
         compressed: smaller, and slower to write; it is read all the same.
     """
-    unfinished = path.with_name(path.name + ".partial")
+    unfinished = make_room(path.with_name(path.name + ".partial"))
     whole: dict[str, Any] = {**arrays, _RECORD: np.array(json.dumps(record))}
-    with unfinished.open("wb") as file:
-        (np.savez_compressed if compressed else np.savez)(file, **whole)
-        file.flush()
-        os.fsync(file.fileno())
-    unfinished.replace(path)
+    try:
+        with unfinished.open("xb") as file:
+            (np.savez_compressed if compressed else np.savez)(file, **whole)
+            file.flush()
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+    except OSError:
+        unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
+        raise
 
 
 def load(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
@@ -43,10 +47,8 @@ def load(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
         SocialmindError: the file is no such file, or cut off.
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
-            record = json.loads(str(file[_RECORD]))
-            return record, {name: file[name] for name in file.files if name != _RECORD}
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        return load_arrays(path, _RECORD)
+    except (OSError, ValueError) as error:
         raise SocialmindError(
             f"{path}: not a whole file of a training ({error}); take it from a copy of the folder"
         ) from error
