@@ -16,6 +16,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.agent_columns import as_before
 from socialmind.catalogue import failure_in_model
 from socialmind.errors import SocialmindError
@@ -23,6 +25,7 @@ from socialmind.experiments import capsule as capsules
 from socialmind.experiments.arrays_file import make_room
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
+from socialmind.experiments.record import LONGEST
 from socialmind.experiments.signals import deferred_signals
 from socialmind.experiments.sources import (
     mind_copies,
@@ -118,13 +121,11 @@ def run(
         Interrupted: Ctrl-C; what was done is safe, `resume` goes on.
     """
     started = time.perf_counter()
-    length = model_class.ticks if ticks is None else ticks
-    _at_least(0, ticks=length)
-    step = max(1, -(-length // RECORDED)) if every is None else every
-    agents_step = step * AGENTS_EVERY if agents_every is None else agents_every
-    _at_least(1, every=step, agents_every=agents_step)
-    if not 0 <= seed < 2**64:
-        raise SocialmindError(f"seed {seed}; expected a whole number from 0 to 2**64 - 1")
+    length = _whole("ticks", model_class.ticks if ticks is None else ticks, 0)
+    step = _whole("every", max(1, -(-length // RECORDED)) if every is None else every, 1)
+    agents_step = min(step * AGENTS_EVERY, LONGEST) if agents_every is None else agents_every
+    agents_step = _whole("agents_every", agents_step, 1)
+    seed = _whole("seed", seed, 0, 2**64 - 1)
     target = None if out is None else Path(out)
     if target is not None:
         capsules.refuse_unless_free(target.expanduser())
@@ -201,7 +202,7 @@ def resume(
         ):
             _finish(capsule, checkpoint)
         done = _ticks_done(capsule.manifest, checkpoint)
-        length = capsule.manifest.ticks if ticks is None else ticks
+        length = capsule.manifest.ticks if ticks is None else _whole("ticks", ticks, 0)
         if length < done:
             raise SocialmindError(
                 f"{capsule.folder}: {done} ticks are done, {length} asked for; "
@@ -465,7 +466,9 @@ def _ticks_done(manifest: Manifest, checkpoint: Checkpoint | None) -> int:
     return checkpoint.tick if checkpoint else 0
 
 
-def _at_least(least: int, **values: int) -> None:
-    for name, value in values.items():
-        if not isinstance(value, int) or value < least:
-            raise SocialmindError(f"{name} {value}; expected a whole number from {least} up")
+def _whole(name: str, value: Any, low: int, high: int | None = None) -> int:
+    """Return a whole number as Python's, which a manifest can hold."""
+    if not is_whole(value) or value < low or value > (LONGEST if high is None else high):
+        bound = f"from {low} up" if high is None else f"from {low} to 2**64 - 1"
+        raise SocialmindError(f"{name} {shown(value)}; expected a whole number {bound}")
+    return int(value)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from coglogo_py.errors import CogLogoError, one_line
 from socialmind.errors import SocialmindError
 from socialmind.experiments.arrays_file import load_arrays, make_room
 
@@ -51,6 +53,24 @@ def load(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     except (OSError, ValueError) as error:
         raise SocialmindError(
             f"{path}: not a whole file of a training ({error}); take it from a copy of the folder"
+        ) from error
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[None]:
+    """Use what a file held; what does not fit there is the file's fault.
+
+    Raises:
+        SocialmindError: something is missing, or not of the kind that a training writes.
+    """
+    try:
+        yield
+    except (LookupError, TypeError, ValueError, AttributeError, OverflowError) as error:
+        if isinstance(error, CogLogoError):
+            raise
+        raise SocialmindError(
+            f"{path}: not what a training wrote ({one_line(str(error)) or type(error).__name__}); "
+            "take it from a copy of the folder"
         ) from error
 
 
