@@ -30,6 +30,7 @@ from numpy.typing import ArrayLike, NDArray
 from coglogo_py import CognitiveScheme
 from coglogo_py.numbers import whole_number
 from coglogo_py.society import Society
+from socialmind.agent_columns import agent_columns
 from socialmind.arena import Arena
 from socialmind.bookkeeping import GONE, GONE_SCORE
 from socialmind.connection import names_of_minds
@@ -568,22 +569,15 @@ class Model(metaclass=ModelKind):
     def agents(self) -> dict[str, Any]:
         """Return what a run records of each agent at a tick: a name and a sequence for each column.
 
-        A model overrides it. Unless it does: identity, place, plan and fields of the first
-        population; on a plane where the robots are and how they fare, and the fields of their
-        class. None stands for no value.
+        A model overrides it. Unless it does: identity, plan, place and fields of all agents; on a
+        plane where the robots are and how they fare, and the fields of their class. Where several
+        populations are recorded, a column `population` comes first. None stands for no value.
         """
         if not self.tables:
             return {}
         if self.shape.plane is not None and self.shape.plane.robots:
             return trajectories(self)
-        table = next(iter(self.tables.values()))
-        columns: dict[str, Any] = {"agent": table.id}
-        if table.shape.minded:
-            columns["plan"] = self.plans(table)
-        for name, field in table.shape.fields.items():
-            if field.size is None and name != "heading":
-                columns[name] = getattr(table, name)
-        return columns
+        return agent_columns(self)
 
     def plans(self, table: Table) -> list[str | None]:
         """Return the names of the plans of a population's living, None where there is none."""

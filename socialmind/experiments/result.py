@@ -10,7 +10,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import FINISHED, Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
 from socialmind.experiments.sources import recorded_class
-from socialmind.experiments.tables import AGENTS, SERIES, read
+from socialmind.experiments.tables import AGENTS, SERIES, check_content, read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -108,9 +108,11 @@ class Run:
     def _table(self, name: str) -> pd.DataFrame:
         if self.manifest.status == FINISHED:
             paths = [self._capsule.table(name)]
+            check_content(paths[0], self.manifest.tables[name]["sha256"])
         elif self._capsule.checkpoint.is_file():
-            parts = Checkpoint.load(self._capsule.checkpoint).parts[name]
-            paths = [self._capsule.parts / part for part in parts]
+            checkpoint = Checkpoint.load(self._capsule.checkpoint)
+            checkpoint.check_parts(self._capsule.parts)
+            paths = [self._capsule.parts / part for part in checkpoint.parts[name]]
         else:
             raise SocialmindError(
                 f"{self.folder}: the run was stopped before its first checkpoint; "

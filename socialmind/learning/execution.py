@@ -16,7 +16,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.signals import deferred_signals
 from socialmind.experiments.sources import model_source
-from socialmind.learning.attempt import Attempt, News
+from socialmind.learning.attempt import Attempt, News, load_result
 from socialmind.learning.course import SIMBATCH, Course, curriculum_of, mind_of
 from socialmind.learning.curriculum import Curriculum, Cycle
 from socialmind.learning.curve import draw_curve, read_curve, write_curve
@@ -104,8 +104,12 @@ def learn(
         SocialmindError: lessons and mind do not fit together, a folder in use, …
         TrainingInterrupted: Ctrl-C; all but the generation in hand is safe, `resume` goes on.
     """
-    _at_least_one(attempts=attempts, generations=generations, budget=budget, cycles=cycles)
-    seed = whole_number(seed, "seed", 0, 2**64 - 1, SocialmindError)
+    attempts = _whole("attempts", attempts)
+    generations, budget, cycles = (
+        None if value is None else _whole(name, value)
+        for name, value in (("generations", generations), ("budget", budget), ("cycles", cycles))
+    )
+    seed = _whole("seed", seed, 0, 2**64 - 1)
     if engine not in (COMPILED, PYMUNK):
         raise SocialmindError(f"engine {engine!r}; expected {COMPILED} or {PYMUNK}")
     target = None if out is None else Path(out)
@@ -170,7 +174,8 @@ def resume(
         SocialmindError: no training's folder, in use, or its model or lessons were changed since.
         TrainingInterrupted: Ctrl-C; all but the generation in hand is safe.
     """
-    _at_least_one(attempts=attempts, cycles=cycles)
+    attempts = None if attempts is None else _whole("attempts", attempts)
+    cycles = None if cycles is None else _whole("cycles", cycles)
     capsule = TrainingCapsule(folder)
     with capsule.locked():
         manifest = capsule.manifest
@@ -184,6 +189,7 @@ def resume(
         if cycles is not None:
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
+        _check(capsule, curriculum)
         machine = capsules.fingerprint()
         known = manifest.platforms
         capsule.update(
@@ -194,6 +200,31 @@ def resume(
         )
         _go(capsule, curriculum, workers, cluster, on_generation, on_lesson)
     return capsule.folder
+
+
+def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
+    """Look at all that a training goes on from, before anything is written.
+
+    Raises:
+        SocialmindError: a file is missing, cut off or changed.
+    """
+    manifest = capsule.manifest
+    files = {
+        path.relative_to(capsule.mind).as_posix(): path.read_bytes()
+        for path in capsule.mind.rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    if _hash(files) != manifest.mind["sha256"]:
+        raise SocialmindError(
+            f"{capsule.mind}: the training's copy of the mind that it began from is missing or was "
+            "changed; take it from a copy of the folder"
+        )
+    course = Course(curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine)
+    for number in range(1, manifest.attempts + 1):
+        if capsule.attempt(number).exists():
+            attempt = Attempt(capsule.attempt(number), number, course)
+            for lesson in range(1, attempt.done + 1):
+                load_result(attempt.folder, lesson)
 
 
 def changed(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:
@@ -399,7 +430,6 @@ def _hash(files: Mapping[str, bytes]) -> str:
     return total.hexdigest()
 
 
-def _at_least_one(**values: int | None) -> None:
-    for name, value in values.items():
-        if value is not None:
-            whole_number(value, name, 1, error=SocialmindError)
+def _whole(name: str, value: Any, low: int = 1, high: int | None = None) -> int:
+    """Return a whole number as Python's, which a manifest can hold."""
+    return whole_number(value, name, low, high, SocialmindError)

@@ -33,6 +33,19 @@ def whole(drifters, tmp_path_factory):
     return run(drifters, ticks=1003, seed=3, every=4, agents_every=20, out=out)
 
 
+def test_a_wrong_record_names_the_models_line(drifters, tmp_path):
+    class Listing(drifters):
+        def series(self):
+            return {"prices": [1.0, 2.0]}
+
+    line = Listing.series.__code__.co_firstlineno
+    with pytest.raises(SocialmindError) as caught:
+        run(Listing, 5, out=tmp_path / "run")
+    assert str(caught.value).startswith(
+        f"{__file__}:{line}: series() at tick 0: column prices: values of type list; expected"
+    )
+
+
 def test_rows_are_recorded_on_the_grid_and_at_the_last_tick(whole):
     done = Run(whole)
     assert list(done.series["tick"]) == [*range(0, 1001, 4), 1003]
