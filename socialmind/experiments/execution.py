@@ -157,6 +157,7 @@ def resume(
     model_class: type[Model] | None = None,
     on_progress: Progress | None = None,
     checkpoint_every: float = 5.0,
+    trust: bool = False,
 ) -> Path:
     """Go on with a run that was stopped, or make a finished one longer.
 
@@ -169,12 +170,14 @@ def resume(
         model_class: the model; loaded from where the run says it stands by default.
         on_progress: as for `run`.
         checkpoint_every: as for `run`.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         The run's folder.
 
     Raises:
-        SocialmindError: no run's folder, in use, or its model or scheme was changed since.
+        SocialmindError: no run's folder, in use, its model or scheme was changed since, or it
+            holds unknown programs.
         Interrupted: Ctrl-C; what was done is safe.
     """
     started = time.perf_counter()
@@ -200,7 +203,7 @@ def resume(
             shutil.rmtree(capsule.parts, ignore_errors=True)
             if length == done:
                 return capsule.folder
-        model = model_of(capsule, model_class, compiled)
+        model = model_of(capsule, model_class, compiled, trust)
         if capsule.manifest.status == capsules.FINISHED:
             checkpoint = _reopen(capsule, checkpoint, length)
         machine = capsules.fingerprint()

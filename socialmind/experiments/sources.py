@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import socialmind
 from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
 from socialmind.errors import SocialmindError
+from socialmind.trust import programs_in, remember, require
 
 if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme
@@ -52,11 +53,15 @@ def recorded_folder(capsule: Capsule) -> Path | None:
     return catalogue().get(name or "")
 
 
-def recorded_class(capsule: Capsule) -> type[Model]:
+def recorded_class(capsule: Capsule, trust: bool = False) -> type[Model]:
     """The model class of a run, loaded from the folder that its manifest names.
 
+    Args:
+        capsule: the run.
+        trust: run programs that this user has neither named nor run before.
+
     Raises:
-        SocialmindError: no such folder is here.
+        SocialmindError: no such folder is here, or it holds unknown programs.
     """
     folder = recorded_folder(capsule)
     if folder is None:
@@ -65,14 +70,31 @@ def recorded_class(capsule: Capsule) -> type[Model]:
             f"{capsule.folder}: its model {record['name']} is not at {record['path']}; "
             "put its folder there, or give the class as model_class in Python"
         )
-    return load_model(folder)
+    require(programs_in(folder), trust, f"{capsule.folder}: its model at {folder}")
+    cls = load_model(folder)
+    for population in cls.populations.values():
+        # A mind may lie beside the model's folder.
+        if isinstance(population.hierarchy, str | Path):
+            mind = cls.folder() / population.hierarchy
+            require(programs_in(mind), trust, f"{capsule.folder}: the mind at {mind}")
+    return cls
+
+
+def require_minds(capsule: Capsule, trust: bool) -> None:
+    """Refuse unknown programs in a run's copies of its minds, unless they are trusted.
+
+    Raises:
+        SocialmindError: there are some; lists them.
+    """
+    for path in capsule.minds.values():
+        require(programs_in(path), trust, f"{capsule.folder}: its copy of a mind")
 
 
 def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     """What differs between the run's model or schemes and the files as they are, or None."""
     found = model_source(model_class)
     if found["source_sha256"] != capsule.manifest.model["source_sha256"]:
-        return f"{found['path']}: the model's source is not the one the run was made with"
+        return _changed(found["path"])
     for population, path in capsule.schemes.items():
         if not path.is_file():
             return f"{path}: the run's copy of its scheme is missing"
@@ -86,8 +108,15 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     return None
 
 
+def _changed(path: str | Path | None) -> str:
+    return f"{path}: the model's source is not the one the run was made with"
+
+
 def model_of(
-    capsule: Capsule, model_class: type[Model] | None = None, compiled: bool | None = None
+    capsule: Capsule,
+    model_class: type[Model] | None = None,
+    compiled: bool | None = None,
+    trust: bool = False,
 ) -> Model:
     """A run's model at tick 0.
 
@@ -95,12 +124,19 @@ def model_of(
         capsule: the run.
         model_class: its class; loaded from where the manifest says by default.
         compiled: speed; the run's by default.
+        trust: run programs that this user has neither named nor run before.
 
     Raises:
-        SocialmindError: the model is missing, or it, its scheme or socialmind was changed since.
+        SocialmindError: the model is missing, or it, its scheme or socialmind was changed since;
+            or model or minds hold unknown programs.
     """
     manifest = capsule.manifest
-    cls = recorded_class(capsule) if model_class is None else model_class
+    require_minds(capsule, trust)
+    folder = None if model_class is not None else recorded_folder(capsule)
+    if folder is not None and source_hash(folder) != manifest.model["source_sha256"]:
+        # Said before anything is run, or asked about.
+        raise SocialmindError(f"{_changed(folder)}; put the old file back, or start another run")
+    cls = recorded_class(capsule, trust) if model_class is None else model_class
     changed = changes_since(capsule, cls)
     if changed:
         raise SocialmindError(f"{changed}; put the old file back, or start another run")
@@ -176,6 +212,7 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
             found = _files_in(Path(place) / "mind")
         folder = f"minds/{population}"
         name, sha256 = assembly.description.name, _hash_of(found)
+        remember({path: content for path, content in found.items() if path.endswith(".py")})
         records[population] = {"name": name, "folder": folder, "sha256": sha256}
         files |= {f"{folder}/{path}": content for path, content in found.items()}
     return records, files
