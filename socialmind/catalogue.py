@@ -11,16 +11,20 @@ import ast
 import difflib
 import hashlib
 import importlib.util
+import os
+import signal
 import sys
+import threading
 import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import CodeType, ModuleType
+from types import CodeType, FrameType, ModuleType
 from typing import TYPE_CHECKING
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.syntax import parsed
+from socialmind.trust import programs_in, remember
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -102,7 +106,8 @@ def model_folder(name_or_path: str | Path) -> Path:
 def load_model(name_or_path: str | Path) -> type[Model]:
     """The model class that a model's folder defines.
 
-    Loading the same, unchanged folder again gives the same class.
+    Loading the same, unchanged folder again gives the same class. Its programs are remembered as
+    named by this user (`socialmind.trust`).
 
     Args:
         name_or_path: as for `model_folder`; or the path of any Python file that defines a model.
@@ -119,6 +124,7 @@ def load_model(name_or_path: str | Path) -> type[Model]:
     if script.suffix == ".py" and script.name != MODEL_FILE and script.is_file():
         return load_script(script)
     folder = model_folder(name_or_path)
+    remember(programs_in(folder))
     return _model_class(load_file(folder / MODEL_FILE))
 
 
@@ -263,6 +269,7 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
 
     The module is the package of its folder, so ``from .rules import eat`` finds ``rules.py``
     beside it, and two models may both have one. The same, unchanged file gives the same module.
+    It is remembered as run by this user (`socialmind.trust`).
 
     Args:
         path: the file.
@@ -284,16 +291,20 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
         raise ModelError("a file that Python cannot load", file=path)
     module = importlib.util.module_from_spec(spec)
     code = _compile(source, path)
+    remember({str(path): source})
     sys.modules[name] = module
-    try:
-        with _no_bytecode():
-            exec(code, module.__dict__)
-    except SocialmindError:
-        _forget(name)
-        raise
-    except Exception as error:
-        _forget(name)
-        raise _failed_import(error, path) from error
+    with _heard_interrupts() as heard:
+        try:
+            with _no_bytecode():
+                exec(code, module.__dict__)
+        except SocialmindError:
+            _forget(name)
+            raise
+        except BaseException as error:
+            _forget(name)
+            if heard:  # the user's Ctrl-C, and not the file's own exit
+                raise
+            raise _failed_import(error, path) from error
     return module
 
 
@@ -303,19 +314,43 @@ def _compile(source: bytes, path: Path) -> CodeType:
         return compile(source, str(path), "exec", dont_inherit=True)
     except SyntaxError as error:
         raise _failed_import(error, path) from error
+    except (RecursionError, MemoryError) as error:
+        raise ModelError("brackets or blocks nested too deep for Python", file=path) from error
     except ValueError as error:  # null bytes
         raise ModelError(f"not a Python file ({error})", file=path) from error
 
 
 @contextmanager
 def _no_bytecode() -> Iterator[None]:
-    """Leave no ``__pycache__`` in a model's folder, which may be the user's or read-only."""
-    before = sys.dont_write_bytecode
-    sys.dont_write_bytecode = True
+    """Neither leave a ``__pycache__`` in a model's folder nor run what lies in one there."""
+    before = sys.dont_write_bytecode, sys.pycache_prefix
+    sys.dont_write_bytecode, sys.pycache_prefix = True, os.devnull
     try:
         yield
     finally:
-        sys.dont_write_bytecode = before
+        sys.dont_write_bytecode, sys.pycache_prefix = before
+
+
+@contextmanager
+def _heard_interrupts() -> Iterator[list[int]]:
+    """Note the signals of Ctrl-C, to tell them from an exception that a file raises itself."""
+    heard: list[int] = []
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(before):
+        yield heard
+        return
+
+    def noted(number: int, frame: FrameType | None) -> None:
+        heard.append(number)
+        before(number, frame)
+
+    signal.signal(signal.SIGINT, noted)
+    try:
+        yield heard
+    finally:
+        # Unless the file set a handler of its own, which then stays.
+        if signal.getsignal(signal.SIGINT) is noted:
+            signal.signal(signal.SIGINT, before)
 
 
 def _forget(name: str) -> None:
@@ -324,7 +359,7 @@ def _forget(name: str) -> None:
         del sys.modules[loaded]
 
 
-def _failed_import(error: Exception, path: Path) -> ModelError:
+def _failed_import(error: BaseException, path: Path) -> ModelError:
     """Say in one line why a file of a model or mind cannot be loaded."""
     if isinstance(error, SyntaxError):
         return ModelError(
@@ -340,7 +375,7 @@ def _failed_import(error: Exception, path: Path) -> ModelError:
 
 
 def failure_in_model(
-    error: Exception, path: Path, doing: str, remedy: str | None = None
+    error: BaseException, path: Path, doing: str, remedy: str | None = None
 ) -> ModelError:
     """Say in one line where in a model's own files an error came from.
 
@@ -358,8 +393,12 @@ def failure_in_model(
         place = Path(frame.f_code.co_filename)
         if place.is_relative_to(path.parent):
             file, line = place, number
+    try:
+        said = f": {error}"
+    except Exception:  # an exception of the file's own, which cannot be written
+        said = ""
     return ModelError(
-        f"{doing} stopped with {type(error).__name__}: {error}",
+        f"{doing} stopped with {type(error).__name__}{said}",
         remedy=remedy,
         file=file,
         line=line,

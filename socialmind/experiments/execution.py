@@ -46,6 +46,7 @@ from socialmind.experiments.tables import (
     seal,
 )
 from socialmind.provenance import sources_of
+from socialmind.trust import remember
 
 if TYPE_CHECKING:
     from socialmind.experiments.sources import HierarchyArgument, SchemeArgument
@@ -158,7 +159,9 @@ def run(
         versions=capsules.versions(),
         platforms=[capsules.fingerprint()],
     )
-    files = {**scheme_files, **mind_files, **sources_of(model_class).copies()}
+    copies = sources_of(model_class).copies()
+    remember({path: content for path, content in copies.items() if path.endswith(".py")})
+    files = {**scheme_files, **mind_files, **copies}
     capsule = Capsule.create(target, manifest, files)
     with capsule.locked():
         _Execution(capsule, model, None, started).go(length, on_progress, checkpoint_every)
@@ -173,6 +176,7 @@ def resume(
     on_progress: Progress | None = None,
     checkpoint_every: float = 5.0,
     kept: bool = False,
+    trust: bool = False,
 ) -> Path:
     """Go on with a run that was stopped, or make a finished one longer.
 
@@ -186,12 +190,14 @@ def resume(
         on_progress: as for `run`.
         checkpoint_every: as for `run`.
         kept: whether to take the copies of the model's source that the run keeps.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         The run's folder.
 
     Raises:
-        SocialmindError: no run's folder, in use, or its model or scheme was changed since.
+        SocialmindError: no run's folder, in use, its model or scheme was changed since, or it
+            holds unknown programs.
         Interrupted: Ctrl-C; what was done is safe.
     """
     started = time.perf_counter()
@@ -217,7 +223,7 @@ def resume(
             shutil.rmtree(capsule.parts, ignore_errors=True)
             if length == done:
                 return capsule.folder
-        model = model_of(capsule, model_class, compiled, kept)
+        model = model_of(capsule, model_class, compiled, kept, trust)
         if checkpoint is not None:
             _restore(model, checkpoint, capsule.checkpoint)
         if capsule.manifest.status == capsules.FINISHED:
@@ -372,8 +378,8 @@ def _checked(capsule: Capsule) -> Checkpoint | None:
         checkpoint = Checkpoint.load(capsule.checkpoint)
         if checkpoint.run not in (None, manifest.identity()):
             raise SocialmindError(
-                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not those "
-                f"that {capsule.checkpoint.name} was written with; put them back"
+                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not "
+                f"those that {capsule.checkpoint.name} was written with; put them back"
             )
     if manifest.status == capsules.FINISHED:
         for name in TABLES:
@@ -396,8 +402,8 @@ def _restore(model: Model, checkpoint: Checkpoint, path: Path) -> None:
             raise ValueError("it holds other parameters or another tick than the run")
     except (SocialmindError, ValueError, KeyError, TypeError, IndexError) as error:
         raise SocialmindError(
-            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy of "
-            "the folder, or delete it and the run starts again from its first tick"
+            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy "
+            "of the folder, or delete it and the run starts again from its first tick"
         ) from error
 
 

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import socialmind
-from socialmind import trust
 from socialmind.catalogue import (
     MODEL_FILE,
     catalogue,
@@ -21,6 +20,7 @@ from socialmind.catalogue import (
 )
 from socialmind.errors import SocialmindError
 from socialmind.provenance import KEPT, difference, difference_of_copies, sources_of
+from socialmind.trust import programs_in, remember, require
 
 if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme
@@ -73,25 +73,28 @@ def recorded_folder(capsule: Capsule) -> Path | None:
     return catalogue().get(name or "")
 
 
-def recorded_class(capsule: Capsule, kept: bool = False) -> type[Model]:
+def recorded_class(capsule: Capsule, kept: bool = False, trust: bool = False) -> type[Model]:
     """The model class of a run, loaded from where its manifest says, or from the run's copies.
 
     Args:
         capsule: the run.
         kept: from the copies that the run keeps.
+        trust: run programs that this user has neither named nor run before.
 
     Raises:
-        SocialmindError: the model is not there.
+        SocialmindError: the model is not there, or it holds unknown programs.
     """
     record = capsule.manifest.model
     path = None if record["path"] is None else Path(record["path"])
     if kept:
-        return _kept_class(capsule, path)
+        return _kept_class(capsule, path, trust)
     folder = recorded_folder(capsule)
     if folder is not None:
-        return load_model(folder)
+        require(programs_in(folder), trust, f"{capsule.folder}: its model at {folder}")
+        return _with_minds(capsule, load_model(folder), trust)
     if path is not None and path.is_file():
-        return load_script(path, record["name"])
+        require(programs_in(path), trust, f"{capsule.folder}: its model at {path}")
+        return _with_minds(capsule, load_script(path, record["name"]), trust)
     where = "was typed into a notebook or interpreter" if path is None else f"is not at {path}"
     remedy = "give the class as model_class in Python"
     if (capsule.folder / KEPT).is_dir():
@@ -99,7 +102,16 @@ def recorded_class(capsule: Capsule, kept: bool = False) -> type[Model]:
     raise SocialmindError(f"{capsule.folder}: its model {record['name']} {where}; {remedy}")
 
 
-def _kept_class(capsule: Capsule, path: Path | None) -> type[Model]:
+def _with_minds(capsule: Capsule, cls: type[Model], trust: bool) -> type[Model]:
+    """The class, whose minds may lie beside its folder."""
+    for population in cls.populations.values():
+        if isinstance(population.hierarchy, str | Path):
+            mind = cls.folder() / population.hierarchy
+            require(programs_in(mind), trust, f"{capsule.folder}: the mind at {mind}")
+    return cls
+
+
+def _kept_class(capsule: Capsule, path: Path | None, trust: bool) -> type[Model]:
     home = capsule.folder / KEPT
     if path is None or not home.is_dir():
         raise SocialmindError(
@@ -108,12 +120,21 @@ def _kept_class(capsule: Capsule, path: Path | None) -> type[Model]:
     changed = difference_of_copies(capsule.manifest.model["sources"], capsule.folder)
     if changed:
         raise SocialmindError(changed)
-    programs = {str(one): one.read_bytes() for one in sorted(home.rglob("*.py"))}
-    trust.require(programs, trusted=False, what=f"{capsule.folder}: the model's source")
+    require(programs_in(home), trust, f"{capsule.folder}: its copy of the model's source")
     with modules_from(home / "modules"):
         if (home / "model" / MODEL_FILE).is_file():
             return load_model(home / "model")
         return load_script(home / "model" / path.name, capsule.manifest.model["name"])
+
+
+def require_minds(capsule: Capsule, trust: bool) -> None:
+    """Refuse unknown programs in a run's copies of its minds, unless they are trusted.
+
+    Raises:
+        SocialmindError: there are some; lists them.
+    """
+    for path in capsule.minds.values():
+        require(programs_in(path), trust, f"{capsule.folder}: its copy of a mind")
 
 
 def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
@@ -142,6 +163,22 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     return None
 
 
+def _edited(capsule: Capsule) -> str | None:
+    """What differs between a run's record and the files of the model's folder, or None."""
+    record, folder = capsule.manifest.model, recorded_folder(capsule)
+    if folder is None:
+        return None
+    for label, hashed in (record.get("sources") or {"files": {}})["files"].items():
+        kind, _, name = label.partition("/")
+        if kind == "model" and name.endswith(".py"):
+            file = folder / name
+            if not file.is_file() or _sha256(file.read_bytes()) != hashed:
+                return f"{file}: is not the file that the run was made with"
+    if "sources" not in record and source_hash(folder) != record["source_sha256"]:
+        return f"{folder}: is not the source the run was made with"
+    return None
+
+
 def _is_kept(capsule: Capsule, model_class: type[Model]) -> bool:
     """Return whether a class was loaded from a run's own copies."""
     try:
@@ -155,6 +192,7 @@ def model_of(
     model_class: type[Model] | None = None,
     compiled: bool | None = None,
     kept: bool = False,
+    trust: bool = False,
 ) -> Model:
     """A run's model at tick 0.
 
@@ -163,14 +201,21 @@ def model_of(
         model_class: its class; loaded from where the manifest says by default.
         compiled: speed; the run's by default.
         kept: load the class from the copies that the run keeps.
+        trust: run programs that this user has neither named nor run before.
 
     Raises:
-        SocialmindError: the model is missing, or it, its scheme or socialmind was changed since.
+        SocialmindError: the model is missing, or it, its scheme or socialmind was changed since;
+            or model or minds hold unknown programs.
     """
     manifest = capsule.manifest
-    cls = recorded_class(capsule, kept) if model_class is None else model_class
-    changed = changes_since(capsule, cls)
-    if changed:
+    require_minds(capsule, trust)
+    cls = model_class
+    # Said before anything is run, or asked about.
+    changed = None if kept or cls is not None else _edited(capsule)
+    if cls is None and not changed:
+        cls = recorded_class(capsule, kept, trust)
+    changed = changed or (None if cls is None else changes_since(capsule, cls))
+    if changed or cls is None:
         remedies = ["put the old file back", "start another run"]
         if (capsule.folder / KEPT).is_dir():
             remedies.insert(1, "take the run's own copies (--source kept)")
@@ -248,6 +293,7 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
             found = _files_in(Path(place) / "mind")
         folder = f"minds/{population}"
         name, sha256 = assembly.description.name, _hash_of(found)
+        remember({path: content for path, content in found.items() if path.endswith(".py")})
         records[population] = {"name": name, "folder": folder, "sha256": sha256}
         files |= {f"{folder}/{path}": content for path, content in found.items()}
     return records, files

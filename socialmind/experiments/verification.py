@@ -17,7 +17,7 @@ from socialmind.experiments import capsule as capsules
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.columns import from_arrow
 from socialmind.experiments.execution import Progress, run
-from socialmind.experiments.sources import changes_since, recorded_class
+from socialmind.experiments.sources import changes_since, recorded_class, require_minds
 from socialmind.experiments.tables import AGENTS, TABLES, content_of, pieces
 
 if TYPE_CHECKING:
@@ -71,6 +71,7 @@ def replay(
     model_class: type[Model] | None = None,
     on_progress: Progress | None = None,
     kept: bool = False,
+    trust: bool = False,
 ) -> Replay:
     """Run a capsule's model again, in a temporary folder, and compare what comes out.
 
@@ -79,6 +80,7 @@ def replay(
         model_class: the model; loaded from where the run says it stands by default.
         on_progress: as for `socialmind.experiments.run`.
         kept: whether to take the copies of the model's source that the run keeps.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         Whether the tables are reproduced, and where they first differ.
@@ -93,7 +95,8 @@ def replay(
             f"{stored.folder}: the run is {manifest.status} at tick {manifest.ticks_done} of "
             f"{manifest.ticks}; finish it with --resume first"
         )
-    cls = recorded_class(stored, kept) if model_class is None else model_class
+    require_minds(stored, trust)
+    cls = recorded_class(stored, kept, trust) if model_class is None else model_class
     notes = [changed] if (changed := changes_since(stored, cls)) else []
     here = capsules.versions()
     notes += [

@@ -29,6 +29,7 @@ from socialmind.learning.workers import Stopped, hired
 from socialmind.mind.description import MindDescription
 from socialmind.model import Model
 from socialmind.provenance import difference, sources_of
+from socialmind.trust import programs_in, remember, require
 
 OnGeneration = Callable[[News, float | None], None]
 OnLesson = Callable[[int, Lesson, Result], None]
@@ -124,6 +125,7 @@ def learn(
     curriculum = changed(curriculum, changes)
     Course(curriculum, begun, seed, engine)  # which refuses what does not fit together
     files = files_of(begun)
+    remember({path: content for path, content in files.items() if path.endswith(".py")})
     manifest = TrainingManifest(
         model=_source(model),
         lessons=_as_json(curriculum.record()),
@@ -152,6 +154,7 @@ def resume(
     cluster: str | None = None,
     on_generation: OnGeneration | None = None,
     on_lesson: OnLesson | None = None,
+    trust: bool = False,
 ) -> Path:
     """Go on with a training that was stopped, or add attempts or cycles to it.
 
@@ -166,6 +169,7 @@ def resume(
         cluster: likewise.
         on_generation: likewise.
         on_lesson: likewise.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         The training's folder.
@@ -184,7 +188,8 @@ def resume(
                 f"{capsule.folder}: {manifest.attempts} attempts were asked for before, "
                 f"{attempts} now; attempts can be added, not taken away"
             )
-        curriculum = _recorded(capsule, lessons)
+        require(programs_in(capsule.mind), trust, f"{capsule.folder}: its copy of a mind")
+        curriculum = _recorded(capsule, lessons, trust)
         changes = dict(manifest.changes)
         if cycles is not None:
             changes["cycles"] = cycles
@@ -340,7 +345,7 @@ def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
         attempt.mind.save(capsule.learned(attempt.number))
 
 
-def _recorded(capsule: TrainingCapsule, lessons: Any) -> Curriculum:
+def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum:
     """Return the lessons of a training, as they were.
 
     Raises:
@@ -359,8 +364,10 @@ def _recorded(capsule: TrainingCapsule, lessons: Any) -> Curriculum:
             "go on with socialmind.learning.resume(folder, lessons=...)"
         )
     model = None if manifest.model["path"] is None else _recorded_model(capsule)
-    if model is not None and (other := _changes(manifest, model)):
-        raise SocialmindError(f"{other}; put the old file back, or start another training")
+    if model is not None:
+        require(programs_in(model), trust, f"{capsule.folder}: its model at {model}")
+        if other := _changes(manifest, model):
+            raise SocialmindError(f"{other}; put the old file back, or start another training")
     given = manifest.chosen if lessons is None else lessons
     named = model if model is not None and (model / MODEL_FILE).is_file() else None
     curriculum, _ = curriculum_of(named, given)

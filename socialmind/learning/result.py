@@ -12,6 +12,7 @@ from socialmind.learning.curve import read_curve
 from socialmind.learning.finalists import Individual, individual_of
 from socialmind.learning.training_capsule import TrainingCapsule, TrainingManifest
 from socialmind.mind.description import MindDescription
+from socialmind.trust import programs_in, require
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -31,8 +32,9 @@ class Training:
         SocialmindError: the folder is no training's.
     """
 
-    def __init__(self, folder: str | Path) -> None:
+    def __init__(self, folder: str | Path, trust: bool = False) -> None:
         self._capsule = TrainingCapsule(folder)
+        self._trust = trust
 
     @property
     def folder(self) -> Path:
@@ -131,6 +133,7 @@ class Training:
             what = "no lesson" if after is None else f"no lesson called {after}"
             raise SocialmindError(f"{self.folder}: attempt {attempt} has finished {what}")
         last = max(place for place, name in enumerate(names) if name == (after or names[-1]))
+        require(programs_in(self._capsule.mind), self._trust, f"{self.folder}: its copy of a mind")
         mind = MindDescription.load(self._capsule.mind)
         for number, (record, arrays) in enumerate(results[: last + 1], 1):
             with archive.reading(result_file(self._capsule.attempt(attempt), number)):
