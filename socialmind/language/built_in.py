@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from socialmind.language.nodes import Typed, call, constant, marked, nearest
 from socialmind.language.operators import typed_power
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
-from socialmind.language.signatures import MATH, Signature
+from socialmind.language.signatures import MATH, WRITTEN, Signature
 from socialmind.language.types import BOOL, FLOAT, INT, NONE, ArrayType, PopulationType, Type
 
 if TYPE_CHECKING:
@@ -25,9 +25,10 @@ def built_in(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
 def without_keywords(typer: ExpressionTyper, node: ast.Call, name: str) -> None:
     """Refuse a call with keywords."""
     if node.keywords:
-        typer.refuse(
-            node, f"{name}() with {node.keywords[0].arg}=", f"write {name}() without the name"
-        )
+        advice = f"write the values in their order, without names: {name}({WRITTEN.get(name, '…')})"
+        if node.keywords[0].arg == "key":
+            advice = "keep the best so far in a for loop"
+        typer.refuse(node, f"{name}() with {node.keywords[0].arg}=", advice)
 
 
 def fitted(
@@ -36,12 +37,10 @@ def fitted(
     """Return the arguments of a call as the types that its signature wants."""
     wanted = signature.arguments
     if len(node.args) != len(wanted):
-        typer.refuse(
-            node,
-            f"{len(node.args)} arguments for {name}()",
-            "see the table of calls in docs/rules.md",
-            f"{len(wanted)}",
-        )
+        advice = "see the table of calls in docs/rules.md"
+        if name in WRITTEN:
+            advice = f"write {name}({WRITTEN[name]})"
+        typer.refuse(node, f"{len(node.args)} arguments for {name}()", advice, f"{len(wanted)}")
     return [
         typer.fitted(argument, kind, f"{name}()")
         for argument, kind in zip(node.args, wanted, strict=True)

@@ -6,6 +6,7 @@ import ast
 import types as python_types
 from typing import TYPE_CHECKING, Any
 
+from socialmind.language import hints
 from socialmind.language.built_in import (
     BUILT_IN,
     built_in,
@@ -14,7 +15,7 @@ from socialmind.language.built_in import (
     without_keywords,
 )
 from socialmind.language.hierarchies import hierarchy_call
-from socialmind.language.nodes import Typed, call, constant, marked, nearest
+from socialmind.language.nodes import Typed, call, close, constant, marked, nearest
 from socialmind.language.refusals import METHODS, MODULES, NAMES
 from socialmind.language.signatures import CHOSEN, MIND, RNG, Signature
 from socialmind.language.types import (
@@ -74,11 +75,8 @@ def _called_by_name(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
         return built_in(typer, node, name)
     if name in NAMES:
         typer.refuse(node, f"{name}() in the rule {typer.source.name!r}", NAMES[name])
-    return typer.refuse(
-        node,
-        f"the unknown function {name!r}",
-        nearest(name, [*BUILT_IN, *typer.source.public_names]),
-    )
+    advice = hints.for_function(typer, name, BUILT_IN)
+    return typer.refuse(node, f"the unknown function {name!r}", advice)
 
 
 def _called_in_module(
@@ -200,6 +198,9 @@ def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Type
         return _world(typer, node, base, kind, name)
     if name in METHODS:
         typer.refuse(node, f".{name}() in a rule", METHODS[name])
+    if kind == MODEL:
+        advice = f"write it as a function of the file, and call it: {name}(model)"
+        typer.refuse(node, f"{name}() of the model", advice)
     return typer.refuse(node, f"{name}() of {kind}", "see docs/rules.md for what can be called")
 
 
@@ -303,7 +304,7 @@ def _agent(
     return typer.refuse(
         node,
         f"{name}() of {kind}",
-        nearest(name, ("die", "hatch", "run_plan")) + "; or call a function",
+        hints.for_agents_method(typer, ast.unparse(base), name),
     )
 
 
@@ -327,10 +328,11 @@ def _population(
         if len(index) != 1:
             typer.refuse(node, "contains() of other than one identity", "write contains(id)")
         return _made(node, base, name, index, ("contains", kind.population)), BOOL
+    advice = close(name, ("create", "one_of", "contains")) if name not in hints.POPULATION else None
     return typer.refuse(
         node,
         f"{name}() of {kind}",
-        nearest(name, ("create", "one_of", "contains")) + "; or write a for loop over it",
+        advice or hints.for_population(typer, kind.population, name),
     )
 
 
@@ -345,6 +347,5 @@ def _world(
     if name in ("in_radius", "patches"):
         loop = "patches" if name == "patches" else "in_radius(agent, radius)"
         typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{loop}:`")
-    return typer.refuse(
-        node, f"the world's {name}()", nearest(name, [*torus.COMMANDS, "patch", "in_radius"])
-    )
+    advice = hints.for_world(typer, name, [*torus.COMMANDS, "patch", "in_radius"])
+    return typer.refuse(node, f"the world's {name}()", advice)

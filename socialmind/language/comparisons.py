@@ -132,9 +132,11 @@ def _plans(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typ
         elif isinstance(kind, TextType) and isinstance(other, PlanType):
             values.append(typer.plan_name(value, kind, other.population))
         else:
-            typer.refuse(
-                node,
-                f"{kind} compared with {other}",
-                "compare a plan with a plan's name, or with a plan of the same population",
-            )
+            advice = "compare a plan with a plan's name, or with a plan of the same population"
+            if not isinstance(kind, PlanType) and not isinstance(other, PlanType):
+                advice = (
+                    "texts name plans (agent.plan == 'GrowWheat') and nothing else; "
+                    "keep a choice among few as a whole number: `RED = 0` at the top of the file"
+                )
+            typer.refuse(node, f"{kind} compared with {other}", advice)
     return _compare(node, values), BOOL

@@ -11,6 +11,7 @@ import numpy as np
 
 from socialmind.errors import ModelError
 from socialmind.fields import Field
+from socialmind.language import hints
 from socialmind.language.built_in import BUILT_IN
 from socialmind.language.calls import typed_call
 from socialmind.language.comparisons import typed_comparison
@@ -178,6 +179,11 @@ class ExpressionTyper:
                 for item, of, to in zip(value.elts, kind.items, target.items, strict=True)
             ]
             return value
+        if isinstance(kind, RowType) and target in NUMBERS:
+            advice = (
+                f"keep its identity, `….id`; `model.{kind.population}[identity]` finds it again"
+            )
+            self.refuse(near, f"{kind} for {what}", advice, str(target))
         return self.refuse(near, f"{kind} for {what}", f"give it {target}", str(target))
 
     def truth(self, node: ast.expr) -> ast.expr:
@@ -199,6 +205,9 @@ class ExpressionTyper:
                 "a value that may be None as a condition",
                 "write `is not None`, or compare it",
             )
+        if isinstance(kind, PopulationType):
+            advice = f"write `len(model.{kind.population}) > 0`"
+            self.refuse(node, f"{kind} as a condition", advice)
         return self.refuse(node, f"{kind} as a condition", "write a comparison")
 
     def truth_value(self, node: ast.expr) -> Typed:
@@ -223,7 +232,8 @@ class ExpressionTyper:
             self.refuse(
                 node,
                 "None as a value",
-                "only fields declared as `int | None`, `float | None` and a plan may be None",
+                "only fields declared as `int | None`, `float | None` and a plan may be None; "
+                "a variable begins with a number, as -1 for none",
             )
         return self.refuse(node, f"{value!r}", "write a number")
 
@@ -245,10 +255,9 @@ class ExpressionTyper:
             return self.module_value(node, name, self.source.names[name])
         if name in NAMES:
             self.refuse(node, f"{name}() in the rule {self.source.name!r}", NAMES[name])
-        known = [*self.variables, *self.source.public_names]
         if name in BUILT_IN:
             self.refuse(node, f"the function {name!r} as a value", f"call it: {name}(…)")
-        return self.refuse(node, f"the unknown name {name!r}", nearest(name, known))
+        return self.refuse(node, f"the unknown name {name!r}", hints.for_name(self, name))
 
     def module_value(self, node: ast.expr, name: str, value: Any) -> Typed:
         """Return a constant of the author's file (or of `math`), written in its place."""
@@ -289,10 +298,13 @@ class ExpressionTyper:
         if isinstance(kind, WorldType):
             if node.attr in ("size", "low", "high"):
                 return marked(new, ("world_size", node.attr)), INT
-            remedy = nearest(node.attr, ("size", "low", "high"))
+            remedy = hints.for_world(self, node.attr, ("size", "low", "high"))
             if node.attr == "patches":
                 remedy = "write `for patch in model.world.patches:`"
             self.refuse(node, f"the world's {node.attr!r} as a value", remedy)
+        if isinstance(kind, PopulationType):
+            advice = hints.for_population(self, kind.population, node.attr)
+            self.refuse(node, f"{node.attr!r} of {kind}", advice)
         return self.refuse(
             node, f"{node.attr!r} of {kind}", "only agents, patches and the model have fields"
         )
@@ -319,8 +331,8 @@ class ExpressionTyper:
             return marked(node, ("world",)), WorldType()
         fields = {**self.shape.parameters, **self.shape.variables}
         if name not in fields:
-            known = [*fields, *self.shape.populations, "tick"]
-            self.refuse(node, f"the model's {name!r}", nearest(name, known))
+            found = f"the model's {name!r}, which it does not declare"
+            self.refuse(node, found, hints.for_model(self, name))
         return self.field(node, fields, MODEL, ("model",))
 
     def _agent_attribute(self, node: ast.Attribute, kind: RowType) -> Typed:
@@ -353,9 +365,11 @@ class ExpressionTyper:
         """Return the reading of a declared field."""
         found: Field | None = fields.get(node.attr)
         if found is None:
-            self.refuse(
-                node, f"the unknown field {node.attr!r} of {owner}", nearest(node.attr, fields)
-            )
+            if isinstance(owner, RowType):
+                advice = hints.for_agent(self, node, owner.population)
+            else:
+                advice = hints.declaring(node.attr, fields, "the class of the patches", self)
+            self.refuse(node, f"the unknown field {node.attr!r} of {owner}", advice)
         kind: AnyType = SCALARS[found.kind]
         if found.size is not None:
             kind = ArrayType(SCALARS[found.kind], found.size)
@@ -378,6 +392,8 @@ class ExpressionTyper:
             checked = call("_position", [index, constant(kind.size, node)], node)
             new = ast.copy_location(ast.Subscript(base, checked, ast.Load()), node)
             return marked(new, ("element", kind.of == BOOL)), kind.of
+        if isinstance(kind, RowType) or kind == MODEL:
+            self.refuse(node, f"[…] on {kind}", "write the name of the field after a dot")
         return self.refuse(node, f"[…] on {kind}", "only array fields and populations have places")
 
     def _on_tuple(self, node: ast.Tuple) -> Typed:

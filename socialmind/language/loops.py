@@ -6,6 +6,7 @@ import ast
 from typing import TYPE_CHECKING, Any
 
 from socialmind.language.nodes import call, constant, marked
+from socialmind.language.refusals import NAMES
 from socialmind.language.types import (
     BOOL,
     FLOAT,
@@ -52,7 +53,9 @@ def for_loop(function: FunctionTyper, node: ast.For) -> list[ast.stmt]:
     """Return a for loop as both speeds run it."""
     typer = function.typer
     if not isinstance(node.target, ast.Name):
-        typer.refuse(node, "several variables in a for loop", "loop over one")
+        called = node.iter.func if isinstance(node.iter, ast.Call) else None
+        advice = NAMES.get(called.id) if isinstance(called, ast.Name) else None
+        typer.refuse(node, "several variables in a for loop", advice or "loop over one")
     name = node.target.id
     if name != "_" and (name in function.counters or name in function.parameters):
         typer.refuse(node, f"{name!r} as the variable of a loop inside its own", "use another name")

@@ -108,6 +108,11 @@ METHODS: dict[str, str] = {
     "gauss": "write `rng.normal(mean, deviation)`",
     "rand": "write `rng.random()`",
     "format": "rules hold no texts",
+    "sum": "write `sum(array)`",
+    "mean": "write `sum(array) / len(array)`",
+    "max": "write `max(array)`",
+    "min": "write `min(array)`",
+    "copy": "copy the places of the array one by one",
 }
 
 MATH_REMEDIES: dict[str, str] = {

@@ -92,6 +92,17 @@ RNG: dict[str, tuple[Signature, ...]] = {
 }
 """The draws of a random stream, spelled as NumPy's Generator spells them."""
 
+WRITTEN = {
+    "rng.random": "",
+    "rng.uniform": "low, high",
+    "rng.integers": "low, high",
+    "rng.normal": "mean, deviation",
+    "rng.exponential": "mean",
+    "math.atan2": "y, x",
+    "math.hypot": "x, y",
+}
+"""How the arguments of a call are called, where errors show them."""
+
 MATH: dict[str, Signature] = {
     **{
         name: Signature((FLOAT,), FLOAT)
