@@ -14,10 +14,11 @@ from socialmind.language.built_in import (
     math_function,
     without_keywords,
 )
+from socialmind.language.draws import typed_draw
 from socialmind.language.hierarchies import hierarchy_call
 from socialmind.language.nodes import Typed, call, close, constant, marked, nearest
 from socialmind.language.refusals import METHODS, MODULES, NAMES
-from socialmind.language.signatures import CHOSEN, MIND, RNG, Signature
+from socialmind.language.signatures import CHOSEN, MIND, Signature
 from socialmind.language.types import (
     BOOL,
     FLOAT,
@@ -32,6 +33,7 @@ from socialmind.language.types import (
     PlanType,
     PopulationType,
     RowType,
+    TableType,
     TextType,
     TupleType,
     Type,
@@ -127,7 +129,7 @@ def helper(
     source = typer.program.source(function)
     names = source.parameters
     written = list(first or [])
-    written += [typer.expression(argument) for argument in node.args]
+    written += [typer.several(argument) for argument in node.args]
     if len(written) > len(names):
         typer.refuse(
             node,
@@ -143,7 +145,7 @@ def helper(
                 f"the argument {keyword.arg!r} of {source.name}()",
                 nearest(str(keyword.arg), [name for name in names if name not in given]),
             )
-        given[str(keyword.arg)] = typer.expression(keyword.value)
+        given[str(keyword.arg)] = typer.several(keyword.value)
     for name, default in source.defaults.items():
         if name not in given:
             given[name] = typer.module_value(node, f"{source.name}({name}=…)", default)
@@ -164,8 +166,8 @@ def helper(
                 node, f"{kind} for {name!r} of {source.name}()", "give each parameter one value"
             )
         kinds[name] = kind
-        if isinstance(kind, TextType):
-            continue  # a text is part of which function this is, not an argument of it
+        if isinstance(kind, TextType | TableType):
+            continue  # a constant is part of which function this is, not an argument of it
         if place < len(written):
             arguments.append(value)
         else:
@@ -185,7 +187,7 @@ def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Type
     base, kind = typer.expression(func.value)
     name = func.attr
     if kind == RNG_TYPE:
-        return _draw(typer, node, base, name)
+        return typed_draw(typer, node, base, name)
     if isinstance(kind, MindType):
         return _mind(typer, node, base, kind, name)
     if isinstance(kind, HierarchyType):
@@ -207,16 +209,6 @@ def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Type
 def _made(node: ast.Call, base: ast.expr, name: str, arguments: list[ast.expr], mark: Any) -> Any:
     func = ast.copy_location(ast.Attribute(base, name, ast.Load()), node)
     return marked(ast.copy_location(ast.Call(func, arguments, []), node), mark)
-
-
-def _draw(typer: ExpressionTyper, node: ast.Call, base: ast.expr, name: str) -> Typed:
-    if name not in RNG:
-        typer.refuse(node, f"rng.{name}()", METHODS.get(name) or nearest(name, RNG))
-    without_keywords(typer, node, f"rng.{name}")
-    fitting = [one for one in RNG[name] if len(one.arguments) == len(node.args)]
-    signature = fitting[0] if fitting else RNG[name][-1]
-    arguments = fitted(typer, node, f"rng.{name}", signature)
-    return _made(node, base, name, arguments, ("draw", name, len(arguments))), signature.result
 
 
 def _mind(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from typing import TYPE_CHECKING
 
+from socialmind.language import tables
 from socialmind.language.nodes import Typed, constant, marked
 from socialmind.language.types import (
     BOOL,
@@ -12,7 +13,9 @@ from socialmind.language.types import (
     OptionalType,
     PlanType,
     RowType,
+    TableType,
     TextType,
+    TupleType,
 )
 
 if TYPE_CHECKING:
@@ -85,6 +88,10 @@ def _identity(typer: ExpressionTyper, node: ast.Compare) -> Typed:
 def _one_of_several(typer: ExpressionTyper, node: ast.Compare, operator: ast.cmpop) -> Typed:
     """Type `x in (1, 2)` as `x == 1 or x == 2`, where asking again changes nothing."""
     several = node.comparators[0]
+    if isinstance(several, ast.Name | ast.Attribute):
+        kind = typer.expression(several)[1]
+        if isinstance(kind, TableType) and not isinstance(kind.item, TupleType):
+            several = tables.written(kind.values, several)
     if not isinstance(several, ast.Tuple | ast.List | ast.Set) or not several.elts:
         typer.refuse(node, "`in` without written values", "write `x in (1, 2)`, or a for loop")
     assert isinstance(several, ast.Tuple | ast.List | ast.Set)  # refused above

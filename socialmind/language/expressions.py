@@ -11,7 +11,7 @@ import numpy as np
 
 from socialmind.errors import ModelError
 from socialmind.fields import Field
-from socialmind.language import hints
+from socialmind.language import hints, tables
 from socialmind.language.built_in import BUILT_IN
 from socialmind.language.calls import typed_call
 from socialmind.language.comparisons import typed_comparison
@@ -40,6 +40,7 @@ from socialmind.language.types import (
     PlanType,
     PopulationType,
     RowType,
+    TableType,
     TextType,
     TupleType,
     Type,
@@ -172,7 +173,7 @@ class ExpressionTyper:
                 self.refuse(
                     near,
                     "whole numbers of a function, where numbers with fractions are needed",
-                    "let the function return float(…)",
+                    "let the function return float(…); in a tuple of constants write 1.0",
                 )
             value.elts = [
                 self.converted(item, of, to, what, near)
@@ -250,6 +251,8 @@ class ExpressionTyper:
             if isinstance(kind, TextType):
                 # A text is part of which function this is, not an argument of it.
                 return constant(kind.value, node), kind
+            if isinstance(kind, TableType):
+                return tables.written(kind.values, node), kind
             return ast.copy_location(ast.Name(name, ast.Load()), node), kind
         if name in self.source.names:
             return self.module_value(node, name, self.source.names[name])
@@ -264,6 +267,8 @@ class ExpressionTyper:
         for plain, kinds in _CONSTANTS:
             if isinstance(value, kinds):
                 return self._on_constant(ast.copy_location(ast.Constant(plain(value)), node))
+        if isinstance(value, tuple):
+            return self.table(node, name, value)
         if isinstance(value, python_types.FunctionType):
             self.refuse(node, f"the function {name!r} as a value", f"call it: {name}(…)")
         if isinstance(value, python_types.ModuleType):
@@ -274,9 +279,32 @@ class ExpressionTyper:
         return self.refuse(
             node,
             f"{name!r}, which is of the type {type(value).__name__}",
-            "only numbers, plan names and plain functions of the file are for rules; "
-            "tables belong into array fields or parameters",
+            "only numbers, plan names, tuples of these and plain functions of the file are for "
+            "rules; write a table as a tuple, what changes as an array field",
         )
+
+    def table(self, node: ast.expr, name: str, values: tuple[Any, ...]) -> Typed:
+        """Return a tuple of constants, written in its place."""
+        try:
+            kind = tables.table(values)
+        except tables.NoTableError as error:
+            self.refuse(
+                node,
+                f"the tuple {name!r}: {error}",
+                "write numbers of one kind, or tuples of equal length; "
+                "larger tables belong into array fields",
+            )
+        return tables.written(kind.values, node), kind
+
+    def several(self, node: ast.expr) -> Typed:
+        """Return an expression; constants written as a tuple are a table."""
+        if isinstance(node, ast.Tuple) and node.elts:
+            try:
+                values = ast.literal_eval(node)
+            except ValueError:
+                return self.expression(node)
+            return self.table(node, "(…)", values)
+        return self.expression(node)
 
     # Attributes -------------------------------------------------------------------------------
 
@@ -380,9 +408,11 @@ class ExpressionTyper:
     # Places in arrays and populations ---------------------------------------------------------
 
     def _on_subscript(self, node: ast.Subscript) -> Typed:
-        base, kind = self.expression(node.value)
+        base, kind = self.several(node.value)
         if isinstance(node.slice, ast.Slice):
             self.refuse_syntax(node.slice)
+        if isinstance(kind, TableType | TupleType):
+            return self.place_in_tuple(node, base, kind)
         if isinstance(kind, PopulationType):
             index = self.fitted(node.slice, INT, "the identity of an agent")
             new = ast.copy_location(ast.Subscript(base, index, ast.Load()), node)
@@ -395,6 +425,27 @@ class ExpressionTyper:
         if isinstance(kind, RowType) or kind == MODEL:
             self.refuse(node, f"[…] on {kind}", "write the name of the field after a dot")
         return self.refuse(node, f"[…] on {kind}", "only array fields and populations have places")
+
+    def place_in_tuple(
+        self, node: ast.Subscript, base: ast.expr, kind: TableType | TupleType
+    ) -> Typed:
+        """Return a place of a tuple: of constants by any index, of others by a written one."""
+        size = len(kind.values if isinstance(kind, TableType) else kind.items)
+        index = self.fitted(node.slice, INT, "the place in the tuple")
+        written = index.value if isinstance(index, ast.Constant) else None
+        if isinstance(written, int) and not -size <= written < size:
+            self.refuse(node, f"the place {written} of {kind}", f"write 0 … {size - 1}")
+        if isinstance(kind, TupleType):
+            if not isinstance(written, int):
+                self.refuse(
+                    node, f"a place of {kind} that depends", "take them apart: `x, y = PAIRS[k]`"
+                )
+            new = ast.copy_location(ast.Subscript(base, index, ast.Load()), node)
+            return new, kind.items[written]
+        if kind.item is None:
+            self.refuse(node, "a place in a tuple of texts", "write if … elif … with the texts")
+        checked = call("_position", [index, constant(size, node)], node)
+        return ast.copy_location(ast.Subscript(base, checked, ast.Load()), node), kind.item
 
     def _on_tuple(self, node: ast.Tuple) -> Typed:
         items = [self.there(item) for item in node.elts]

@@ -15,7 +15,7 @@ from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import RuleSource, rule_source
 from socialmind.language.statements import FunctionTyper
 from socialmind.language.syntax import compiled
-from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TextType
+from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TableType, TextType
 from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
 
 if TYPE_CHECKING:
@@ -244,7 +244,7 @@ class Program:
         names = [
             name
             for name, kind in zip(source.parameters, kinds, strict=True)
-            if not isinstance(kind, TextType)
+            if not isinstance(kind, TextType | TableType)
         ]
         arguments = ast.arguments([], [ast.arg(name) for name in names], None, [], [], None, [])
         tree = ast.FunctionDef(symbol, arguments, body, [], None, None)

@@ -21,6 +21,7 @@ from socialmind.language.types import (
     OptionalType,
     PlanType,
     RowType,
+    TableType,
     TextType,
     TupleType,
     unified,
@@ -115,6 +116,8 @@ class FunctionTyper:
             self.returned(NONE, node)
             return ast.copy_location(ast.Return(None), node)
         value, kind = self.typer.there(written)
+        if isinstance(kind, TableType):
+            self.typer.refuse(node, f"{kind} returned", "use the constant where it is needed")
         if isinstance(kind, TextType) or (
             isinstance(kind, TupleType) and any(isinstance(item, TextType) for item in kind.items)
         ):
@@ -211,7 +214,7 @@ class FunctionTyper:
             self.typer.refuse(
                 node, f"{name!r} from a call that returns nothing", "call it on its own line"
             )
-        if isinstance(kind, TextType | TupleType | ArrayType):
+        if isinstance(kind, TextType | TupleType | ArrayType | TableType):
             self.typer.refuse(
                 node,
                 f"{kind} as the variable {name!r}",
