@@ -84,7 +84,7 @@ def _choice(typer: ExpressionTyper, node: ast.Call, stream: ast.expr) -> Typed:
             node,
             f"rng.choice() of {kind}",
             "give it a tuple of constants, an array field or a whole number; "
-            "of a population write model.agents.one_of(rng)",
+            "an agent comes by model.population.one_of(rng)",
         )
     if not node.keywords:
         places = value if size is None else constant(size, node)

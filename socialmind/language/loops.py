@@ -20,6 +20,7 @@ from socialmind.language.types import (
     PopulationType,
     RowType,
     TableType,
+    TupleType,
     WorldType,
 )
 
@@ -69,8 +70,14 @@ def for_loop(function: FunctionTyper, node: ast.For) -> list[ast.stmt]:
             )
     before, iterated, kind, mark = _iterated(function, node.iter)
     kinds = [kind] if isinstance(node.target, ast.Name) else list(getattr(kind, "items", ()))
-    if len(kinds) != len(names) or not names:
-        typer.refuse(node, f"{kind} for several variables in a for loop", "loop over one")
+    if not names:
+        typer.refuse(node, "a field in the place of a loop's variable", "write `for name in …:`")
+    if isinstance(node.target, ast.Name) and isinstance(kind, TupleType):
+        advice = f"write `for {', '.join('xyzuvw'[: len(kind.items)])} in …:`"
+        typer.refuse(node, f"{kind} for one variable in a for loop", advice)
+    if len(kinds) != len(names):
+        advice = f"write {len(kinds)} variables" if len(kinds) > 1 else "loop over one"
+        typer.refuse(node, f"{kind} for {len(names)} variables in a for loop", advice)
     assigned = typer.assigned
     outer = function.counters
     function.counters = outer - set(names)
@@ -131,7 +138,10 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
         base, _ = typer.expression(node.value)
         return [], call("_all_patches", [base], node), PatchType(), ("patches",)
     value, kind = typer.several(node)
-    if isinstance(kind, TableType) and kind.item is not None:
+    if isinstance(kind, TableType):
+        if kind.item is None:
+            advice = "write a line for each text: rules hold no texts"
+            typer.refuse(node, "a for loop over texts", advice)
         return [], value, kind.item, ("table",)
     if isinstance(kind, PopulationType):
         return [], value, RowType(kind.population), ("agents", kind.population)

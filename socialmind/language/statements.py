@@ -218,7 +218,9 @@ class FunctionTyper:
             self.typer.refuse(
                 node,
                 f"{kind} as the variable {name!r}",
-                "write it where it is used, or use a field",
+                "take it apart: `x, y = …`"
+                if isinstance(kind, TupleType)
+                else "write it where it is used, or use a field",
             )
         if name.startswith("_") and name != "_":
             self.typer.refuse(node, f"the variable {name!r}", "leave the leading underscore out")
@@ -263,6 +265,11 @@ class FunctionTyper:
         """Return where a field or an element is stored, its type and what to call it."""
         if not isinstance(target, ast.Attribute | ast.Subscript):
             self.typer.refuse_syntax(target)
+        if isinstance(target, ast.Subscript):
+            _, held = self.typer.several(target.value)
+            if isinstance(held, TableType | TupleType):
+                advice = "constants stay as they are; declare an array field for what changes"
+                self.typer.refuse(target, f"a new value for a place of {held}", advice)
         reading, kind = self.typer.expression(target)
         if isinstance(reading, ast.Attribute):
             mark: tuple[str, ...] = getattr(reading, "mark", ("other",))

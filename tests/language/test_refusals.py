@@ -19,6 +19,10 @@ from socialmind import Agent
 PRICES = {"wheat": 3.0}
 TABLE = [1, 2, 3]
 NOTHING = None
+PAIRS = ((0, 1), (1, 0))
+NAMES = ("grow", "rest")
+RAGGED = ((1, 2), (3,))
+BIG = tuple(range(1001))
 NAME = "Hunger"
 
 
@@ -49,13 +53,13 @@ STATEMENTS = {
     "x = {1, 2}": ("a set", "array field"),
     "x = [1, 2]": ("a list", "array field"),
     "x = []": ("a list", "array field"),
-    "x = (1, 2)": ("2 values as the variable", "where it is used"),
+    "x = (1, 2)": ("2 values as the variable", "x, y ="),
     "x = [k for k in range(3)]": ("a list comprehension", "for loop"),
     "x = {k for k in range(3)}": ("a set comprehension", "for loop"),
     "x = {k: k for k in range(3)}": ("a dictionary comprehension", "for loop"),
     "person.i = sum(k for k in range(3))": ("a generator expression", "for loop"),
-    "person.i = PRICES['wheat']": ("'PRICES', which is of the type dict", "array fields"),
-    "person.i = TABLE[0]": ("'TABLE', which is of the type list", "array fields"),
+    "person.i = PRICES['wheat']": ("'PRICES', which is of the type dict", "a tuple"),
+    "person.i = TABLE[0]": ("'TABLE', which is of the type list", "a tuple"),
     "person.f = NOTHING": ("'NOTHING', which is None", "a number"),
     "try:\n        person.f = 1\n    except ValueError:\n        pass": ("try", "if price > 0"),
     "raise ValueError('no')": ("raise", "count the case"),
@@ -91,7 +95,7 @@ STATEMENTS = {
     "for k in enumerate(person.vf):\n        pass": ("enumerate()", "range(len("),
     "for k in reversed(range(3)):\n        pass": ("reversed()", "range(n - 1"),
     "for k in zip(person.vf, person.vi):\n        pass": ("zip()", "range(len("),
-    "for k in (1, 2):\n        pass": ("a for loop over 2 values", "range("),
+    "for k in (person.i, 2):\n        pass": ("a for loop over 2 values", "range("),
     "for k in 5:\n        pass": ("a for loop over a whole number", "range("),
     "person.i = any(person.vb)": ("any()", "flag"),
     "x = list(range(3))": ("list()", "array field"),
@@ -219,7 +223,34 @@ STATEMENTS = {
     "person.mind.get_cogniton_value(3)": ("as the name of a cogniton", "as a text"),
     "person.mind.get_cogniton_value()": ("0 arguments", "docs/"),
     "person.mind.set_cogniton_value('Hunger', 'x')": ("the text 'x'", "a number"),
-    "rng.choice(3)": ("rng.choice()", "one_of(rng)"),
+    "x = rng.choice(model.persons)": ("rng.choice() of the population", "one_of(rng)"),
+    "x = rng.choice(TABLE)": ("'TABLE', which is of the type list", "a tuple"),
+    "x = rng.choice(PAIRS)": ("2 values as the variable", "x, y ="),
+    "x = rng.choice(NAMES)": ("rng.choice() of texts", "draw a number"),
+    "x = rng.choice((1, 2), (1, 2))": ("rng.choice() like this", "p=weights"),
+    "x = rng.choice((1, 2), p=(1, 2, 3))": ("3 weights for 2 values", "each value"),
+    "x = rng.choice(person.i, p=(1, 2))": ("another number", "len(weights)"),
+    "x = rng.choice((1, 2), p=PAIRS)": ("a tuple of 2 as the weights", "numbers"),
+    "x = rng.permutation(3)": ("as a value", "for k in rng.permutation(n)"),
+    "rng.shuffle(PAIRS)": ("rng.shuffle() of a tuple of 2", "an array field"),
+    "rng.shuffle(model.persons)": ("rng.shuffle() of the population", "by themselves"),
+    "person.i = rng.poisson(lam=3)": ("rng.poisson() with lam=", "rng.poisson(mean)"),
+    "person.f = rng.gamma(2)": ("1 arguments for rng.gamma()", "rng.gamma(shape, scale)"),
+    "x = PAIRS": ("a tuple of 2 as the variable", "where it is used"),
+    "x = PAIRS[0]": ("2 values as the variable", "x, y ="),
+    "for x in PAIRS:\n        pass": ("2 values for one variable", "`for x, y in …:`"),
+    "for x, y, z in PAIRS:\n        pass": ("2 values for 3 variables", "2 variables"),
+    "for x, y in model.persons:\n        pass": ("an agent of 'persons' for 2", "loop over one"),
+    "for x in NAMES:\n        pass": ("a for loop over texts", "rules hold no texts"),
+    "person.i = NAMES[0]": ("a place in a tuple of texts", "elif"),
+    "PAIRS[0] = 3": ("a new value for a place of a tuple", "an array field"),
+    "PAIRS[0][1] = 3": ("a new value for a place of 2 values", "an array field"),
+    "person.i = PAIRS[2][0]": ("the place 2 of a tuple of 2", "0 … 1"),
+    "person.i = PAIRS[0][person.i]": ("a place of 2 values that depends", "take them apart"),
+    "person.i = RAGGED[0]": ("its tuples differ in length", "equal length"),
+    "person.i = BIG[0]": ("more than 1000 numbers", "array fields"),
+    "for x in (1, True):\n        pass": ("not of one kind", "one kind"),
+    "x = sum(PAIRS)": ("the sum of a tuple of 2", "for loop"),
     "rng.randint(1, 6)": ("rng.randint()", "rng.integers("),
     "rng.gauss(0, 1)": ("rng.gauss()", "rng.normal("),
     "rng.randm()": ("rng.randm()", "did you mean 'random'?"),
