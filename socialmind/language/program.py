@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import ModelError
 from socialmind.language import arithmetic
-from socialmind.language.nodes import nearest
+from socialmind.language.nodes import close, nearest
 from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import Names, RuleSource, rule_source
 from socialmind.language.statements import FunctionTyper
 from socialmind.language.syntax import compiled
-from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TextType
+from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TableType, TextType
 from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
 
 if TYPE_CHECKING:
@@ -143,10 +143,15 @@ class Program:
                 takes.append(name)
             else:
                 first = "" if population is None else "an agent, then "
+                misspelt = close(name, known)
+                if place == 1 and names[0] in known and population is not None:
+                    misspelt = f"write def {source.name}({name}, {names[0]})"
                 raise ModelError(
                     f"the parameter {name!r} of the rule {source.name!r}",
                     f"{first}`model` and `rng`, as far as it needs them",
-                    "values reach a rule through the fields of the agent and the model",
+                    misspelt
+                    or _INSTEAD.get(name)
+                    or "values reach a rule through the fields of the agent and the model",
                     source.file,
                     source.line,
                 )
@@ -194,6 +199,11 @@ class Program:
                 f"run_plan() of {population!r}, which has no plans",
                 "give the population plans: Population(…, plans={'GrowWheat': grow_wheat})",
             )
+
+    @property
+    def within_a_call(self) -> bool:
+        """Whether the function that is typed is one that another function calls."""
+        return len(self._open) > 1
 
     def bears(self, population: str) -> None:
         """Note that rules bring new agents into a population."""
@@ -246,7 +256,7 @@ class Program:
         names = [
             name
             for name, kind in zip(source.parameters, kinds, strict=True)
-            if not isinstance(kind, TextType)
+            if not isinstance(kind, TextType | TableType)
         ]
         arguments = ast.arguments([], [ast.arg(name) for name in names], None, [], [], None, [])
         tree = ast.FunctionDef(symbol, arguments, body, [], None, None)
@@ -341,6 +351,15 @@ RUNTIME: dict[str, Any] = {
     "_breakpoint": breakpoint,
 }
 """What the trees of both speeds call by name."""
+
+
+_INSTEAD = {
+    "world": "write model.world",
+    "self": "the agent comes first, under any name, and needs no `self`",
+    **dict.fromkeys(("random", "seed"), "the agent's random stream is called `rng`"),
+    **dict.fromkeys(("tick", "time", "step"), "write model.tick"),
+}
+"""What rules have in place of a parameter."""
 
 
 def _check_definition(source: RuleSource) -> None:
