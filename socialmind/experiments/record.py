@@ -135,7 +135,7 @@ def check_record(content: Any, expected: Expected, place: str) -> None:
     >>> check_record({"seed": -1}, Fields({"seed": whole()}, {}), "manifest.json")
     Traceback (most recent call last):
     socialmind.errors.SocialmindError: manifest.json: seed: found -1; expected a whole number, 0 or more; take the file from a copy of the folder
-    """
+    """  # noqa: E501  # the message as it is
     fault = _fault(content, expected, "")
     if fault is not None:
         field, found, wanted = fault
