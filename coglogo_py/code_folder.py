@@ -16,6 +16,7 @@ import stat
 import tempfile
 import warnings
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 
 import platformdirs
@@ -86,13 +87,21 @@ def keep(key: str, name: str, content: bytes) -> None:
         if draft is not None:
             with suppress(OSError):
                 Path(draft).unlink()
-        why = f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else str(error)
-        warnings.warn(
-            f"compiled code is not kept, so every start compiles anew: {why}; "
-            f"set {CACHE_VARIABLE} to a folder of your own that can be written",
-            CacheWarning,
-            stacklevel=2,
-        )
+        why = str(error)
+        if isinstance(error, OSError):
+            why = f"{cache_folder()}: {error.strerror}"
+        _warn_once(why)
+
+
+@cache
+def _warn_once(why: str) -> None:
+    # Not left to the filters of warnings: numba resets what they remember.
+    warnings.warn(
+        f"compiled code is not kept, so every start compiles anew: {why}; "
+        f"set {CACHE_VARIABLE} to a folder of your own that can be written",
+        CacheWarning,
+        stacklevel=2,
+    )
 
 
 def _folder(key: str, make: bool) -> Path | None:

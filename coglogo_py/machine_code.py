@@ -8,6 +8,7 @@ says all that it depends on; what cannot be loaded is compiled.
 from __future__ import annotations
 
 import hashlib
+import os
 import pickle
 import sys
 from collections.abc import Callable
@@ -23,6 +24,11 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from coglogo_py import code_folder
+
+ADDRESSES = 600
+"""Megabytes of addresses that numba, its compiler and linear algebra take, measured."""
+ADDRESSES_OF_CORE = 40
+"""Megabytes that the linear algebra sets aside for each core besides."""
 
 
 def kept(key: str, **options: Any) -> Callable[[Callable[..., Any]], Any]:
@@ -77,6 +83,27 @@ def versions() -> tuple[str, ...]:
     return numba.__version__, llvmlite.__version__, np.__version__, sys.version
 
 
+def check_memory() -> None:
+    """Refuse to compile where a limit leaves too little memory for it.
+
+    Beyond that limit the linear algebra that numba loads asks for memory for ever.
+
+    Raises:
+        MemoryError: `ulimit -v` is below what loading and compiling takes.
+    """
+    try:
+        import resource
+    except ImportError:  # Windows
+        return
+    allowed = resource.getrlimit(resource.RLIMIT_AS)[0]
+    needed = ADDRESSES + ADDRESSES_OF_CORE * (os.cpu_count() or 1)
+    if allowed != resource.RLIM_INFINITY and allowed < needed * 10**6:
+        raise MemoryError(
+            f"compiled code needs addresses for about {needed:,} MB, and the limit is "
+            f"{allowed // 10**6:,} MB; raise it with `ulimit -v`"
+        )
+
+
 class _KeptCode:
     """The kept code of one function; numba calls these methods in place of its own cache's."""
 
@@ -92,6 +119,7 @@ class _KeptCode:
 
     def load_overload(self, signature: Any, target: Any) -> Any:
         """Return the function compiled for a signature, or None."""
+        check_memory()
         target.refresh()
         content = code_folder.read(self._key, self._file(signature, target.codegen()))
         if content is None:

@@ -9,14 +9,13 @@ from __future__ import annotations
 import math
 from numbers import Integral, Real
 
-import numpy as np
-
 from coglogo_py.errors import CogLogoError, shown
 
 
 def is_whole(value: object) -> bool:
     """Return whether a value is a whole number, Python's or NumPy's.
 
+    >>> import numpy as np
     >>> is_whole(np.int16(3)), is_whole(3.0), is_whole(True), is_whole(np.True_)
     (True, False, False, False)
     """
@@ -26,6 +25,7 @@ def is_whole(value: object) -> bool:
 def is_number(value: object) -> bool:
     """Return whether a value is a finite real number that a float can hold.
 
+    >>> import numpy as np
     >>> is_number(np.float32(1.5)), is_number(math.nan), is_number(10**400), is_number(True)
     (True, False, False, False)
     """
@@ -39,6 +39,8 @@ def is_number(value: object) -> bool:
 
 def is_truth(value: object) -> bool:
     """Return whether a value is a truth value, Python's or NumPy's."""
+    import numpy as np  # here: what only reads a command line need not wait for it
+
     return isinstance(value, bool | np.bool_)
 
 
@@ -61,6 +63,7 @@ def whole_number(
     Raises:
         error: it is no whole number, or out of bounds.
 
+    >>> import numpy as np
     >>> whole_number(np.int64(3), "seed", 0, 2**64 - 1)
     3
     >>> whole_number(2.5, "ticks", 0)
@@ -86,6 +89,7 @@ def number(
     Raises:
         error: it is no finite number, or out of bounds.
 
+    >>> import numpy as np
     >>> number(np.float32(0.5), "spread", 0.0)
     0.5
     """

@@ -17,6 +17,7 @@ from typing import Annotated, Any
 
 import typer
 
+from socialmind import __version__
 from socialmind.errors import IdleWarning, SocialmindError
 
 WRONG = 2
@@ -30,6 +31,25 @@ app = typer.Typer(
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
 )
+
+
+def _say_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"socialmind {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", help="Say which version this is.", callback=_say_version, is_eager=True
+        ),
+    ] = False,
+) -> None:
+    """Take what stands before a command."""
+
 
 Folder = Annotated[Path, typer.Argument(metavar="DIR", help="A run's folder.", show_default=False)]
 Source = Annotated[
@@ -51,7 +71,7 @@ def command(function: Callable[..., None]) -> Callable[..., None]:
         try:
             function(*args, **options)
             sys.stdout.flush()
-        except (SocialmindError, ValueError, OSError, KeyboardInterrupt) as error:
+        except (SocialmindError, ValueError, OSError, MemoryError, KeyboardInterrupt) as error:
             raise typer.Exit(_report(error)) from None
 
     app.command(name=function.__name__.rstrip("_"))(reporting)
@@ -71,6 +91,10 @@ def _report(error: BaseException) -> int:
     if isinstance(error, OSError):
         place = f"{error.filename}: " if error.filename else ""
         message = f"{place}{error.strerror or error}"
+    elif isinstance(error, MemoryError):
+        from socialmind.commands.stopping import what_memory_lacked
+
+        message = what_memory_lacked(error)
     elif isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
         message = str(error)
     else:
@@ -456,10 +480,16 @@ def _as_path(folder: Path) -> str:
     return str(folder) if len(folder.parts) > 1 else f"./{folder}"
 
 
+def _one_line(message: Warning | str, *_: object) -> str:
+    """A warning as the command line shows it, without a line of the program's own."""
+    return f"socialmind: {message}\n"
+
+
 def main() -> None:
     """Entry point of the console script."""
     # A run says at its end what its agents could not do, once for all of them.
     warnings.simplefilter("ignore", IdleWarning)
+    warnings.formatwarning = _one_line  # type: ignore[assignment]
     app()
 
 

@@ -147,6 +147,8 @@ class Engine:
         except NumbaError as error:
             # Nothing has run. If it is but what a maker returns, a tick in Python says who got it.
             self._refuse_makers(error, lambda: again(model, self.functions))
+        except MemoryError:
+            raise  # it would be too little the second time as well
         except Exception as error:
             failed = model.tick
             if before is None:

@@ -132,6 +132,8 @@ def _follow(model: Model, rule: Rule, phase: Phase, agent: Any, stream: Stream) 
     """Let an agent, or the model, follow a rule; what fails is said with its place."""
     try:
         rule(*taken(phase.takes, agent, model, stream).values())
+    except MemoryError:
+        raise  # of no rule's doing, nor of one agent
     except Exception as error:
         if agent is None:
             who = f"the model's rule {phase.shape.rule.__name__!r}"

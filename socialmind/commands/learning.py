@@ -20,7 +20,7 @@ from socialmind.learning.teaching import Result
 
 def start(model: str, settings: Sequence[str], quiet: bool, **options: Any) -> Path:
     """Teach a model's mind; the options of `socialmind learn`."""
-    with _told(quiet) as (on_generation, on_lesson):
+    with _told(quiet, f"learn {model}") as (on_generation, on_lesson):
         folder = learn(
             model,
             settings=read_settings(settings),
@@ -62,10 +62,10 @@ def read_settings(settings: Sequence[str]) -> dict[str, float]:
 
 
 @contextmanager
-def _told(quiet: bool) -> Iterator[tuple[OnGeneration | None, Any]]:
+def _told(quiet: bool, kind: str = "learn") -> Iterator[tuple[OnGeneration | None, Any]]:
     """Say what happens: a line that changes on a terminal, and a line for each lesson."""
     try:
-        with _progress_line(quiet) as on_generation:
+        with _progress_line(quiet, kind) as on_generation:
             yield on_generation, None if quiet else _say_result
     except TrainingInterrupted as stop:
         typer.echo(
@@ -86,7 +86,7 @@ def _say_result(attempt: int, lesson: Lesson, result: Result) -> None:
 
 
 @contextmanager
-def _progress_line(quiet: bool) -> Iterator[OnGeneration | None]:
+def _progress_line(quiet: bool, kind: str) -> Iterator[OnGeneration | None]:
     """A line on stderr with scores, ticks a second and the time left, on a terminal."""
     if quiet or not sys.stderr.isatty():
         yield None
@@ -94,6 +94,8 @@ def _progress_line(quiet: bool) -> Iterator[OnGeneration | None]:
     from rich import progress
     from rich.console import Console
     from rich.table import Column
+
+    from socialmind.commands.compiling import told_of_compiling
 
     with progress.Progress(
         # It wraps where the terminal is narrow: the time left stands at its end.
@@ -107,7 +109,11 @@ def _progress_line(quiet: bool) -> Iterator[OnGeneration | None]:
         def on_generation(news: News, left: float | None) -> None:
             bar.update(task, description=line_of(news, left), refresh=True)
 
-        yield on_generation
+        def say(what: str) -> None:
+            bar.update(task, description=what or "learning", refresh=True)
+
+        with told_of_compiling(kind, say):
+            yield on_generation
 
 
 def line_of(news: News, left: float | None) -> str:

@@ -42,7 +42,7 @@ def start(
     model_class = load_model(model)
     parameters = read_settings(model_class, settings)
     scheme, mind = by_population(schemes, "--scheme"), by_population(minds, "--mind")
-    with progress_bar(quiet) as on_progress:
+    with progress_bar(quiet, f"run {model}") as on_progress:
         folder = execution.run(
             model_class, ticks, seed, parameters, scheme, mind, every, agents_every, out, compiled,
             on_progress, engine=engine,
@@ -144,13 +144,20 @@ def read_settings(model_class: type[Model], settings: Sequence[str]) -> dict[str
 
 
 @contextmanager
-def progress_bar(quiet: bool) -> Iterator[Progress | None]:
-    """A bar on stderr with ticks a second and the time left, where stderr is a terminal."""
+def progress_bar(quiet: bool, kind: str = "run") -> Iterator[Progress | None]:
+    """A bar on stderr with ticks a second and the time left, where stderr is a terminal.
+
+    Args:
+        quiet: show none.
+        kind: what runs, by which the time that compiling takes is remembered.
+    """
     if quiet or not sys.stderr.isatty():
         yield None
         return
     from rich import progress
     from rich.console import Console
+
+    from socialmind.commands.compiling import told_of_compiling
 
     with progress.Progress(
         progress.TextColumn("{task.completed:,.0f} of {task.total:,.0f} ticks"),
@@ -158,11 +165,15 @@ def progress_bar(quiet: bool) -> Iterator[Progress | None]:
         progress.TaskProgressColumn(),
         progress.TextColumn("{task.fields[pace]}"),
         progress.TimeRemainingColumn(),
+        progress.TextColumn("{task.description}"),
         console=Console(stderr=True),
         transient=True,
         auto_refresh=False,
     ) as bar:
         task = bar.add_task("", total=1, pace="", start=False)
+
+        def say(what: str) -> None:
+            bar.update(task, description=what, refresh=True)
 
         def on_progress(done: int, length: int) -> None:
             if not bar.tasks[task].started:
@@ -172,7 +183,8 @@ def progress_bar(quiet: bool) -> Iterator[Progress | None]:
             pace = f"{speed:,.0f} ticks/s" if speed else ""
             bar.update(task, total=length, completed=done, pace=pace, refresh=True)
 
-        yield on_progress
+        with told_of_compiling(kind, say):
+            yield on_progress
 
 
 def _save_memory() -> None:

@@ -36,7 +36,7 @@ def print_score(
     model_class = load_model(model)
     parameters = read_settings(model_class, settings)
     mind = by_population(minds, "--mind")
-    with _progress_bar(quiet) as on_progress:
+    with _progress_bar(quiet, f"score {model}") as on_progress:
         found = score(model_class, mind, parameters=parameters, on_progress=on_progress, **options)
     if as_json:
         typer.echo(json.dumps(found.record()))
@@ -71,7 +71,7 @@ def _number(value: float) -> str:
 
 
 @contextmanager
-def _progress_bar(quiet: bool) -> Iterator[Progress | None]:
+def _progress_bar(quiet: bool, kind: str) -> Iterator[Progress | None]:
     """A bar on stderr, where that is a terminal."""
     if quiet or not sys.stderr.isatty():
         yield None
@@ -79,12 +79,20 @@ def _progress_bar(quiet: bool) -> Iterator[Progress | None]:
     from rich import progress
     from rich.console import Console
 
+    from socialmind.commands.compiling import told_of_compiling
+
     with progress.Progress(
         progress.TextColumn("{task.completed:,.0f} of {task.total:,.0f} episodes"),
         progress.BarColumn(),
         progress.TimeRemainingColumn(),
+        progress.TextColumn("{task.description}"),
         console=Console(stderr=True),
         transient=True,
     ) as bar:
         task = bar.add_task("", total=None)
-        yield lambda done, count: bar.update(task, completed=done, total=count)
+
+        def say(what: str) -> None:
+            bar.update(task, description=what, refresh=True)
+
+        with told_of_compiling(kind, say):
+            yield lambda done, count: bar.update(task, completed=done, total=count)

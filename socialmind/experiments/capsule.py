@@ -268,6 +268,10 @@ def replace_file(path: Path, content: bytes) -> None:
         raise
 
 
+MOST_TAKEN = 1000
+"""How often another program may take a number before something else must be wrong."""
+
+
 def placed(out: Path | None, home: str, name: str, files: Mapping[str, bytes]) -> Path:
     """Make a folder of files, at a given path or under the next free number.
 
@@ -291,16 +295,17 @@ def placed(out: Path | None, home: str, name: str, files: Mapping[str, bytes]) -
         except FileExistsError as error:
             raise SocialmindError(str(error)) from error
         return target
-    number = 1
-    while True:
+    number, taken = 1, 0
+    while taken < MOST_TAKEN:
         target = Path(home).absolute() / f"{name}-{number:03d}"
         if not target.exists():
             try:
                 place(target, files)
                 return target
             except FileExistsError:
-                pass  # another program took this number just now
+                taken += 1  # another program took this number just now
         number += 1
+    raise SocialmindError(f"{Path(home).absolute()}: no folder can be made in it; give another")
 
 
 def place(target: Path, files: Mapping[str, bytes]) -> None:

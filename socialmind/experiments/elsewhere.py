@@ -7,13 +7,16 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from multiprocessing import get_context
 from typing import Any
 
+from socialmind.errors import SocialmindError
 from socialmind.learning.reference import found, referred
 from socialmind.learning.workers import cores
 
+LOST = "a worker's process was ended; is there memory enough? fewer workers need less"
+"""What is said when another process is gone without a word."""
 WAITING = 2
 """Calls that each process has before it, so that none is ever idle."""
 
@@ -30,6 +33,9 @@ def side_by_side(
 
     Yields:
         What each call returns, in the order of the calls.
+
+    Raises:
+        SocialmindError: a process was killed.
 
     >>> list(side_by_side(divmod, [(7, 2), (9, 4)], workers=1))
     [(3, 1), (2, 1)]
@@ -48,6 +54,8 @@ def side_by_side(
             following = place + WAITING * count
             if following < len(calls):
                 waiting.append(pool.submit(_called, reference, calls[following]))
+    except BrokenExecutor:
+        raise SocialmindError(LOST) from None
     finally:
         pool.shutdown(cancel_futures=True)
 

@@ -6,7 +6,13 @@ import pickle
 import signal
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import (
+    BrokenExecutor,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
 from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context
@@ -18,6 +24,7 @@ import numpy as np
 
 from socialmind.arena import ENGINES
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.experiments.elsewhere import LOST
 from socialmind.experiments.intervals import Interval, interval_of
 from socialmind.language.nodes import nearest
 from socialmind.learning.episodes import Episodes
@@ -263,6 +270,8 @@ def _hired(
         run = _run_elsewhere
     try:
         yield executor, run
+    except BrokenExecutor:
+        raise SocialmindError(LOST) from None
     finally:
         executor.shutdown(cancel_futures=True)
 

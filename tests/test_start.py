@@ -1,0 +1,44 @@
+"""What is imported at the start: a command line that is only read waits for no library."""
+
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = ("numpy", "numba", "scipy", "pandas", "pyarrow", "matplotlib", "mesa", "yaml", "rich")
+
+
+def loaded(code):
+    """Return which heavy modules a fresh Python has imported after some code."""
+    said = f"import sys\n{code}\nprint(*sorted(set({HEAVY!r}) & set(sys.modules)), file=sys.stderr)"
+    done = subprocess.run([sys.executable, "-c", said], capture_output=True, text=True, check=True)
+    return done.stderr.split()
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import socialmind",
+        "import coglogo_py",
+        "import socialmind.cli",
+        "from typer.testing import CliRunner; from socialmind.cli import app\n"
+        "for options in ['--help'], ['--version'], ['run', '--help']:\n"
+        "    assert CliRunner().invoke(app, options).exit_code == 0",
+    ],
+)
+def test_nothing_heavy_is_imported(code):
+    assert set(loaded(code)) <= {"rich"}  # a library for words on terminals, where there is one
+
+
+def test_names_are_there_when_asked_for():
+    done = subprocess.run(
+        [sys.executable, "-c", "import socialmind.model, socialmind.parameter\n"
+         "from socialmind import *; import socialmind, coglogo_py\n"
+         "assert callable(socialmind.parameter) and callable(parameter)\n"
+         "assert all(hasattr(one, name) for one in (socialmind, coglogo_py)"
+         " for name in one.__all__)\n"
+         "assert set(socialmind.__all__) <= set(dir(socialmind))\n"
+         "assert not hasattr(socialmind, 'Modell')"],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (0, "")
