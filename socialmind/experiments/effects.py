@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from socialmind.errors import SocialmindError
 from socialmind.experiments.intervals import LEVEL, Interval, interval_of
 from socialmind.experiments.split import checked_columns
+from socialmind.names import several
 
 
 def cliffs_delta(first: ArrayLike, second: ArrayLike) -> float:
@@ -197,6 +198,7 @@ def comparisons(
       society measure  pairs  difference  delta
     0       b   goods      2        -2.0   -1.0
     """
+    measures = None if measures is None else several(measures, "measures")
     checked_columns(results, (by, seed, *(measures or ())), "results")
     if results.duplicated([by, seed]).any():
         raise SocialmindError("results with a society's seed twice; expected one row for each")

@@ -5,14 +5,12 @@ What comes out is the same for any number of processes.
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 from typing import Any
 
 from socialmind.learning.reference import found, referred
 from socialmind.learning.workers import cores
+from socialmind.processes import dismiss, pool
 
 WAITING = 2
 """Calls that each process has before it, so that none is ever idle."""
@@ -39,23 +37,18 @@ def side_by_side(
         for arguments in calls:
             yield function(*arguments)
         return
-    pool = ProcessPoolExecutor(count, get_context("spawn"), _leave_signals)
+    hired = pool(count)
     try:
         reference = referred(function)
-        waiting = [pool.submit(_called, reference, one) for one in calls[: WAITING * count]]
+        waiting = [hired.submit(_called, reference, one) for one in calls[: WAITING * count]]
         for place in range(len(calls)):
             yield waiting.pop(0).result()
             following = place + WAITING * count
             if following < len(calls):
-                waiting.append(pool.submit(_called, reference, calls[following]))
+                waiting.append(hired.submit(_called, reference, calls[following]))
     finally:
-        pool.shutdown(cancel_futures=True)
+        dismiss(hired)
 
 
 def _called(reference: Any, arguments: tuple[Any, ...]) -> Any:
     return found(reference)(*arguments)
-
-
-def _leave_signals() -> None:
-    """Leave Ctrl-C to who gives out the work."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
