@@ -8,6 +8,7 @@ import numpy as np
 
 from coglogo_py import kernel
 from coglogo_py.arrays import MindArrays, SchemeArrays, grown, mind_arrays, scheme_arrays
+from coglogo_py.closed import Closed
 from coglogo_py.errors import CogLogoError
 from coglogo_py.memory import check_memory
 from coglogo_py.mind import Mind
@@ -18,7 +19,7 @@ from coglogo_py.scheme import CognitiveScheme
 FIRST_CAPACITY = 16
 
 
-class Society:
+class Society(Closed):
     """The minds of one scheme and their group instances.
 
     A mind's decisions draw from its own stream: which number it gets depends on the seed, the
@@ -58,6 +59,7 @@ class Society:
         self.era = 0
         self.minds: MindArrays
         self._clear()
+        self._closed = True
 
     def _clear(self) -> None:
         self.minds = mind_arrays(self.arrays, FIRST_CAPACITY, self.seed, self.stream)

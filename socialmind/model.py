@@ -389,7 +389,7 @@ class Model(metaclass=ModelKind):
         for name, population in minded.items():
             # Another scheme may have fewer plans than the model knows how to carry out.
             if given is None or name not in given:
-                _check_plans(name, population.plans, schemes[name])
+                _check_plans(name, population, schemes[name])
         return schemes
 
     def _tables(self) -> dict[str, Table]:
@@ -713,9 +713,17 @@ class Model(metaclass=ModelKind):
         return mesa_model(self)
 
 
-def _check_plans(name: str, plans: Mapping[str, Any], scheme: CognitiveScheme) -> None:
-    """Refuse functions of plans that a model's own scheme does not have."""
-    for plan in plans:
+def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> None:
+    """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
+    cognitons = [one.name for one in scheme.cognitons]
+    for cogniton in population.bounds:
+        if cogniton not in cognitons:
+            raise ModelError(
+                f"bounds of the cogniton {cogniton!r} of {name!r}, which the scheme "
+                f"{scheme.name!r} does not have",
+                remedy=nearest(cogniton, cognitons),
+            )
+    for plan in population.plans:
         if plan not in scheme.plans:
             raise ModelError(
                 f"a function for the plan {plan!r} of {name!r}, which the scheme {scheme.name!r} "

@@ -8,6 +8,7 @@ import pytest
 
 from coglogo_py import CogLogoError, CognitiveScheme, Cogniton, Society
 from socialmind import Agent, Model, ModelError, Plane, Population, SocialmindError, each, parameter
+from socialmind.catalogue import load_model
 from socialmind.commands.listing import description
 from socialmind.experiments.execution import run
 from socialmind.mind import MindDescription, Perceptron, Skill
@@ -166,6 +167,52 @@ def test_more_minds_than_memory_are_refused():
     seek = Skill("Seek", ["SE:L"], ["MO:L"], Perceptron(layers=0))
     with pytest.raises(SocialmindError, match="minds 'v' need about"):
         Minds(MindDescription("v", ["L"], ["L"], [], [seek]), agents=10**12)
+
+
+def test_explain_proposes_nothing_beyond_the_bounds_that_rules_keep():
+    def idle(cow):
+        cow.x = 0.0
+
+    def decide(cow):
+        cow.plan = cow.mind.choose_next_plan()
+
+    cognitons = (
+        Cogniton("Fear", start_value=1, influence={"flee": 1}, conditional=("flee",)),
+        Cogniton("Hunger", start_value=5, influence={"eat": 1}, conditional=("eat",)),
+    )
+    scheme = CognitiveScheme("herd", cognitons)
+
+    def change_of(bounds):
+        plans = {"eat": idle, "flee": idle}
+        cows = Population(Agent, 1, mind=scheme, plans=plans, bounds=bounds)
+        herd = type("Herd", (Model,), {"cows": cows, "schedule": (each(cows, decide),)})
+        return herd(compiled=False).explain(0, 1).smallest_change
+
+    assert change_of({}).cogniton == "Fear" and change_of({}).new_value == 5.0
+    found = change_of({"Fear": (0, 4)})
+    assert (found.cogniton, found.plan) == ("Hunger", "flee") and found.new_value == 1.0
+    assert change_of({"Fear": (0, 4), "Hunger": (2, 9)}) is None
+    with pytest.raises(ModelError, match="did you mean 'Fear'"):
+        change_of({"Fair": (0, 4)})
+    with pytest.raises(ModelError, match="bounds"):
+        change_of({"Fear": (4, 0)})
+
+
+def test_robots_are_explained_by_their_hierarchies():
+    society = load_model("foraging")(compiled=False)
+    society.advance(1)
+    with pytest.raises(SocialmindError, match=r"society\.robots\[0\]\.hierarchy"):
+        society.explain(0, 1)
+
+
+def test_the_mind_of_the_dead_is_refused_in_a_line():
+    scheme = CognitiveScheme("herd", (Cogniton("Hunger", influence={"eat": 1}),))
+    cows = Population(Agent, 2, mind=scheme)
+    society = type("Herd", (Model,), {"cows": cows})(compiled=False)
+    cow = society.cows[1]
+    cow.die()
+    with pytest.raises(SocialmindError, match="agent 1 of 'cows' is dead and has no mind"):
+        print(cow.mind)
 
 
 def test_a_scheme_without_a_plan_that_the_model_carries_out():

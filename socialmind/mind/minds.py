@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.closed import Closed
 from coglogo_py.memory import check_memory
 from coglogo_py.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError
@@ -27,7 +28,7 @@ LANES = 256
 network for so many agents still fit into a core's own cache."""
 
 
-class Minds:
+class Minds(Closed):
     """Many agents with one hierarchy: all share a genome, or each has its own.
 
     Every agent has its own sensors, variables and memory.
@@ -94,6 +95,7 @@ class Minds:
             genome = description.skills[name].genome
             if genome is not None:
                 self.set_genome(name, genome)
+        self._closed = True
 
     @property
     def address(self) -> int:
