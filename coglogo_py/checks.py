@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
-from numbers import Integral, Real
 from types import MappingProxyType
 
-from coglogo_py.errors import SchemeError
+from coglogo_py.errors import SchemeError, shown
+from coglogo_py.numbers import is_number, is_whole
 
 
 def checked_name(name: object, what: str) -> str:
@@ -30,14 +29,9 @@ def checked_number(value: object, where: str) -> float:
     >>> checked_number(2, "start_value of cogniton 'Hunger'")
     2.0
     """
-    if isinstance(value, Real) and not isinstance(value, bool):
-        try:
-            number = float(value)
-        except OverflowError:
-            number = math.inf
-        if math.isfinite(number):
-            return number
-    raise SchemeError(f"{value!r} as {where}", "a finite number")
+    if is_number(value):
+        return float(value)  # type: ignore[arg-type]  # a Real
+    raise SchemeError(f"{shown(value)} as {where}", "a finite number")
 
 
 def checked_colour(value: object, where: str) -> tuple[int, int, int]:
@@ -45,7 +39,7 @@ def checked_colour(value: object, where: str) -> tuple[int, int, int]:
     if (
         isinstance(value, tuple | list)
         and len(value) == 3
-        and all(_whole(part) and 0 <= part <= 255 for part in value)
+        and all(is_whole(part) and 0 <= part <= 255 for part in value)
     ):
         return int(value[0]), int(value[1]), int(value[2])
     raise SchemeError(f"{value!r} as the colour of {where}", "three whole numbers 0 … 255")
@@ -56,7 +50,7 @@ def checked_position(value: object, where: str) -> tuple[int, int]:
     if (
         isinstance(value, tuple | list)
         and len(value) == 2
-        and all(_whole(part) and -(2**31) <= part < 2**31 for part in value)
+        and all(is_whole(part) and -(2**31) <= part < 2**31 for part in value)
     ):
         return int(value[0]), int(value[1])
     raise SchemeError(
@@ -74,7 +68,3 @@ def checked_weights(value: object, where: str) -> Mapping[str, float]:
             for plan, weight in value.items()
         }
     )
-
-
-def _whole(value: object) -> bool:
-    return isinstance(value, Integral) and not isinstance(value, bool)

@@ -16,14 +16,14 @@ import inspect
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from numbers import Real
 from typing import ClassVar
 
 import numpy as np
 from numba.extending import register_jitable
 from numpy.typing import NDArray
 
-from coglogo_py.errors import SchemeError, nearest
+from coglogo_py.errors import SchemeError, nearest, shown
+from coglogo_py.numbers import is_number
 
 Weights = NDArray[np.float64]
 
@@ -155,9 +155,9 @@ class DecisionMaker:
         if type(self) is DecisionMaker:
             raise _undecided()
         bias = self.bias
-        if isinstance(bias, bool) or not isinstance(bias, Real) or not 0 < bias < math.inf:
+        if not is_number(bias) or not bias > 0:
             raise SchemeError(
-                f"bias {bias!r} of the decision maker {self.name}",
+                f"bias {shown(bias)} of the decision maker {self.name}",
                 "a finite number above 0",
                 "write 1 for no bias; above 1 favours strong plans, below 1 weak ones",
             )

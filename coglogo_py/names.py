@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from numbers import Integral, Real
 
 from coglogo_py.arrays import culturons_of
-from coglogo_py.errors import MindError, nearest
+from coglogo_py.errors import MindError, nearest, shown
+from coglogo_py.numbers import is_number, is_whole
 from coglogo_py.scheme import CognitiveScheme
 
 
@@ -87,11 +86,9 @@ def finite(value: object, what: str) -> float:
     >>> finite(3, "the value of 'Hunger'")
     3.0
     """
-    if isinstance(value, Real) and not isinstance(value, bool):
-        number = float(value)
-        if math.isfinite(number):
-            return number
-    raise MindError(f"{what}: expected a finite number, found {value!r}")
+    if is_number(value):
+        return float(value)  # type: ignore[arg-type]  # a Real
+    raise MindError(f"{what}: expected a finite number, found {shown(value)}")
 
 
 def whole(value: object, what: str) -> int:
@@ -100,6 +97,6 @@ def whole(value: object, what: str) -> int:
     Raises:
         MindError: it is no whole number.
     """
-    if isinstance(value, Integral) and not isinstance(value, bool):
-        return int(value)
-    raise MindError(f"{what}: expected a whole number, found {value!r}")
+    if is_whole(value):
+        return int(value)  # type: ignore[call-overload]  # an Integral
+    raise MindError(f"{what}: expected a whole number, found {shown(value)}")

@@ -26,7 +26,8 @@ from coglogo_py.checks import (
     checked_weights,
 )
 from coglogo_py.decision import DecisionMaker, MaximumWeight
-from coglogo_py.errors import SchemeError
+from coglogo_py.errors import SchemeError, shown
+from coglogo_py.numbers import is_truth
 
 if TYPE_CHECKING:
     from coglogo_py.lint import Finding
@@ -69,8 +70,9 @@ class Cogniton:
 
     def __post_init__(self) -> None:
         where = f"cogniton {self.name!r}"
-        if not isinstance(self.starting, bool):
-            raise SchemeError(f"starting {self.starting!r} of {where}", "True or False")
+        if not is_truth(self.starting):
+            raise SchemeError(f"starting {shown(self.starting)} of {where}", "True or False")
+        _set(self, "starting", bool(self.starting))
         _check_links(self, where)
 
     def __hash__(self) -> int:

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from types import FunctionType
 from typing import Any, NamedTuple
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.fields import Field, declared, place_of_field, presence
 from socialmind.language.nodes import nearest
@@ -140,7 +142,7 @@ def declaration_of(cls: type, model: type) -> Declaration:
         dict(own.get("measures", {})),
     )
     _check_sizes(cls, found)
-    _check_plane(cls, found)
+    _check_plane(cls, model, found)
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
     return found
@@ -162,11 +164,11 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
             _refuse(cls, name, error.found, error.expected, error.remedy)
     elif name in SETTINGS:
         kinds, expected = SETTINGS[name]
-        right = isinstance(value, kinds) and not isinstance(value, bool)
-        if not right or (isinstance(value, int) and value < 0):
+        right = is_whole(value) and value >= 0 if int in kinds else isinstance(value, kinds)
+        if not right:
             alone = isinstance(value, PhaseDeclaration)
             remedy = f"write {name} = (…,), with a comma" if alone else None
-            _refuse(cls, name, f"{name} = {value if alone else repr(value)}", expected, remedy)
+            _refuse(cls, name, f"{name} = {value if alone else shown(value)}", expected, remedy)
     elif name in OWN_NAMES or (hasattr(model, name) and not name.startswith("__")):
         there = getattr(model, name, None)
         allowed: tuple[type, ...] = ()
@@ -202,7 +204,9 @@ def _check_kind(cls: type, parameter: Parameter, kind: Any) -> None:
             cls,
             parameter.name,
             f"{parameter.default!r} as the default of the parameter {parameter.name!r}",
-            f"a value of {wanted}" if kind in (float, int, bool) else "float, int or bool",
+            f"a value of {wanted}"
+            if kind in (float, int, bool)
+            else "float, int or bool, or str with choices=",
         )
 
 
@@ -217,11 +221,11 @@ def _check_sizes(cls: type, found: Declaration) -> None:
             if size not in whole:
                 expected = "a number or the name of a parameter of whole numbers"
                 _refuse(cls, name, f"the size {size!r}", expected, nearest(size, whole))
-        elif isinstance(size, bool) or not isinstance(size, int) or size < least:
-            _refuse(cls, name, f"the size {size!r}", f"a whole number, {least} or more")
+        elif not is_whole(size) or size < least:
+            _refuse(cls, name, f"the size {shown(size)}", f"a whole number, {least} or more")
 
 
-def _check_plane(cls: type, found: Declaration) -> None:
+def _check_plane(cls: type, model: type, found: Declaration) -> None:
     """Refuse what belongs to a plane where there is none, and a half-width that is no parameter."""
     kinds = {"rewards": Reward, "interruptions": Interruption, "measures": Measure}
     for name, kind in kinds.items():
@@ -237,7 +241,10 @@ def _check_plane(cls: type, found: Declaration) -> None:
         for name, one in found.populations.items():
             if one.body is not None or one.sensors or one.actuators:
                 _refuse(cls, name, f"bodies of {name!r} without a plane", "world = Plane(…)")
-    elif isinstance(found.plane.half_width, str):
+        return
+    if cls.stop_when is not model.stop_when:  # type: ignore[attr-defined]  # models have it
+        _refuse(cls, "stop_when", "stop_when() on a plane", "interruptions = {…}")
+    if isinstance(found.plane.half_width, str):
         wide, numbers = found.plane.half_width, [n for n, p in found.parameters.items()
                                                  if p.kind is float]  # fmt: skip
         if wide not in numbers:

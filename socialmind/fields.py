@@ -17,6 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError
 
 Value = float | int | bool | None
@@ -35,6 +37,7 @@ class Field:
         default: the value at birth; a tuple for an array; None for an optional field at none.
         size: the number of elements of an array, or None.
         optional: whether the value may be None.
+        choices: the texts among which a parameter is one; it is stored as its place among them.
     """
 
     name: str
@@ -43,6 +46,7 @@ class Field:
     default: Value | tuple[Value, ...]
     size: int | None = None
     optional: bool = False
+    choices: tuple[str, ...] = ()
 
     @property
     def dtype(self) -> list[tuple[str, str] | tuple[str, str, tuple[int]]]:
@@ -147,12 +151,11 @@ def _array(cls: type, name: str, args: tuple[object, ...], default: object) -> F
 
 
 def _converted(cls: type, name: str, kind: type, value: object) -> Value:
-    fitting: tuple[type, ...] = (int, np.integer)
-    if kind is float:
-        fitting += (float, np.floating)
-    fits = isinstance(value, bool) if kind is bool else isinstance(value, fitting)
-    if not fits or (kind is not bool and isinstance(value, bool)):
-        found = f"{value!r} as the default of {name!r}"
+    fits = is_truth(value) if kind is bool else is_whole(value)
+    if kind is float:  # nan and inf too
+        fits = is_number(value) or isinstance(value, float | np.floating)
+    if not fits:
+        found = f"{shown(value)} as the default of {name!r}"
         raise _wrong(cls, name, found, f"a value of {kind.__name__}")
     return typing.cast(Value, kind(value))
 

@@ -10,9 +10,15 @@ from typing import Any, ClassVar
 
 import mesa
 
+from socialmind.columns import check_fields
 from socialmind.errors import ModelError
 from socialmind.population import Agent, Population
+from socialmind.rows import unknown
 from socialmind.table import Table
+from socialmind.values import fitted
+
+_SET_BY_MESA = frozenset(("current_action", "id", "model", "unique_id"))
+"""What Mesa's tools keep in an agent, and the identity."""
 
 
 class SocietyAgent(mesa.Agent):
@@ -24,16 +30,25 @@ class SocietyAgent(mesa.Agent):
     Args:
         model: the Mesa model.
         identity: the identity of a living agent; None brings another into the world.
-        fields: values of fields, and of other attributes that Mesa alone knows.
+        fields: values of fields.
 
     Attributes:
         id: the identity in the society (Mesa counts its `unique_id` over all populations).
+
+    Raises:
+        UnknownNameError: there is no such field; attributes that Mesa's tools alone know have names
+            with a leading underscore.
+        ValueRefusedError: a value that a field cannot hold; no agent was made.
     """
 
     population: ClassVar[str] = ""
 
     def __init__(self, model: Any, identity: int | None = None, **fields: Any) -> None:
         self._table: Table = model.society.tables[self.population]
+        shape = self._table.shape
+        check_fields(fields, shape.fields, repr(self.population))
+        for name, value in fields.items():
+            fitted(shape.fields[name], value, f"the field {name!r} of {self.population!r}")
         self._mesa_cell: Any = None
         if identity is None:
             identity = int(self._table.create().id)
@@ -44,6 +59,11 @@ class SocietyAgent(mesa.Agent):
         model.enrol(self)
         for name, value in fields.items():
             setattr(self, name, value)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_") and name not in _SET_BY_MESA and not hasattr(type(self), name):
+            raise unknown(name, self.population, type(self), self._table.shape.fields)
+        super().__setattr__(name, value)
 
     @property
     def row(self) -> Any:

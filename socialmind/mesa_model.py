@@ -13,7 +13,8 @@ import mesa
 import numpy as np
 from mesa.datacollection import DataCollector
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, UnknownNameError
+from socialmind.language.nodes import nearest
 from socialmind.mesa_agents import SocietyAgent, class_of_agents
 from socialmind.mesa_grid import SocietyGrid
 from socialmind.model import Model
@@ -41,6 +42,7 @@ class SocietyModel(mesa.Model):
     agent_class: ClassVar[dict[str, type[SocietyAgent]]] = {}
     """The class of the agents of each population."""
     _reporters: ClassVar[dict[str, Any] | None] = None
+    _made = False
 
     def __init__(self, society: Model) -> None:
         self.society = society
@@ -56,6 +58,18 @@ class SocietyModel(mesa.Model):
             reporters = {"model_reporters": columns}
         self._datacollector = DataCollector(**reporters)
         self._end_tick()
+        self._made = True
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Set a variable of the society, or what Mesa's own tools keep in a model."""
+        own = name.startswith("_") or name in self.__dict__ or name in _MESA_NAMES
+        if self._made and not own and not hasattr(type(self), name):
+            kind = type(self.society)
+            raise UnknownNameError(
+                f"{kind.name} has no variable {name!r}; {nearest(name, kind.variables)}; declare "
+                f"it in the society's class ({name}: float = 0.0), or call it _{name}"
+            )
+        super().__setattr__(name, value)
 
     def __getattr__(self, name: str) -> Any:
         """Return a column of the society's series, or fail as Python does."""

@@ -7,11 +7,12 @@ still lives (`Held…`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from coglogo_py.errors import shown
 from coglogo_py.mind import Mind
+from coglogo_py.receipt import Receipt
 from socialmind.errors import UnknownNameError, ValueRefusedError
 from socialmind.fields import Field, presence
 from socialmind.language.arithmetic import brought_back, turned
@@ -63,14 +64,9 @@ class HeldArray(ArrayField):
     def __setitem__(self, place: int | slice, value: Any) -> None:
         name = f"the field {self._field.name!r}"
         several = isinstance(value, Iterable)
-        checked = [
-            fitted(_element(self._field), one, name) for one in (value if several else [value])
-        ]
+        field = Field(name, self._field.kind, self._field.storage, self._field.default)
+        checked = [fitted(field, one, name) for one in (value if several else [value])]
         self._values[place] = checked if several else checked[0]
-
-
-def _element(field: Field) -> Field:
-    return Field(field.name, field.kind, field.storage, field.default)
 
 
 class Row:
@@ -126,6 +122,13 @@ class AgentMind(Mind):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _mind, (self._row,)
+
+    def explain(self, within: Mapping[str, tuple[float, float]] | None = None) -> Receipt:
+        """Return the receipt of the next decision; changes stay within the population's bounds."""
+        table = self._row._table
+        kept = table.model.populations[table.shape.name].bounds
+        own = {name: ends for name, ends in kept.items() if name in self.society.names.cognitons}
+        return super().explain(own if within is None else within)
 
     def choose_next_plan(self) -> str | None:
         """Choose the next plan; None, and counted as idle, when none is available."""
@@ -317,7 +320,7 @@ def _living_mind(row: HeldRow) -> AgentMind:
 def unknown(name: str, owner: str, kind: type, fields: Iterable[str]) -> UnknownNameError:
     """Return the error for a name that agents or patches do not have, or that cannot be set."""
     fields = list(fields)
-    if name in fields or hasattr(kind, name):
+    if name == "id" or name in fields or hasattr(kind, name):
         return UnknownNameError(
             f"{name!r} of {owner!r} cannot be set; its fields are {', '.join(fields) or 'none'}"
         )

@@ -176,7 +176,7 @@ class Table:
         elif name.startswith("_") or name in KEPT_BY_TABLES:
             object.__setattr__(self, name, value)
         else:
-            raise unknown(name, "" if shape is None else shape.name, type(self), shape.fields)
+            raise unknown(name, self.shape.name, type(self), self.shape.fields)
 
     def set(self, **fields: Any) -> None:
         """Set fields of all the living.

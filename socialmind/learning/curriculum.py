@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.learning.lesson import Lesson
@@ -38,10 +40,8 @@ class Cycle:
             raise ModelError("a cycle without lessons", "one or more")
         for what in ("cycles", "budget"):
             value = getattr(self, what)
-            if value is not None and (isinstance(value, bool) or not isinstance(value, int)):
-                raise ModelError(f"{what}={value!r} of a cycle", "a whole number, 1 or more")
-            if value is not None and value < 1:
-                raise ModelError(f"{what}={value!r} of a cycle", "a whole number, 1 or more")
+            if value is not None and (not is_whole(value) or value < 1):
+                raise ModelError(f"{what}={shown(value)} of a cycle", "a whole number, 1 or more")
 
 
 class Position(NamedTuple):

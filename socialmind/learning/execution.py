@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import socialmind
+from coglogo_py.numbers import whole_number
 from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
@@ -103,8 +104,7 @@ def learn(
         TrainingInterrupted: Ctrl-C; all but the generation in hand is safe, `resume` goes on.
     """
     _at_least_one(attempts=attempts, generations=generations, budget=budget, cycles=cycles)
-    if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**64:
-        raise SocialmindError(f"seed {seed}; expected a whole number from 0 to 2**64 - 1")
+    seed = whole_number(seed, "seed", 0, 2**64 - 1, SocialmindError)
     if engine not in (COMPILED, PYMUNK):
         raise SocialmindError(f"engine {engine!r}; expected {COMPILED} or {PYMUNK}")
     target = None if out is None else Path(out)
@@ -394,5 +394,5 @@ def _hash(files: Mapping[str, bytes]) -> str:
 
 def _at_least_one(**values: int | None) -> None:
     for name, value in values.items():
-        if value is not None and (isinstance(value, bool) or value < 1):
-            raise SocialmindError(f"{name} {value}; expected a whole number from 1 up")
+        if value is not None:
+            whole_number(value, name, 1, error=SocialmindError)

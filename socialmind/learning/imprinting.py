@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.learning.controllers import Controller, Recorder, Source, controller_of
 from socialmind.learning.recording import Recording, check_fits, of_episodes
@@ -257,5 +258,5 @@ def _seeds(seed: int, purpose: int, number: int, count: int) -> list[int]:
 
 
 def _check_positive(name: str, value: Any) -> None:
-    if isinstance(value, bool) or not isinstance(value, int) or value < 1:
+    if not is_whole(value) or value < 1:
         raise ModelError(f"{name}={value!r}", "a whole number, 1 or more")

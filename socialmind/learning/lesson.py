@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number, is_whole
 from socialmind.errors import ModelError
 from socialmind.learning.optimisers.contract import Optimiser
 from socialmind.learning.optimisers.registry import optimiser_named
@@ -115,8 +117,8 @@ class Lesson:
                 expected = f"{values[0]!r} or {values[1]!r}"
                 raise self.refused(f"with {what}={getattr(self, what)!r}", expected)
         spread = self.spread
-        if isinstance(spread, bool) or not isinstance(spread, int | float) or not spread >= 0.0:
-            raise self.refused(f"with spread={self.spread!r}", "a number, 0 or more")
+        if not is_number(spread) or spread < 0.0:
+            raise self.refused(f"with spread={shown(spread)}", "a number, 0 or more")
         if self.drive is not None and not callable(self.drive):
             raise self.refused(f"with the drive {self.drive!r}", "a function of the mind")
         try:
@@ -148,8 +150,8 @@ class Lesson:
         self._freeze("master", self.master or skills[0])
 
     def _check_whole(self, what: str, value: Any, least: int = 1) -> None:
-        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-            raise self.refused(f"with {what}={value!r}", f"a whole number, {least} or more")
+        if not is_whole(value) or value < least:
+            raise self.refused(f"with {what}={shown(value)}", f"a whole number, {least} or more")
         self._freeze(what, int(value))
 
     def _freeze(self, name: str, value: Any) -> None:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.closed import Closed
+from coglogo_py.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.mind import variants
@@ -30,7 +32,7 @@ if TYPE_CHECKING:
     from socialmind.mind.minds import Minds
 
 
-class Hierarchy:
+class Hierarchy(Closed):
     """A mind that runs: the skills below a master, for one agent.
 
     Args:
@@ -83,6 +85,7 @@ class Hierarchy:
         )
         self._required = self.assembly.required
         self.reset()
+        self._closed = True
 
     # Evaluating -------------------------------------------------------------------------------
 
@@ -259,9 +262,7 @@ class Hierarchy:
         Raises:
             SocialmindError: the seed is none.
         """
-        if isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0:
-            raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 or more")
-        rng = np.random.default_rng(seed)
+        rng = np.random.default_rng(whole_number(seed, "seed", 0, error=SocialmindError))
         for name in sorted(self.skills):
             size = self.description.skills[name].genome_size
             if size:

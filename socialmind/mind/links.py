@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.mind.names import check_name
 
@@ -48,8 +50,9 @@ class Input:
             raise ModelError(f"an input of the kind {self.code!r}", expected, line=self.line)
         check_name(self.name, f"a {INPUT_CODES[self.code][0]}", None, self.line)
         history = self.reading == HISTORY
-        if isinstance(self.ticks, bool) or not isinstance(self.ticks, int):
-            raise ModelError(f"{self.ticks!r} ticks back", "a whole number", line=self.line)
+        if not is_whole(self.ticks):
+            raise ModelError(f"{shown(self.ticks)} ticks back", "a whole number", line=self.line)
+        object.__setattr__(self, "ticks", int(self.ticks))
         if self.ticks > MOST_TICKS:
             raise ModelError(
                 f"a history of more than {MOST_TICKS:,} ticks of {self.name!r}",

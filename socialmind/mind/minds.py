@@ -8,6 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.closed import Closed
+from coglogo_py.memory import check_memory
+from coglogo_py.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.mind.arrays import Assembly, assemble, master_of
@@ -25,7 +28,7 @@ LANES = 256
 network for so many agents still fit into a core's own cache."""
 
 
-class Minds:
+class Minds(Closed):
     """Many agents with one hierarchy: all share a genome, or each has its own.
 
     Every agent has its own sensors, variables and memory.
@@ -68,12 +71,10 @@ class Minds:
         for what, number, least in (
             ("agents", agents, 1), ("instances", instances, 0), ("lanes", lanes, 1),
         ):  # fmt: skip
-            if not _is_whole(number) or number < least:
-                raise SocialmindError(
-                    f"{what}: found {number!r}; expected a whole number, {least} or more"
-                )
+            whole_number(number, what, least, error=SocialmindError)
         self.description = description
         self.master = master_of(description, master)
+        agents, instances, lanes = int(agents), int(instances), int(lanes)
         self.assembly: Assembly = assemble(description, self.master, drive is not None)
         self.agents = int(agents)
         self.lanes = int(min(lanes, agents))
@@ -84,6 +85,9 @@ class Minds:
         self._evaluate: Any = None
         self._code = MindCode(self.assembly, drive)
         self._record = Record(self.assembly, self._code.names)
+        one = new_state(self.assembly, 1, 1, own_genomes, 0)
+        needed = agents * sum(array.nbytes for array in one)
+        check_memory(needed, f"{agents} minds {description.name!r}", SocialmindError)
         self.state_arrays = new_state(self.assembly, agents, self.lanes, own_genomes, instances)
         self.societies = societies_of(self.assembly, seed, agents)
         self._record.connect(agents, self.state_arrays, self.societies)
@@ -91,6 +95,7 @@ class Minds:
             genome = description.skills[name].genome
             if genome is not None:
                 self.set_genome(name, genome)
+        self._closed = True
 
     @property
     def address(self) -> int:
@@ -304,7 +309,7 @@ class Minds:
             hint = nearest(group, sorted(groups)) if groups else "no variable is shared"
             raise ModelError(f"the unknown group {group!r}", remedy=hint)
         count = len(self.state_arrays.instances)
-        if instance is not None and not (_is_whole(instance) and 0 <= instance < count):
+        if instance is not None and not (is_whole(instance) and 0 <= instance < count):
             raise ModelError(
                 f"the instance {instance!r} of the group {group!r}",
                 f"0 … {count - 1}" if count else "Minds(…, instances=N)",
@@ -427,10 +432,6 @@ def _unset(assembly: Assembly) -> set[str]:
     """Return the skills whose genomes must be set before anything can be evaluated."""
     skills = assembly.description.skills
     return {name for name in assembly.skills if skills[name].genome_size}
-
-
-def _is_whole(number: Any) -> bool:
-    return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 
 def _numbers(values: Any, what: str) -> NDArray[np.float64]:

@@ -6,8 +6,8 @@ import re
 import unicodedata
 from typing import Any
 
-import numpy as np
-
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number
 from socialmind.errors import ModelError
 
 _NAME = re.compile(r"[^\s:#/\\]([^:#/\\\n\r]*[^\s:#/\\])?")
@@ -49,6 +49,5 @@ def check_share(value: Any, what: str, file: str | None, line: int | None) -> No
     Raises:
         ModelError: so it is.
     """
-    number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
-    if not number or not 0 <= value <= 1:
-        raise ModelError(f"{value!r} as {what}", "a number, 0 … 1", file=file, line=line)
+    if not is_number(value) or not 0 <= value <= 1:
+        raise ModelError(f"{shown(value)} as {what}", "a number, 0 … 1", file=file, line=line)

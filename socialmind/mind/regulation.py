@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError
 
 if TYPE_CHECKING:
@@ -98,8 +100,8 @@ class Counter(Regulation):
     keyword: ClassVar[str] = "CounterVariableModule"
 
     def __post_init__(self) -> None:
-        if isinstance(self.maximum, bool) or not isinstance(self.maximum, int) or self.maximum < 1:
-            raise ModelError(f"a counter up to {self.maximum!r}", "a whole number, 1 or more")
+        if not is_whole(self.maximum) or self.maximum < 1:
+            raise ModelError(f"a counter up to {shown(self.maximum)}", "a whole number, 1 or more")
         if not 0 <= self.reset <= self.increment <= 1:
             raise ModelError(
                 f"a counter that counts above {self.increment} and resets below {self.reset}",

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import Society
 from coglogo_py.arrays import MindArrays, SchemeArrays
+from coglogo_py.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.arrays import Assembly
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
@@ -100,9 +101,7 @@ def societies_of(
     Raises:
         SocialmindError: the seed is none.
     """
-    whole = isinstance(seed, int | np.integer) and not isinstance(seed, bool)
-    if not whole or not 0 <= seed < 2**64:
-        raise SocialmindError(f"seed: found {seed!r}; expected a whole number, 0 … 2**64 - 1")
+    seed = whole_number(seed, "seed", 0, 2**64 - 1, SocialmindError)
     societies = []
     taken: list[int] = []
     for name in assembly.schemes:
@@ -111,7 +110,7 @@ def societies_of(
         while stream in taken:
             stream = stream + 1 if stream + 1 < STREAMS else OWN_STREAMS
         taken.append(stream)
-        society = Society(function.scheme, int(seed), stream)
+        society = Society(function.scheme, seed, stream)
         society.new_minds(agents)
         societies.append(society)
     return tuple(societies)

@@ -8,7 +8,6 @@ mind decides where a scheme did, and a scheme can be read off it again.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -17,6 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number
 from socialmind.errors import ModelError
 from socialmind.language.nodes import nearest
 from socialmind.mind.functions.perceptron import Perceptron
@@ -52,8 +53,8 @@ class Weighing:
 
     def __post_init__(self) -> None:
         for name, reach in {**self.cognitons, "the plans": self.reach}.items():
-            if isinstance(reach, bool) or not 0 < reach < math.inf:
-                raise ModelError(f"the reach {reach!r} of {name}", "a number above 0")
+            if not is_number(reach) or not reach > 0:
+                raise ModelError(f"the reach {shown(reach)} of {name}", "a number above 0")
 
     def places(self, scheme: CognitiveScheme, mind: MindDescription) -> WeighingPlaces:
         """Return where cognitons are read and plans weighed in a hierarchy.

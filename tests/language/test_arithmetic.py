@@ -90,9 +90,9 @@ def within(value, low=SMALLEST, high=LARGEST):
 def compiled(name):
     """Return a function of arithmetic as compiled rules call it."""
     function = getattr(arithmetic, name)
-    if name in ONE or name in ("absolute_int", "opaque"):
+    if name in ONE or name in ("absolute_int", "opaque", "turned"):
         return numba.njit(lambda x: function(x))
-    if name == "fitting":
+    if name in ("fitting", "brought_back"):
         return numba.njit(lambda x, y, z: function(x, y, z))
     return numba.njit(lambda x, y: function(x, y))
 
@@ -105,6 +105,8 @@ def test_every_function_is_tried():
         "power_of_odd_ends",
         "position",
         "fitting",
+        "brought_back",
+        "turned",
     }
     others |= {"total", "total_int", "least_of", "greatest_of", "opaque"}
     functions = {
@@ -218,6 +220,35 @@ def test_small_fields():
         expected = value if -128 <= value <= 127 else "OverflowError"
         assert outcome(fast, value, -128, 127) == expected
         assert outcome(arithmetic.fitting, value, -128, 127) == expected
+
+
+def test_places_on_a_torus():
+    fast = compiled("brought_back")
+    for value in FLOATS:
+        here = outcome(arithmetic.brought_back, value, -2, 5)
+        assert outcome(fast, value, -2, 5) == here, value
+        if not abs(value) < 1e15:
+            assert here == "ValueError"
+        elif -2.5 <= value < 2.5:
+            assert here == struct.pack("d", value)
+        else:
+            assert -2.5 <= arithmetic.brought_back(value, -2, 5) < 2.5
+    assert arithmetic.brought_back(2.5, -2, 5) == -2.5
+    assert arithmetic.brought_back(3.25, -2, 5) == -1.75
+    assert arithmetic.brought_back(-2.5000000000000004, -2, 5) < 2.5
+
+
+def test_headings():
+    fast = compiled("turned")
+    for value in [*FLOATS, 360.0, 359.99999999999994, -1e-20, 725.0, -90.0]:
+        here = outcome(arithmetic.turned, value)
+        assert outcome(fast, value) == here, value
+        if not math.isfinite(value):
+            assert here == "ValueError"
+        else:
+            assert 0.0 <= arithmetic.turned(value) < 360.0
+    found = [arithmetic.turned(value) for value in (360.0, -1e-20, 725.0, -90.0, 12.5)]
+    assert found == [0.0, 0.0, 5.0, 270.0, 12.5]
 
 
 def test_hypot_is_rounded_at_each_step():

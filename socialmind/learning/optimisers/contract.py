@@ -12,6 +12,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.learning.optimisers.generator import generator_at, words_of
 from socialmind.learning.optimisers.settings import Setting, checked
@@ -232,8 +234,8 @@ def whole(name: str, value: Any, low: int) -> int:
     Raises:
         ModelError: it is none, or below `low`.
     """
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < low:
-        raise ModelError(f"{name}={value!r} of an optimiser", f"a whole number, {low} or more")
+    if not is_whole(value) or value < low:
+        raise ModelError(f"{name}={shown(value)} of an optimiser", f"a whole number, {low} or more")
     return int(value)
 
 

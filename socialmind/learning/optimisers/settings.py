@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-import numbers
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number
 from socialmind.errors import ModelError
 
 
@@ -43,12 +44,11 @@ class Setting:
         Raises:
             ModelError: it is no number, or outside the range.
         """
-        number = not isinstance(value, bool) and isinstance(value, numbers.Real)
-        if number and math.isfinite(value) and (not self.whole or value == int(value)):
+        if is_number(value) and (not self.whole or value == int(value)):
             inside = self.low <= value <= self.high
             if inside or (self.automatic and value == 0):
                 return int(value) if self.whole else float(value)
-        raise ModelError(f"{name}={value!r} of an optimiser", self.expected, self.meaning)
+        raise ModelError(f"{name}={shown(value)} of an optimiser", self.expected, self.meaning)
 
     @property
     def expected(self) -> str:

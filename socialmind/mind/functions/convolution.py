@@ -43,7 +43,9 @@ class Kernel:
     links: tuple[tuple[int, ...], ...]
 
     def __post_init__(self) -> None:
-        check_whole(self.size, "the number of inputs of a kernel", 1)
+        object.__setattr__(
+            self, "size", check_whole(self.size, "the number of inputs of a kernel", 1)
+        )
         if not isinstance(self.links, tuple | list) or not self.links:
             raise ModelError(f"{self.links!r} as the links of a kernel", "places for each neuron")
         links = tuple(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number, is_whole
 from socialmind.errors import ModelError
 from socialmind.mind.functions.network import NEAT_ACTIVATIONS, NEAT_AGGREGATIONS
 from socialmind.mind.functions.perceptron import check_whole
@@ -36,21 +37,22 @@ class GraphNeuron:
     response: float = 1.0
 
     def __post_init__(self) -> None:
-        check_whole(self.key, "the key of a neuron", 0)
+        object.__setattr__(self, "key", check_whole(self.key, "the key of a neuron", 0))
         what = f"neuron {self.key}"
         if not isinstance(self.sources, tuple | list):
             raise ModelError(f"{self.sources!r} as the sources of {what}", "a tuple of keys")
         object.__setattr__(self, "sources", tuple(self.sources))
         for place, source in enumerate(self.sources):
-            if isinstance(source, bool) or not isinstance(source, int):
-                raise ModelError(f"{source!r} as a source of {what}", "a whole number")
+            if not is_whole(source):
+                raise ModelError(f"{shown(source)} as a source of {what}", "a whole number")
             if source in self.sources[:place]:
                 raise ModelError(f"{source} twice among the sources of {what}", "each source once")
         _check_known(self.activation, NEAT_ACTIVATIONS, f"the activation of {what}")
         _check_known(self.aggregation, NEAT_AGGREGATIONS, f"the aggregation of {what}")
-        number = isinstance(self.response, int | float) and not isinstance(self.response, bool)
-        if not number or not math.isfinite(self.response):
-            raise ModelError(f"{self.response!r} as the response of {what}", "a finite number")
+        if not is_number(self.response):
+            raise ModelError(f"{shown(self.response)} as the response of {what}", "a finite number")
+        object.__setattr__(self, "response", float(self.response))
+        object.__setattr__(self, "sources", tuple(int(one) for one in self.sources))
 
     def to_line(self) -> str:
         """Return it as a line of text.

@@ -70,7 +70,11 @@ class InfluenceNetwork(InternalFunction):
         passes = as_places(self.passes, "the inputs that an influence network lets through")
         object.__setattr__(self, "passes", passes)
         check_hidden_layers(self, "an influence network", 0)
-        check_whole(self.branches, "the number of branches of an influence network", 0)
+        object.__setattr__(
+            self,
+            "branches",
+            check_whole(self.branches, "the number of branches of an influence network", 0),
+        )
         if len(set(self.passes)) < len(self.passes):
             raise ModelError(f"the inputs {self.passes} let through", "each input once")
         if self.branches + len(self.passes) == 0:

@@ -86,8 +86,12 @@ class NeatGraph(InternalFunction):
                     "inputs, outputs and neurons, or none of them",
                 )
             return
-        check_whole(self.inputs, "the number of inputs of a NEAT graph", 0)
-        check_whole(self.outputs, "the number of outputs of a NEAT graph", 1)
+        object.__setattr__(
+            self, "inputs", check_whole(self.inputs, "the number of inputs of a NEAT graph", 0)
+        )
+        object.__setattr__(
+            self, "outputs", check_whole(self.outputs, "the number of outputs of a NEAT graph", 1)
+        )
         keys = [neuron.key for neuron in self.neurons]
         known = {-place for place in range(1, self.inputs + 1)}
         if self.recurrent:

@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.draft import NetworkDraft
@@ -106,8 +108,10 @@ def check_hidden_layers(function: HasHiddenLayers, what: str, least: int) -> Non
     Raises:
         ModelError: a number or an activation is not one.
     """
-    check_whole(function.layers, f"the number of hidden layers of {what}", least)
-    check_whole(function.added, f"the number of neurons added to a hidden layer of {what}", 0)
+    layers = check_whole(function.layers, f"the number of hidden layers of {what}", least)
+    more = f"the number of neurons added to a hidden layer of {what}"
+    object.__setattr__(function, "layers", layers)
+    object.__setattr__(function, "added", check_whole(function.added, more, 0))
     # A value that cannot be hashed is no key either, so the names are compared one by one.
     if not any(function.hidden == name for name in HIDDEN_ACTIVATIONS):
         raise ModelError(
@@ -116,14 +120,15 @@ def check_hidden_layers(function: HasHiddenLayers, what: str, least: int) -> Non
         )
 
 
-def check_whole(value: Any, what: str, least: int) -> None:
-    """Refuse what is no whole number from `least` up.
+def check_whole(value: Any, what: str, least: int) -> int:
+    """Return a whole number from `least` up as Python's, or refuse what is none.
 
     Raises:
         ModelError: so it is.
     """
-    if isinstance(value, bool) or not isinstance(value, int) or value < least:
-        raise ModelError(f"{value!r} as {what}", f"a whole number, {least} or more")
+    if not is_whole(value) or value < least:
+        raise ModelError(f"{shown(value)} as {what}", f"a whole number, {least} or more")
+    return int(value)
 
 
 def as_places(values: Any, what: str) -> tuple[int, ...]:
