@@ -52,12 +52,16 @@ class Line:
         value: its present value.
         slopes: (n,) weights of its influence links to the available plans.
         weights_at: the available plans' weights at another value of it, as the mind sums them.
+        low: the smallest value that it takes.
+        high: the largest.
     """
 
     cogniton: str
     value: float
     slopes: Floats
     weights_at: Callable[[float], Floats]
+    low: float = -math.inf
+    high: float = math.inf
 
 
 @dataclass(frozen=True)
@@ -118,7 +122,7 @@ def smallest_change(
 
     Returns:
         The change, of equal ones that of the first cogniton, upwards; None when no value of any
-        one cogniton makes a difference.
+        one cogniton, within its bounds, makes a difference.
     """
     best: Change | None = None
     for line in lines:
@@ -127,7 +131,7 @@ def smallest_change(
         present = most_probable(maker, line.weights_at(line.value))
         for direction in (1.0, -1.0):
             new_value = _first_other(maker, line, present, direction)
-            if new_value is None:
+            if new_value is None or not line.low <= new_value <= line.high:
                 continue
             if best is None or abs(new_value - line.value) < abs(best.change):
                 plan = plans[most_probable(maker, line.weights_at(new_value))]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -215,13 +215,19 @@ class Mind:
         chances = checked_probabilities(maker, found, len(weights))
         return dict(zip(weights, chances.tolist(), strict=True))
 
-    def explain(self) -> Receipt:
+    def explain(self, within: Mapping[str, tuple[float, float]] | None = None) -> Receipt:
         """Return the receipt of the decision that this mind takes next, without taking it.
 
         The draw and the choice are those that `choose_next_plan` gives if nothing changes first:
         ask before a decision to have its receipt.
+
+        Args:
+            within: the smallest and largest value that cognitons take, by name; the smallest change
+                that the receipt proposes stays within them.
         """
-        return receipt_of(self)
+        for name in within or {}:
+            self.society.names.cogniton(name)
+        return receipt_of(self, within)
 
     def feed_back_from_plan(self, plan: str, value: float) -> None:
         """Reinforce what is linked to a plan.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -123,8 +124,13 @@ class Receipt:
         return data
 
 
-def receipt_of(mind: Mind) -> Receipt:
-    """Return the receipt of a mind's next decision."""
+def receipt_of(mind: Mind, within: Mapping[str, tuple[float, float]] | None = None) -> Receipt:
+    """Return the receipt of a mind's next decision.
+
+    Args:
+        mind: the mind.
+        within: the smallest and largest value of cognitons by name, as far as they have such.
+    """
     society = mind.society
     scheme = society.scheme
     maker = scheme.decision_maker
@@ -153,7 +159,9 @@ def receipt_of(mind: Mind) -> Receipt:
         influences=influences,
         draw=draw,
         choice=choice,
-        smallest_change=smallest_change(maker, tuple(weights), _lines(mind, tuple(weights))),
+        smallest_change=smallest_change(
+            maker, tuple(weights), _lines(mind, tuple(weights), within or {})
+        ),
     )
 
 
@@ -202,7 +210,9 @@ def _influences(mind: Mind) -> tuple[Influence, ...]:
     return tuple(rows)
 
 
-def _lines(mind: Mind, available: tuple[str, ...]) -> list[Line]:
+def _lines(
+    mind: Mind, available: tuple[str, ...], within: Mapping[str, tuple[float, float]]
+) -> list[Line]:
     """Return how the weights of the available plans depend on each active cogniton."""
     society = mind.society
     columns = [society.names.plan(plan) for plan in available]
@@ -215,7 +225,8 @@ def _lines(mind: Mind, available: tuple[str, ...]) -> list[Line]:
         if influence.group is None and influence.value is not None:
             slopes = society.arrays.influence[society.names.cogniton(influence.name), columns]
             weights_at = _weights_along(contributions, row, slopes)
-            lines.append(Line(influence.name, influence.value, slopes, weights_at))
+            bounds = within.get(influence.name, (-math.inf, math.inf))
+            lines.append(Line(influence.name, influence.value, slopes, weights_at, *bounds))
     return lines
 
 

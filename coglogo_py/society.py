@@ -8,16 +8,19 @@ import numpy as np
 
 from coglogo_py import kernel
 from coglogo_py.arrays import MindArrays, SchemeArrays, grown, mind_arrays, scheme_arrays
+from coglogo_py.closed import Closed
 from coglogo_py.errors import CogLogoError
+from coglogo_py.memory import check_memory
 from coglogo_py.mind import Mind
 from coglogo_py.names import Names, whole
+from coglogo_py.numbers import whole_number
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.state_check import oddity
 
 FIRST_CAPACITY = 16
 
 
-class Society:
+class Society(Closed):
     """The minds of one scheme and their group instances.
 
     A mind's decisions draw from its own stream: which number it gets depends on the seed, the
@@ -57,6 +60,7 @@ class Society:
         self.era = 0
         self.minds: MindArrays
         self._clear()
+        self._closed = True
 
     def _clear(self) -> None:
         self.minds = mind_arrays(self.arrays, FIRST_CAPACITY, self.seed, self.stream)
@@ -90,7 +94,11 @@ class Society:
 
         Args:
             count: how many, 0 or more.
+
+        Raises:
+            CogLogoError: it is no such number, or there is not memory enough.
         """
+        count = whole_number(count, "minds", 0)
         self.reserve(count)
         minds = self.minds
         free = int(minds.counters[kernel.FREE_MINDS])
@@ -126,6 +134,9 @@ class Society:
         capacity = len(self.minds.mind_id)
         missing = count - int(self.minds.counters[kernel.FREE_MINDS])
         if missing > 0:
+            one = sum(array.nbytes for array in mind_arrays(self.arrays, 1, seed=0))
+            minds = f"{capacity + missing} minds of scheme {self.scheme.name!r}"
+            check_memory((capacity + missing) * one, minds)
             self.minds = grown(self.arrays, self.minds, max(2 * capacity, capacity + missing))
 
     def reset(self) -> None:

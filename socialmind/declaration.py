@@ -142,7 +142,7 @@ def declaration_of(cls: type, model: type) -> Declaration:
         dict(own.get("measures", {})),
     )
     _check_sizes(cls, found)
-    _check_plane(cls, found)
+    _check_plane(cls, model, found)
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
     return found
@@ -204,7 +204,9 @@ def _check_kind(cls: type, parameter: Parameter, kind: Any) -> None:
             cls,
             parameter.name,
             f"{parameter.default!r} as the default of the parameter {parameter.name!r}",
-            f"a value of {wanted}" if kind in (float, int, bool) else "float, int or bool",
+            f"a value of {wanted}"
+            if kind in (float, int, bool)
+            else "float, int or bool, or str with choices=",
         )
 
 
@@ -223,7 +225,7 @@ def _check_sizes(cls: type, found: Declaration) -> None:
             _refuse(cls, name, f"the size {shown(size)}", f"a whole number, {least} or more")
 
 
-def _check_plane(cls: type, found: Declaration) -> None:
+def _check_plane(cls: type, model: type, found: Declaration) -> None:
     """Refuse what belongs to a plane where there is none, and a half-width that is no parameter."""
     kinds = {"rewards": Reward, "interruptions": Interruption, "measures": Measure}
     for name, kind in kinds.items():
@@ -239,7 +241,10 @@ def _check_plane(cls: type, found: Declaration) -> None:
         for name, one in found.populations.items():
             if one.body is not None or one.sensors or one.actuators:
                 _refuse(cls, name, f"bodies of {name!r} without a plane", "world = Plane(…)")
-    elif isinstance(found.plane.half_width, str):
+        return
+    if cls.stop_when is not model.stop_when:  # type: ignore[attr-defined]  # models have it
+        _refuse(cls, "stop_when", "stop_when() on a plane", "interruptions = {…}")
+    if isinstance(found.plane.half_width, str):
         wide, numbers = found.plane.half_width, [n for n, p in found.parameters.items()
                                                  if p.kind is float]  # fmt: skip
         if wide not in numbers:

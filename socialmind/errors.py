@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+import inspect
 from pathlib import Path
 
 from coglogo_py.errors import one_line
@@ -15,6 +17,23 @@ class SocialmindError(Exception):
 
     def __init__(self, message: str = "") -> None:
         super().__init__(one_line(message))
+
+
+def is_ours(file: str) -> bool:
+    """Return whether code stands in the library: not in a model, the shipped ones included."""
+    path, library = Path(file), Path(__file__).parent
+    if file in ("<string>", dataclasses.__file__):
+        return True  # what Python writes for a dataclass
+    inside = library in path.parents and library / "_models" not in path.parents
+    return inside or "coglogo_py" in path.parts
+
+
+def called_at() -> tuple[str | None, int | None]:
+    """Return the file and line of the modeller's that called the library, if any."""
+    frame = inspect.currentframe()
+    while frame is not None and is_ours(frame.f_code.co_filename):
+        frame = frame.f_back
+    return (None, None) if frame is None else (frame.f_code.co_filename, frame.f_lineno)
 
 
 class IdleWarning(UserWarning):

@@ -37,6 +37,7 @@ class Field:
         default: the value at birth; a tuple for an array; None for an optional field at none.
         size: the number of elements of an array, or None.
         optional: whether the value may be None.
+        choices: the texts among which a parameter is one; it is stored as its place among them.
     """
 
     name: str
@@ -45,6 +46,7 @@ class Field:
     default: Value | tuple[Value, ...]
     size: int | None = None
     optional: bool = False
+    choices: tuple[str, ...] = ()
 
     @property
     def dtype(self) -> list[tuple[str, str] | tuple[str, str, tuple[int]]]:

@@ -24,6 +24,13 @@ def explained(model: Model, agent: int, tick: int) -> Receipt:
         SocialmindError: there is no such agent at that tick, or it has not decided yet.
     """
     if not model.schemes:
+        steered = next(iter(model.assemblies), None)
+        if steered is not None:
+            raise SocialmindError(
+                f"the agents of {model.name} have hierarchies of skills and no schemes; explain "
+                f"what steers one: advance to the tick, then society.{steered}[{agent}].hierarchy"
+                ".influence(SKILL), .actuator(NAME) and .variable(NAME), or draw it"
+            )
         raise SocialmindError(f"the agents of {model.name} have no minds")
     population = next(iter(model.schemes))
     if model.populations[population].weighing is not None:

@@ -28,6 +28,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
+from coglogo_py.errors import shown
+from coglogo_py.memory import check_memory
 from coglogo_py.numbers import whole_number
 from coglogo_py.society import Society
 from socialmind.agent_columns import agent_columns
@@ -36,10 +38,10 @@ from socialmind.bookkeeping import GONE, GONE_SCORE
 from socialmind.connection import names_of_minds
 from socialmind.declaration import SETTINGS, declaration_of
 from socialmind.engine import Engine
-from socialmind.errors import IdleWarning, SocialmindError, UnknownNameError
+from socialmind.errors import IdleWarning, ModelError, SocialmindError, UnknownNameError
 from socialmind.fields import Field, place_of_field, presence
 from socialmind.hindsight import explained
-from socialmind.language.layout import model_dtype
+from socialmind.language.layout import model_dtype, row_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
@@ -147,7 +149,8 @@ class Model(metaclass=ModelKind):
     - `world = Torus("world_size", Land)`;
     - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`.
 
-    And two methods that say what a run records: `series()` and `agents()`.
+    And two methods that say what a run records: `series()` and `agents()`; and one that says
+    whether it stops before its time, `stop_when()`.
 
     Args:
         seed: the key of all random draws, 0 … 2⁶⁴ − 1.
@@ -200,7 +203,6 @@ class Model(metaclass=ModelKind):
 
     @classmethod
     def _shape(cls) -> ModelShape:
-        stored = {float: "f8", int: "i8", bool: "?"}
         populations = {name: one.shape for name, one in cls.populations.items()}
         plane = None
         if cls.plane is not None:
@@ -216,10 +218,7 @@ class Model(metaclass=ModelKind):
                 populations[name] = replace(populations[name], fields=fields, own=OWN)
         return ModelShape(
             name=cls.name,
-            parameters={
-                name: Field(name, one.kind, stored[one.kind], one.default)
-                for name, one in cls.parameters.items()
-            },
+            parameters={name: one.field for name, one in cls.parameters.items()},
             variables=cls.variables,
             populations=populations,
             patch=None if cls.torus is None else cls.torus.fields,
@@ -295,6 +294,7 @@ class Model(metaclass=ModelKind):
         self._set_values(parameters)
         self._set_ignored()
         torus = type(self).torus
+        self._check_memory()
         self.grid = None if torus is None else Grid(torus.fields, self._size(torus.size, 1))
         self.schemes = self._schemes()
         self.tables = self._tables()
@@ -335,7 +335,7 @@ class Model(metaclass=ModelKind):
                     f"{self.name} has no parameter {name!r}; {nearest(name, self.parameters)}"
                 )
         for name, one in self.parameters.items():
-            self.context[name] = one.checked(parameters.get(name, one.default))
+            self.context[name] = one.stored(parameters.get(name, one.default))
         for field in self.variables.values():
             default: Any = field.default
             if field.optional:
@@ -360,6 +360,22 @@ class Model(metaclass=ModelKind):
             return found
         return size
 
+    def _check_memory(self) -> None:
+        """Refuse a world or a population that the machine's memory cannot hold."""
+        torus = type(self).torus
+        if torus is not None:
+            size = self._size(torus.size, 1)
+            row = row_dtype(dict(torus.fields), None).itemsize
+            what = f"{shown(size)} × {shown(size)} patches of {self.name}"
+            check_memory(size * size * row, what, SocialmindError)
+        for name, population in self.populations.items():
+            size = self._size(population.size, 0)
+            shape = self.shape.populations[name]
+            # Beside its row an agent has a place in five more arrays, and its mind.
+            row = row_dtype(dict(shape.fields), shape).itemsize + 5 * 8
+            what = f"{shown(size)} agents of {name!r} in {self.name}"
+            check_memory(size * row, what, SocialmindError)
+
     def _schemes(self) -> dict[str, CognitiveScheme]:
         minded = {name: one for name, one in self.populations.items() if one.mind is not None}
         given = self._scheme
@@ -379,6 +395,10 @@ class Model(metaclass=ModelKind):
             own = given is None or name not in given
             path = self.folder() / source if own else Path(source)
             schemes[name] = CognitiveScheme.load(path, decision_makers=population.decision_makers)
+        for name, population in minded.items():
+            # Another scheme may have fewer plans than the model knows how to carry out.
+            if given is None or name not in given:
+                _check_plans(name, population, schemes[name])
         return schemes
 
     def _tables(self) -> dict[str, Table]:
@@ -481,7 +501,7 @@ class Model(metaclass=ModelKind):
         """Run a number of ticks.
 
         Args:
-            ticks: a whole number, 0 or more.
+            ticks: a whole number, 0 or more; a society that stops (`stop_when`) runs no further.
 
         Raises:
             SocialmindError: `ticks` is none.
@@ -492,7 +512,12 @@ class Model(metaclass=ModelKind):
         """
         ticks = whole_number(ticks, "ticks", 0, error=SocialmindError)
         known = self.idle.count
-        self.engine.advance(ticks)
+        if type(self).stop_when is Model.stop_when:
+            self.engine.advance(ticks)
+        else:
+            end = self.tick + ticks
+            while self.tick < end and not self.stopped:
+                self.engine.advance(1)
         idle = self.idle
         if idle.count > known == 0 and idle.first_tick is not None:
             warnings.warn(
@@ -507,6 +532,22 @@ class Model(metaclass=ModelKind):
         """Run one tick."""
         self.advance(1)
 
+    def stop_when(self) -> bool | str | None:
+        """Say whether the society stops here; a model overrides it, and nothing else calls it.
+
+        It is asked before each tick, and may look at anything but change nothing. Runs and
+        `advance` end where it says so. On a plane interruptions say it.
+
+        Returns:
+            True, or in a word why, which `over` then gives.
+        """
+        return None
+
+    @property
+    def stopped(self) -> bool:
+        """Whether the society has stopped: `advance` runs no further tick."""
+        return bool(self.stop_when())
+
     def run_plan(self, population: str, plan: int, agent: Any, rng: Any) -> None:
         """Carry out a plan, by its number in the population's scheme, in an interpreted run."""
         name = self.schemes[population].plans[plan]
@@ -517,7 +558,10 @@ class Model(metaclass=ModelKind):
 
     @property
     def over(self) -> str | None:
-        """The name of the interruption that ended what goes on here, None while it goes on."""
+        """The interruption that ended it, or what `stop_when` said; None while it goes on."""
+        why = self.stop_when()
+        if why:
+            return why if isinstance(why, str) else "stop_when"
         number = int(self.context["_over"]) if self.shape.plane is not None else 0
         return list(self.interruptions)[number - 1] if number else None
 
@@ -557,7 +601,8 @@ class Model(metaclass=ModelKind):
         }
         plane = self.shape.plane
         if plane is None:
-            return sizes | plain
+            stops = type(self).stop_when is not Model.stop_when
+            return sizes | plain | ({"over": self.over} if stops else {})
         tables = [self.tables[name] for name in plane.robots]
         scores = [one for table in tables for one in table.score.tolist()]
         count = len(scores) + sum(int(table.counters[GONE]) for table in tables)
@@ -584,7 +629,7 @@ class Model(metaclass=ModelKind):
         names = [*self.schemes[table.shape.name].plans, None]
         return [names[plan] for plan in table.columns["_plan"][table.slots].tolist()]
 
-    def parameter_values(self) -> dict[str, float | int | bool]:
+    def parameter_values(self) -> dict[str, float | int | bool | str]:
         """Return the values of the parameters."""
         return {name: getattr(self, name) for name in self.parameters}
 
@@ -672,6 +717,26 @@ class Model(metaclass=ModelKind):
         from socialmind.mesa_model import mesa_model
 
         return mesa_model(self)
+
+
+def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> None:
+    """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
+    cognitons = [one.name for one in scheme.cognitons]
+    for cogniton in population.bounds:
+        if cogniton not in cognitons:
+            raise ModelError(
+                f"bounds of the cogniton {cogniton!r} of {name!r}, which the scheme "
+                f"{scheme.name!r} does not have",
+                remedy=nearest(cogniton, cognitons),
+            )
+    for plan in population.plans:
+        if plan not in scheme.plans:
+            raise ModelError(
+                f"a function for the plan {plan!r} of {name!r}, which the scheme {scheme.name!r} "
+                "does not have",
+                "a function for each of its plans",
+                nearest(plan, scheme.plans),
+            )
 
 
 def _unpacked_model(content: bytes) -> Model:

@@ -7,11 +7,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.numbers import is_truth, is_whole
 from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
 from socialmind.language.shape import PopulationShape
@@ -93,6 +94,8 @@ class Population:
         body: what its bodies are made of, where the world is a plane and they move on it.
         sensors: the sensors of each body, by name.
         actuators: the actuators of each body, by name.
+        bounds: the smallest and largest value that the model's rules let cognitons take, by name
+            (`{"Fear": (0.0, 10.0)}`); `explain` proposes no change beyond them.
     """
 
     def __init__(
@@ -111,6 +114,7 @@ class Population:
         body: Disc | None = None,
         sensors: Mapping[str, Sense | RangeFinder] | None = None,
         actuators: Mapping[str, Act] | None = None,
+        bounds: Mapping[str, tuple[float, float]] | None = None,
     ) -> None:
         self.agent = agent
         self.size = size
@@ -126,6 +130,7 @@ class Population:
         self.body = body
         self.sensors = dict(sensors or {})
         self.actuators = dict(actuators or {})
+        self.bounds = dict(bounds or {})
         self.name = ""
 
     def __set_name__(self, owner: type, name: str) -> None:
@@ -151,6 +156,15 @@ class Population:
                 "name its scheme: mind='scheme.yaml'",
             )
         self._check_hierarchy()
+        for cogniton, ends in self.bounds.items():
+            pair = isinstance(ends, tuple | list) and len(ends) == 2
+            real = pair and all(isinstance(end, Real) and not is_truth(end) for end in ends)
+            if self.mind is None or not real or not ends[0] <= ends[1]:
+                raise ModelError(
+                    f"the bounds {shown(ends)} of {cogniton!r} in {name!r}",
+                    "a smallest and a largest value of a cogniton of its minds",
+                    "write bounds={'Fear': (0.0, 10.0)}",
+                )
         for field in class_fields(self.agent).values():
             file, line = place_of_field(self.agent, field.name)
             found = f"a field called {field.name!r}"

@@ -7,11 +7,12 @@ still lives (`Held…`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from coglogo_py.errors import shown
 from coglogo_py.mind import Mind
+from coglogo_py.receipt import Receipt
 from socialmind.errors import UnknownNameError, ValueRefusedError
 from socialmind.fields import Field, presence
 from socialmind.language.arithmetic import brought_back, turned
@@ -121,6 +122,13 @@ class AgentMind(Mind):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _mind, (self._row,)
+
+    def explain(self, within: Mapping[str, tuple[float, float]] | None = None) -> Receipt:
+        """Return the receipt of the next decision; changes stay within the population's bounds."""
+        table = self._row._table
+        kept = table.model.populations[table.shape.name].bounds
+        own = {name: ends for name, ends in kept.items() if name in self.society.names.cognitons}
+        return super().explain(own if within is None else within)
 
     def choose_next_plan(self) -> str | None:
         """Choose the next plan; None, and counted as idle, when none is available."""

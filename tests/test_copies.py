@@ -209,6 +209,19 @@ def test_a_mind_of_a_folder_is_read_in_another_process(tmp_path):
     assert other.evaluate({"L": 0.75, "R": 0.5})["R"] == 0.75
 
 
+def test_minds_take_no_attributes_but_their_own():
+    mind = Hierarchy(vehicle())
+    society = Society(CognitiveScheme("humans", (Cogniton("Tired", influence={"rest": 1}),)), 1)
+    for one, name in (
+        (mind, "sed"), (mind.skill("Seek"), "genom"), (Minds(vehicle(), agents=2), "agent"),
+        (society, "sede"), (society.new_mind(), "scoiety"),
+    ):  # fmt: skip
+        with pytest.raises(AttributeError, match=name):
+            setattr(one, name, 3)
+    mind.skill("Seek").genome = [0] * 6
+    mind._note = "mine"
+
+
 @pytest.mark.parametrize("way", [copy.deepcopy, pickled])
 def test_a_society_of_minds_is_copied(way):
     tired = Cogniton("Tired", start_value=2, influence={"rest": 3, "go": 1},

@@ -34,7 +34,7 @@ def description(name: str, model_class: type[Model]) -> str:
     about = (inspect.getdoc(model_class) or "").partition("\n")[0]
     lines = [f"{name}: {about}" if about else name]
     rows = [
-        (p.name, _number(p.default), p.unit, p.range, p.doc)
+        (p.name, _written(p.default), p.unit, p.range, p.doc)
         for p in model_class.parameters.values()
     ]
     if rows:
@@ -52,5 +52,7 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     ]
 
 
-def _number(value: float | int | bool) -> str:
+def _written(value: float | int | bool | str) -> str:
+    if isinstance(value, str):
+        return value
     return str(value).lower() if isinstance(value, bool) else f"{value:.10g}"

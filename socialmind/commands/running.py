@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from socialmind.experiments.execution import Progress
     from socialmind.model import Model
 
-Value = float | int | bool
+Value = float | int | bool | str
 
 
 def start(

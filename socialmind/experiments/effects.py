@@ -18,6 +18,10 @@ from numpy.typing import ArrayLike, NDArray
 from socialmind.errors import SocialmindError
 from socialmind.experiments.intervals import LEVEL, Interval, interval_of
 from socialmind.experiments.split import checked_columns
+from socialmind.names import several
+
+MOST = 100.0
+"""The largest g that says anything: beyond it the deviation is nothing beside the difference."""
 
 
 def cliffs_delta(first: ArrayLike, second: ArrayLike) -> float:
@@ -108,7 +112,9 @@ class Comparison:
     Attributes:
         first, second: their means, with intervals; an infinite mean has none.
         difference: first − second, with its interval.
-        g: Hedges' g; NaN where a number is infinite or a sample has one alone.
+        g: Hedges' g; NaN where a number is infinite, where there are too few for a deviation (one
+            of a sample, two pairs), and where the numbers hardly deviate at all (`MOST`): then
+            delta says what there is to say.
         delta: Cliff's delta.
         paired: whether the samples are pairs; then both effects are the paired ones.
     """
@@ -161,7 +167,10 @@ def compared(
             away + math.hypot(one.high - one.mean, other.mean - other.low),
         )
     enough = finite and min(len(x), len(y)) > 1
-    g = (paired_g if paired else hedges_g)(x, y) if enough else math.nan
+    enough = enough and len(x) + len(y) > (4 if paired else 3)
+    deviates = enough and bool(x.std() > 0 or y.std() > 0)
+    g = (paired_g if paired else hedges_g)(x, y) if deviates else math.nan
+    g = g if abs(g) <= MOST else math.nan
     delta = (paired_delta if paired else cliffs_delta)(x, y)
     return Comparison(one, other, difference, g, delta, paired)
 
@@ -197,6 +206,7 @@ def comparisons(
       society measure  pairs  difference  delta
     0       b   goods      2        -2.0   -1.0
     """
+    measures = None if measures is None else several(measures, "measures")
     checked_columns(results, (by, seed, *(measures or ())), "results")
     if results.duplicated([by, seed]).any():
         raise SocialmindError("results with a society's seed twice; expected one row for each")

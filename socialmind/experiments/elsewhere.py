@@ -5,15 +5,14 @@ What comes out is the same for any number of processes.
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
-from multiprocessing import get_context
+from concurrent.futures import BrokenExecutor
 from typing import Any
 
 from socialmind.errors import SocialmindError
 from socialmind.learning.reference import found, referred
 from socialmind.learning.workers import cores
+from socialmind.processes import dismiss, pool
 
 LOST = "a worker's process was ended; is there memory enough? fewer workers need less"
 """What is said when another process is gone without a word."""
@@ -45,25 +44,20 @@ def side_by_side(
         for arguments in calls:
             yield function(*arguments)
         return
-    pool = ProcessPoolExecutor(count, get_context("spawn"), _leave_signals)
+    hired = pool(count)
     try:
         reference = referred(function)
-        waiting = [pool.submit(_called, reference, one) for one in calls[: WAITING * count]]
+        waiting = [hired.submit(_called, reference, one) for one in calls[: WAITING * count]]
         for place in range(len(calls)):
             yield waiting.pop(0).result()
             following = place + WAITING * count
             if following < len(calls):
-                waiting.append(pool.submit(_called, reference, calls[following]))
+                waiting.append(hired.submit(_called, reference, calls[following]))
     except BrokenExecutor:
         raise SocialmindError(LOST) from None
     finally:
-        pool.shutdown(cancel_futures=True)
+        dismiss(hired)
 
 
 def _called(reference: Any, arguments: tuple[Any, ...]) -> Any:
     return found(reference)(*arguments)
-
-
-def _leave_signals() -> None:
-    """Leave Ctrl-C to who gives out the work."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -303,6 +303,8 @@ class _Execution:
         next_checkpoint = clock() + checkpoint_every
         while True:
             tick = self._model.tick
+            if self._model.stopped:
+                length = tick
             self._record(tick, length)
             now = clock()
             if on_progress and (now >= next_report or tick >= length):

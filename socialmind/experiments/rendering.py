@@ -15,6 +15,7 @@ from socialmind.experiments import film, paper
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.page import Page, Style
 from socialmind.experiments.repeating import Progress, Repeated
+from socialmind.names import several
 
 STILLS = (".svg", ".pdf", ".png")
 """How the files of pictures end."""
@@ -60,6 +61,7 @@ def draw_moments(
     wanted = sorted(set(ticks)) or [done]
     for tick in wanted:
         _check_tick(tick, "tick", done)
+    captions = several(captions, "captions")
     if captions and len(captions) != len(wanted):
         raise SocialmindError(f"{len(captions)} captions; expected one for each of {len(wanted)}")
     repeated = Repeated(capsule, style.robot, style.mind, trust)

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import pickle
-import signal
+import shutil
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import (
-    BrokenExecutor,
-    Executor,
-    Future,
-    ProcessPoolExecutor,
-    ThreadPoolExecutor,
-)
+from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
-from multiprocessing import get_context
 from pathlib import Path
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
@@ -31,8 +25,9 @@ from socialmind.learning.episodes import Episodes
 from socialmind.learning.ground import files_of
 from socialmind.learning.keys import seeds_for
 from socialmind.learning.reference import found, referred
-from socialmind.learning.workers import cores
+from socialmind.learning.workers import LOST_AGAIN, cores
 from socialmind.mind.description import MindDescription
+from socialmind.processes import dismiss, pool
 from socialmind.worlds.plane.measures import Measure, survived, total
 
 if TYPE_CHECKING:
@@ -234,11 +229,22 @@ def _run(task: _Task, worlds: Sequence[int], workers: int, on_progress: Progress
     if workers == 1 or len(pieces) == 1:
         for piece in pieces:
             count(_columns(standing, piece))
-    else:
+        return _joined(done)
+    for _ in range(LOST_AGAIN + 1):
         with _hired(task, standing, min(workers, len(pieces))) as (executor, run):
-            futures: list[Future[Columns]] = [executor.submit(run, piece) for piece in pieces]
-            for future in futures:
-                count(future.result())
+            try:
+                futures: list[Future[Columns]] = [
+                    executor.submit(run, piece) for piece in pieces[len(done) :]
+                ]
+                for future in futures:
+                    count(future.result())
+                return _joined(done)
+            except BrokenExecutor:  # a worker was killed: what it had is done again
+                continue
+    raise SocialmindError(f"workers were lost {LOST_AGAIN + 1} times; is there memory enough?")
+
+
+def _joined(done: Sequence[Columns]) -> Columns:
     return {name: np.concatenate([one[name] for one in done]) for name in done[0]}
 
 
@@ -262,18 +268,24 @@ def _hired(
     """Give workers, and what each of them calls: threads for compiled code, else processes."""
     executor: Executor
     run: Callable[[Sequence[int]], Columns]
+    crew = None
     if standing.physics == "compiled":
-        executor, run = ThreadPoolExecutor(workers), _Crew(task, standing, workers).run
+        crew = _Crew(task, standing, workers)
+        executor, run, folder = ThreadPoolExecutor(workers), crew.run, None
     else:
-        context, packed = get_context("spawn"), (_packed(task),)
-        executor = ProcessPoolExecutor(workers, context, initializer=_stand, initargs=packed)
-        run = _run_elsewhere
+        packed, folder = _packed(task), tempfile.mkdtemp()
+        executor, run = pool(workers, _stand, (packed, folder), folder), _run_elsewhere
     try:
         yield executor, run
     except BrokenExecutor:
         raise SocialmindError(LOST) from None
     finally:
-        executor.shutdown(cancel_futures=True)
+        if crew is not None:
+            crew.stop()
+            executor.shutdown(cancel_futures=True)
+        dismiss(executor)
+        if folder is not None:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 class _Crew:
@@ -281,8 +293,14 @@ class _Crew:
 
     def __init__(self, task: _Task, standing: Episodes, count: int) -> None:
         self._free: SimpleQueue[Episodes] = SimpleQueue()
-        for one in (standing, *(task.episodes() for _ in range(count - 1))):
+        self._all = [standing, *(task.episodes() for _ in range(count - 1))]
+        for one in self._all:
             self._free.put(one)
+
+    def stop(self) -> None:
+        """Let all stop soon, whatever they are at."""
+        for one in self._all:
+            one.stopped = True
 
     def run(self, worlds: Sequence[int]) -> Columns:
         episodes = self._free.get()
@@ -296,16 +314,20 @@ _standing: dict[str, Any] = {}
 """What a worker in another process keeps from one piece to the next."""
 
 
-def _stand(packed: bytes) -> None:
-    """Make the episodes of a worker in another process; Ctrl-C is for who gives out the work."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _stand(packed: bytes, folder: str) -> None:
+    """Make the episodes of a worker in another process.
+
+    Args:
+        packed: what they are.
+        folder: where the files of minds may be written.
+    """
     reference, minds, options = pickle.loads(packed)
-    _standing["folder"] = tempfile.TemporaryDirectory()
+    own = Path(folder) / str(os.getpid())
     mind = {}
     for name, one in minds.items():
         mind[name] = one
         if isinstance(one, dict):
-            mind[name] = Path(_standing["folder"].name) / name
+            mind[name] = own / (name or "mind")
             for place, content in one.items():
                 file = mind[name] / place
                 file.parent.mkdir(parents=True, exist_ok=True)

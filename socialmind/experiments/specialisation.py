@@ -32,7 +32,7 @@ from socialmind.experiments.division import (
     works_of,
 )
 from socialmind.experiments.settling import HOLD, WITHIN, role_changes, settlings
-from socialmind.experiments.split import Wanted, distance_to, split_of
+from socialmind.experiments.split import Wanted, checked_columns, distance_to, split_of
 
 LAST_QUARTER = 0.75
 """Where in a run the part begins that levels are taken from."""
@@ -54,7 +54,8 @@ class Course:
         least: how much recent work it takes to tell.
 
     Raises:
-        SocialmindError: no roles are recorded, or a column is missing.
+        SocialmindError: no roles are recorded, a column is missing, or an agent stands twice at
+            one tick.
 
     >>> roles = pd.DataFrame({"tick": np.repeat([0, 5000, 10000], 3), "agent": [0, 1, 2] * 3,
     ...                       "role": ["B", "B", "B", "A", "B", "B", "A", "B", "B"]})
@@ -80,6 +81,14 @@ class Course:
     def __post_init__(self) -> None:
         if not len(self.roles):
             raise SocialmindError("a course without a record of roles; expected one at least")
+        checked_columns(self.roles, ("tick", "agent", "role"), "roles")
+        again = self.roles[self.roles.duplicated(["tick", "agent"])]
+        if len(again):
+            tick, agent = again[["tick", "agent"]].iloc[0].tolist()
+            raise SocialmindError(
+                f"roles: agent {agent} twice at tick {tick}; expected one row for each agent at a "
+                "tick"
+            )
 
     @cached_property
     def split(self) -> pd.DataFrame:

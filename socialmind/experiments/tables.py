@@ -376,7 +376,7 @@ def _joined(pieces: list[Sequence[Any] | np.ndarray]) -> list[Sequence[Any] | np
     """The same values in fewer pieces, where they are of one sort."""
     if all(type(one) is list for one in pieces):
         return [[value for one in pieces for value in one]]
-    arrays = [one for one in pieces if type(one) is np.ndarray]
+    arrays = [np.asarray(one) for one in pieces if isinstance(one, np.ndarray)]
     if 1 < len(arrays) == len(pieces) and len({one.dtype for one in arrays}) == 1:
         return [np.concatenate(arrays)]
     return pieces

@@ -6,10 +6,11 @@ import ast
 from typing import TYPE_CHECKING
 
 from socialmind.language import tables
-from socialmind.language.nodes import Typed, constant, marked
+from socialmind.language.nodes import Typed, constant, marked, nearest
 from socialmind.language.types import (
     BOOL,
     FLOAT,
+    ChoiceType,
     OptionalType,
     PlanType,
     RowType,
@@ -38,6 +39,8 @@ def typed_comparison(typer: ExpressionTyper, node: ast.Compare) -> Typed:
         return _identity(typer, node)
     typed = [typer.expression(side) for side in sides]
     kinds = [kind for _, kind in typed]
+    if any(isinstance(kind, ChoiceType) for kind in kinds):
+        return _choices(typer, node, typed)
     if any(isinstance(kind, PlanType | TextType) for kind in kinds):
         return _plans(typer, node, typed)
     if any(isinstance(kind, RowType) for kind in kinds):
@@ -126,6 +129,26 @@ def _agents(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Ty
         for side in (left, right)
     ]
     return ast.copy_location(ast.Compare(ids[0], [operator()], [ids[1]]), node), BOOL
+
+
+def _choices(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typed:
+    """Type `model.trade == "barter"`; compiled, a choice is its place among the texts."""
+    if len(typed) != 2 or not isinstance(node.ops[0], ast.Eq | ast.NotEq):
+        typer.refuse(node, "choices in a comparison of size", "compare them with == or !=")
+    values = []
+    for (value, kind), (_, other) in zip(typed, reversed(typed), strict=True):
+        if isinstance(kind, TextType) and isinstance(other, ChoiceType):
+            if kind.value not in other.texts:
+                typer.refuse(
+                    node, f"{kind}, which is none of the choices", nearest(kind.value, other.texts)
+                )
+            place = other.texts.index(kind.value)
+            values.append(marked(constant(kind.value, node), ("choice", place)))
+        elif isinstance(kind, ChoiceType) and (kind == other or isinstance(other, TextType)):
+            values.append(value)
+        else:
+            typer.refuse(node, f"{kind} compared with {other}", "compare a choice with a text")
+    return _compare(node, values), BOOL
 
 
 def _plans(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typed:

@@ -33,6 +33,7 @@ from socialmind.language.types import (
     NUMBERS,
     AnyType,
     ArrayType,
+    ChoiceType,
     HierarchyType,
     MindType,
     OptionalType,
@@ -404,6 +405,8 @@ class ExpressionTyper:
             kind = ArrayType(SCALARS[found.kind], found.size)
         elif found.optional:
             kind = OptionalType(SCALARS[found.kind])
+        elif found.choices:
+            kind = ChoiceType(found.choices)
         return marked(node, (*mark, found)), kind
 
     # Places in arrays and populations ---------------------------------------------------------

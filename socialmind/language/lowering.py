@@ -162,6 +162,9 @@ class _Lowering(ast.NodeTransformer):
         is_nan = isinstance(node.value, float) and node.value != node.value
         return _name("_nan") if is_nan else node
 
+    def lower_choice(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+        return ast.Constant(mark[1])
+
     # The model and its world ------------------------------------------------------------------
 
     def lower_tick(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:

@@ -119,6 +119,16 @@ class PlanType:
 
 
 @dataclass(frozen=True)
+class ChoiceType:
+    """A parameter that is one of several texts."""
+
+    texts: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return f"a choice among {', '.join(self.texts)}"
+
+
+@dataclass(frozen=True)
 class TextType:
     """A written text: the name of a plan, a cogniton, a group, a role or a culturon."""
 
@@ -165,6 +175,7 @@ AnyType = (
     | WorldType
     | PatchType
     | PlanType
+    | ChoiceType
     | TextType
     | TupleType
     | TableType

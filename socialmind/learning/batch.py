@@ -26,6 +26,10 @@ STRETCH = 0.2
 """Seconds, about, between two looks at Ctrl-C."""
 
 
+class Halted(Exception):  # noqa: N818  # who stops the episodes waits for it
+    """Episodes were stopped from another thread."""
+
+
 class Crowded(Exception):  # noqa: N818  # the episodes catch it
     """Births found no room.
 
@@ -142,6 +146,8 @@ class Batch:
         call, address = self.module.run_lanes.ctypes, _address(self.work)
         status = 1
         while status > 0:
+            if episodes.stopped:
+                raise Halted
             begin = time.perf_counter()
             status = call(address, self.rounds, 0)
             took = time.perf_counter() - begin

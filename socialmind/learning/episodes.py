@@ -14,13 +14,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coglogo_py.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
-from socialmind.learning.batch import LANES, Batch, Crowded
+from socialmind.learning.batch import LANES, Batch, Crowded, Halted
 from socialmind.learning.lives import Lives
 from socialmind.learning.outcome import Outcome, filled
 from socialmind.learning.pupils import length_of, pupils_of
 from socialmind.mind.description import MindDescription
+from socialmind.names import several
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -44,6 +46,9 @@ class Episodes:
         record: what to give back: fields of the robots that the minds steer, of the dead as they
             were at last; variables of the model; or "population.field" for other robots.
         without: names of interruptions that are not heeded.
+
+    Attributes:
+        stopped: set by another thread, it ends `run` soon, with `Halted`.
 
     Raises:
         ModelError: no plane, no such skill or field, or a mind that does not fit the bodies.
@@ -69,21 +74,20 @@ class Episodes:
         self.model_class = model_class
         self.parameters = dict(parameters or {})
         self.ticks = length_of(model_class, ticks)
-        self.lanes = lanes
+        self.lanes = whole_number(lanes, "lanes", 1, None, SocialmindError)
         self.physics = physics
-        self.record = tuple(record)
-        self.without = tuple(without)
+        self.record = several(record, "record")
+        self.without = (without,) if isinstance(without, str) else several(without, "without")
         for name, one in model_class.populations.items():
             if one.hierarchy is not None and name not in model_class.shape.plane.robots:
                 raise ModelError(f"episodes with hierarchies of {name!r}", "those of robots alone")
-        if lanes < 1:
-            raise SocialmindError(f"lanes: found {lanes!r}; expected a whole number, 1 or more")
         minded = [n for n, one in model_class.shape.plane.robots.items() if one.hierarchy]
         self.pupils = pupils_of(model_class, minded, hierarchy, master, skill, drive, population)
         self.skills, self.population = self.pupils.skills, self.pupils.population
         self.steerings, self.genome_size = self.pupils.steerings, self.pupils.genome_size
         self.robots = model_class.shape.plane.robots
         self.recorded = {name: self._place(name) for name in self.record}
+        self.stopped = False
         self._batch: Batch | None = None
         self._room: dict[str, int] = {}
 
@@ -170,6 +174,8 @@ class Episodes:
             model = self.model(key, rows[one] if len(rows) else None)
             lives = Lives(model)
             while model.over is None and model.tick < self.ticks:
+                if self.stopped:
+                    raise Halted
                 lives.advance(last=model.tick + 1 == self.ticks)
             score[job] = lives.score
             ticks[job], ended[job] = model.tick, int(model.context["_over"])

@@ -18,6 +18,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.learning.outcome import Outcome
 from socialmind.learning.pupils import length_of, pupils_of
+from socialmind.names import several
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -72,7 +73,7 @@ class SocietyEpisodes:
         minded = [n for n, one in model_class.populations.items() if one.hierarchy is not None]
         self.pupils = pupils_of(model_class, minded, hierarchy, master, skill, drive, population)
         self.genome_size = self.pupils.genome_size
-        self.record = tuple(record)
+        self.record = several(record, "record")
         self._worlds: dict[int, tuple[Any, dict[str, NDArray[Any]]]] = {}
 
     def run(self, genomes: ArrayLike | None, seeds: Sequence[int]) -> Outcome:

@@ -20,7 +20,6 @@ from concurrent.futures import (
 )
 from contextlib import contextmanager
 from importlib import import_module
-from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
@@ -38,6 +37,7 @@ from socialmind.learning.ground import (
     pieces_of,
 )
 from socialmind.mind.modules import Skill
+from socialmind.processes import dismiss, pool
 
 LOOK_SECONDS = 0.2
 """How long it may take until a wish to stop is heard."""
@@ -175,7 +175,7 @@ class Processes(Workers):
         self._packed: tuple[Ground, PackedGround] | None = None
 
     def _started(self) -> ProcessPoolExecutor:
-        return ProcessPoolExecutor(self._count, get_context("spawn"), _ignore_signals)
+        return pool(self._count)
 
     @property
     def count(self) -> int:
@@ -198,10 +198,7 @@ class Processes(Workers):
 
     def close(self) -> None:
         """Let them go, whatever they are at."""
-        running = list((getattr(self._executor, "_processes", None) or {}).values())
-        self._executor.shutdown(wait=False, cancel_futures=True)
-        for one in running:
-            one.terminate()
+        dismiss(self._executor)
 
 
 class Cluster(Workers):
@@ -308,13 +305,6 @@ def _wait(futures: Sequence[Future[Any]], stop: Stop) -> None:
             error = None if one.cancelled() else one.exception()
             if error is not None:
                 raise error
-
-
-def _ignore_signals() -> None:
-    """Leave Ctrl-C to the process that gives out the work."""
-    import signal
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def cores() -> int:

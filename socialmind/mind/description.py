@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import ModelError
 from socialmind.language.nodes import nearest
 from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
+from socialmind.names import several
 
 if TYPE_CHECKING:
     from socialmind.mind.lint import Finding
@@ -199,7 +200,7 @@ class MindDescription:
             skills: a skill of a name that is there takes its place.
             without: names of skills that are left out.
         """
-        left = set(without)
+        left = set(several(without, "without"))
         added = _by_name(skills, Skill, "skill")
         kept = [one for name, one in self.skills.items() if name not in added and name not in left]
         return MindDescription(
@@ -260,7 +261,7 @@ class MindDescription:
 def _by_name(modules: Iterable[Any], kind: type[Any], what: str) -> dict[str, Any]:
     """Return modules by their names; a text stands for a module of that name."""
     found: dict[str, Any] = {}
-    for given in modules:
+    for given in several(modules, f"{what}s"):
         one: Any = kind(given) if isinstance(given, str) and kind is not Skill else given
         if not isinstance(one, kind):
             raise ModelError(f"{one!r} among the {what}s", f"a {kind.__name__}")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.closed import Closed
 from coglogo_py.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from socialmind.mind.minds import Minds
 
 
-class Hierarchy:
+class Hierarchy(Closed):
     """A mind that runs: the skills below a master, for one agent.
 
     Args:
@@ -84,6 +85,7 @@ class Hierarchy:
         )
         self._required = self.assembly.required
         self.reset()
+        self._closed = True
 
     # Evaluating -------------------------------------------------------------------------------
 

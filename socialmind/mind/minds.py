@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.closed import Closed
+from coglogo_py.memory import check_memory
 from coglogo_py.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
@@ -26,7 +28,7 @@ LANES = 256
 network for so many agents still fit into a core's own cache."""
 
 
-class Minds:
+class Minds(Closed):
     """Many agents with one hierarchy: all share a genome, or each has its own.
 
     Every agent has its own sensors, variables and memory.
@@ -72,6 +74,7 @@ class Minds:
             whole_number(number, what, least, error=SocialmindError)
         self.description = description
         self.master = master_of(description, master)
+        agents, instances, lanes = int(agents), int(instances), int(lanes)
         self.assembly: Assembly = assemble(description, self.master, drive is not None)
         self.agents = int(agents)
         self.lanes = int(min(lanes, agents))
@@ -82,6 +85,9 @@ class Minds:
         self._evaluate: Any = None
         self._code = MindCode(self.assembly, drive)
         self._record = Record(self.assembly, self._code.names)
+        one = new_state(self.assembly, 1, 1, own_genomes, 0)
+        needed = agents * sum(array.nbytes for array in one)
+        check_memory(needed, f"{agents} minds {description.name!r}", SocialmindError)
         self.state_arrays = new_state(self.assembly, agents, self.lanes, own_genomes, instances)
         self.societies = societies_of(self.assembly, seed, agents)
         self._record.connect(agents, self.state_arrays, self.societies)
@@ -89,6 +95,7 @@ class Minds:
             genome = description.skills[name].genome
             if genome is not None:
                 self.set_genome(name, genome)
+        self._closed = True
 
     @property
     def address(self) -> int:

@@ -18,6 +18,7 @@ from socialmind.errors import ModelError
 from socialmind.mind.links import Input, Output
 from socialmind.mind.names import check_name, check_share
 from socialmind.mind.regulation import Regulated, Regulation, Simple
+from socialmind.names import several
 
 if TYPE_CHECKING:
     from socialmind.mind.functions.contract import InternalFunction
@@ -151,8 +152,13 @@ class Skill:
         line: int | None = None,
     ) -> None:
         check_name(name, "a skill", file, line)
-        read = tuple(one if isinstance(one, Input) else Input.parse(one) for one in inputs)
-        written = tuple(one if isinstance(one, Output) else Output.parse(one) for one in outputs)
+        read = tuple(
+            one if isinstance(one, Input) else Input.parse(one) for one in several(inputs, "inputs")
+        )
+        written = tuple(
+            one if isinstance(one, Output) else Output.parse(one)
+            for one in several(outputs, "outputs")
+        )
         fields = {
             "name": name, "inputs": read, "outputs": written, "function": function,
             "file": file, "line": line,

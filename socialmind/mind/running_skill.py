@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.closed import Closed
 from socialmind.errors import ModelError
 from socialmind.mind.modules import Skill
 
@@ -16,12 +17,13 @@ if TYPE_CHECKING:
     from socialmind.mind.hierarchy import Hierarchy
 
 
-class RunningSkill:
+class RunningSkill(Closed):
     """A skill of a running hierarchy."""
 
     def __init__(self, hierarchy: Hierarchy, name: str) -> None:
         self._hierarchy = hierarchy
         self.name = name
+        self._closed = True
 
     @property
     def description(self) -> Skill:

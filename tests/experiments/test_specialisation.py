@@ -95,3 +95,12 @@ def test_a_course_without_records_is_refused():
     empty = pd.DataFrame({"tick": [], "agent": [], "role": []})
     with pytest.raises(SocialmindError, match="without a record"):
         Course(empty, empty, {"A": 1})
+
+
+def test_an_agent_stands_once_at_a_tick():
+    roles = pd.DataFrame({"tick": [0, 5, 5], "agent": [1, 1, 1], "role": ["A", "A", "B"]})
+    tasks = pd.DataFrame({"tick": [1], "agent": [1], "task": ["A"]})
+    with pytest.raises(SocialmindError, match="agent 1 twice at tick 5"):
+        Course(roles, tasks, {"A": 1})
+    with pytest.raises(SocialmindError, match="without the column 'agent'"):
+        Course(roles.drop(columns="agent"), tasks, {"A": 1})

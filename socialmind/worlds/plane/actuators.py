@@ -6,7 +6,8 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from socialmind.worlds.plane.devices import Act
+from socialmind.worlds.plane.devices import Act, is_point
+from socialmind.worlds.plane.given import counts, numbers
 from socialmind.worlds.plane.sensors import in_box
 
 
@@ -18,7 +19,8 @@ def wheel(at: tuple[float, float], force: float = 80.0) -> Act:
             body to the right.
         force: at a command of 1; 0.5 is none, 0 the same backwards.
     """
-    return Act(push, at=at, settings={"force": force, "left": at[1]})
+    numbers("wheel", force=force)
+    return Act(push, at=at, settings={"force": force, "left": at[1] if is_point(at) else 0.0})
 
 
 def push(robot: Any, command: float, force: float, left: float) -> None:
@@ -37,6 +39,8 @@ def claw(of: str, half: float = 2.0, ahead: float = 2.5) -> Act:
     holds is carried just ahead of the body until it opens. A claw that closed on nothing grips
     only when its command rises again, from 0.5 or less.
     """
+    numbers("claw", least=0.0, half=half)
+    numbers("claw", ahead=ahead)
     return Act(grip, of=of, at=(ahead, 0.0), settings={"half": half, "ahead": ahead})
 
 
@@ -84,6 +88,7 @@ def emitter(channel: int = 0) -> Act:
     The robot's class declares `signal: list[float] = [0.0]`, a number for each channel; sensors
     hear it by `signal_orientation` and `signal_distance`.
     """
+    counts("emitter", 0, channel=channel)
     return Act(emit, settings={"channel": channel})
 
 

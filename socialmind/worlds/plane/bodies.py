@@ -9,7 +9,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from socialmind.errors import ModelError
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number, is_truth
+from socialmind.errors import ModelError, called_at
+from socialmind.names import several
 from socialmind.population import Agent
 
 
@@ -82,17 +85,21 @@ class Zone(Agent):
     half_width: float = 5.0
 
 
+LARGEST = 1e6
+"""Beyond it, and below its inverse, what a body is made of gives masses that are no numbers."""
+
+
 @dataclass(frozen=True)
 class Disc:
     """What the bodies of a population are made of.
 
     Attributes:
-        radius: above 0.
-        density: above 0; the mass is density · π · radius².
-        linear_damping: per second, 0 or more: v is multiplied by 1 / (1 + dt · damping).
-        angular_damping: per second, 0 or more.
-        restitution: 0 for impacts without a bounce; of two bodies the larger counts, and at borders
-            and obstacles at most 1, or what bounces would never come to rest.
+        radius: 10⁻⁶ … 10⁶.
+        density: likewise; the mass is density · π · radius².
+        linear_damping: per second, 0 … 10⁶: v is multiplied by 1 / (1 + dt · damping).
+        angular_damping: per second, likewise.
+        restitution: 0 … 1000, 0 for impacts without a bounce; of two bodies the larger counts, and
+            at borders and obstacles at most 1, or what bounces would never come to rest.
         meets: the names of the populations of bodies that it collides with. Borders and obstacles
             stop every body.
         seen: whether range finders see it.
@@ -112,12 +119,18 @@ class Disc:
     seen: bool = True
 
     def __post_init__(self) -> None:
-        for name in ("radius", "density"):
-            if not 0 < getattr(self, name) < math.inf:
-                raise ModelError(f"{name}={getattr(self, name)!r} of a body", "a number above 0")
-        for name in ("linear_damping", "angular_damping", "restitution"):
-            if not 0 <= getattr(self, name) < math.inf:
-                raise ModelError(f"{name}={getattr(self, name)!r} of a body", "a number, 0 or more")
+        ranges = {"radius": LARGEST, "density": LARGEST, "linear_damping": LARGEST,
+                  "angular_damping": LARGEST, "restitution": 1000.0}  # fmt: skip
+        for name, high in ranges.items():
+            least = 1 / LARGEST if name in ("radius", "density") else 0.0
+            value = getattr(self, name)
+            if not (is_number(value) and least <= value <= high):
+                found = f"{name}={shown(value)} of a body"
+                raise ModelError(found, f"a number, {least:g} … {high:g}", None, *called_at())
+        if not is_truth(self.seen):
+            found = f"seen={shown(self.seen)} of a body"
+            raise ModelError(found, "True or False", None, *called_at())
+        object.__setattr__(self, "meets", several(self.meets, "meets"))
 
     @property
     def mass(self) -> float:

@@ -19,7 +19,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
-from socialmind.errors import ModelError
+import numpy as np
+
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number, is_truth, is_whole
+from socialmind.errors import ModelError, called_at, is_ours
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.types import (
@@ -97,6 +101,8 @@ class Device:
         settings: the numbers that further parameters of the function take, as numbers with a
             fraction; True and False are 1 and 0; a text is the name of a parameter of the model.
             Those left out take the function's defaults.
+        place: the file and line that errors name: of the function, or of the call that made the
+            device where the function is the library's.
 
     Raises:
         ModelError: what the function asks for and what the device says do not fit.
@@ -112,12 +118,16 @@ class Device:
     memory: int = 0
     free: bool = True
     settings: Mapping[str, float | str] = field(default_factory=dict, hash=False)
+    place: tuple[str | None, int | None] = field(
+        default=(None, None), init=False, repr=False, compare=False
+    )
     word: ClassVar[str] = "device"
     further: ClassVar[tuple[str, ...]] = ()
     results: ClassVar[tuple[AnyType, ...]] = ()
     result: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "place", self._place())
         parameters = self._parameters()
         # A tuple and a dictionary of one's own: what the caller holds may change.
         object.__setattr__(self, "sensors", (*self._names(self.sensors),))
@@ -161,11 +171,14 @@ class Device:
         return tuple(name for name in GIVEN if name not in special or name in self.further)
 
     def error(self, found: str, expected: str | None, remedy: str | None = None) -> ModelError:
-        """Return an error with the file and the line of the function."""
+        """Return an error with the device's place."""
+        return ModelError(found, expected, remedy, *self.place)
+
+    def _place(self) -> tuple[str | None, int | None]:
         code = getattr(self.function, "__code__", None)
-        if code is None:
-            return ModelError(found, expected, remedy)
-        return ModelError(found, expected, remedy, code.co_filename, code.co_firstlineno)
+        if code is None or is_ours(code.co_filename):
+            return called_at()
+        return code.co_filename, code.co_firstlineno
 
     # Checks -----------------------------------------------------------------------------------
 
@@ -184,18 +197,25 @@ class Device:
         return names
 
     def _point(self, at: Sequence[float]) -> tuple[float, float]:
-        if len(at) != 2 or not all(math.isfinite(one) for one in at):
-            raise self.error(f"at={at!r} of the {self.word} {self.name!r}", "two numbers")
+        if not is_point(at):
+            raise self.error(f"at={shown(at)} of the {self.word} {self.name!r}", "two numbers")
         return float(at[0]), float(at[1])
 
     def _check_numbers(self) -> None:
-        if not isinstance(self.reach, str) and not self.reach > 0:
-            raise self.error(f"reach={self.reach!r} of the {self.word} {self.name!r}", "above 0")
-        if not math.isfinite(self.angle):
-            raise self.error(f"angle={self.angle!r} of the {self.word} {self.name!r}", "radians")
-        if isinstance(self.memory, bool) or not isinstance(self.memory, int) or self.memory < 0:
+        reach = self.reach
+        if not isinstance(reach, str) and not (
+            (is_number(reach) or reach == math.inf) and reach > 0
+        ):
             raise self.error(
-                f"memory={self.memory!r} of the {self.word} {self.name!r}",
+                f"reach={shown(reach)} of the {self.word} {self.name!r}", "a number above 0"
+            )
+        if not is_number(self.angle):
+            raise self.error(
+                f"angle={shown(self.angle)} of the {self.word} {self.name!r}", "radians"
+            )
+        if not is_whole(self.memory) or self.memory < 0:
+            raise self.error(
+                f"memory={shown(self.memory)} of the {self.word} {self.name!r}",
                 "a whole number, 0 or more",
             )
 
@@ -222,9 +242,10 @@ class Device:
                 )
             if isinstance(value, str) and name in self.settings:
                 continue
-            if not isinstance(value, bool | int | float) or math.isnan(value):
+            infinite = isinstance(value, float) and math.isinf(value)
+            if not (is_number(value) or is_truth(value) or infinite):
                 raise self.error(
-                    f"{name}={value!r} of the {self.word} {self.name!r}",
+                    f"{name}={shown(value)} of the {self.word} {self.name!r}",
                     "a number, a truth value or the name of a parameter of the model",
                 )
         given = {name: found[name] for name in parameters if name in found}
@@ -338,13 +359,17 @@ def typed(
         known = list(program.shape.populations)
         raise device.error(f"of={device.of!r} in {what}", "a population", nearest(device.of, known))
     _check_sensors(device, body_sensors, what)
+    _check_signal(program, device, population, what)
     source = program.source(device.function)
     kinds = tuple(_kind(device, name, population) for name in device.takes)
     try:
         symbol, result = program.specialised(source, kinds, None, source.tree)
     except ModelError as error:
         found = f"{error.found} in {what}"
-        raise ModelError(found, error.expected, error.remedy, error.file, error.line) from None
+        place = error.file, error.line
+        if error.file is None or is_ours(error.file):
+            place = device.place
+        raise ModelError(found, error.expected, error.remedy, *place) from None
     if result not in device.results:
         raise ModelError(
             f"the function {source.name!r}, which returns {result}, in {what}",
@@ -376,6 +401,29 @@ def _check_sensors(device: Device, body_sensors: Sequence[str], what: str) -> No
                 "sensors that stand next to each other in the body, in this order",
                 f"the body has {', '.join(names)}",
             )
+
+
+def _check_signal(program: Program, device: Device, population: str, what: str) -> None:
+    """Refuse what emits or hears signals of robots that have no field, or no channel, for them."""
+    channel = device.settings.get("channel")
+    if channel is None or not is_ours(device.function.__code__.co_filename):
+        return
+    whose = device.of or population
+    signal = program.shape.populations[whose].fields.get("signal")
+    if signal is None or signal.size is None:
+        raise device.error(
+            f"{what} without a field for signals in the class of {whose!r}",
+            "signal: list[float] = [0.0], a number for each channel",
+        )
+    if not isinstance(channel, str) and channel >= signal.size:
+        raise device.error(
+            f"channel {int(channel)} of {what}", f"0 … {signal.size - 1}: signal has {signal.size}"
+        )
+
+
+def is_point(at: Any) -> bool:
+    """Return whether something is a place on a body: two numbers."""
+    return isinstance(at, Sequence | np.ndarray) and len(at) == 2 and all(map(is_number, at))
 
 
 def _kind(device: Device, name: str, population: str) -> AnyType:

@@ -216,8 +216,8 @@ def _call(
         elif stage.name == "interruptions" and result and _heeded(model, call):
             model.context["_over"] = call.number + 1
     except Exception as error:
-        code = device.function.__code__
-        place = place_of(error, f"{code.co_filename}:{code.co_firstlineno}")
+        file, line = device.place
+        place = place_of(error, f"{file}:{line}")
         who = f"the {device.word} {call.name!r} of agent {robot.id} of {stage.robots.name!r}"
         raise RuleError(f"{type(error).__name__}: {error}", place, model.tick, who) from error
     return 0.0

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from socialmind.worlds.plane.devices import Interruption
+from socialmind.worlds.plane.given import counts, numbers
 
 
 def collision() -> Interruption:
@@ -30,6 +31,7 @@ def without_charge(robot: Any) -> bool:
 
 def over_threshold(sensor: str, threshold: float = 0.5) -> Interruption:
     """A sensor reads more than a threshold."""
+    numbers("over_threshold", threshold=threshold)
     return Interruption(reads_more, sensor=sensor, settings={"threshold": threshold})
 
 
@@ -40,6 +42,7 @@ def reads_more(reading: float, threshold: float) -> bool:
 
 def under_threshold(sensor: str, threshold: float = 0.5) -> Interruption:
     """A sensor reads less than a threshold."""
+    numbers("under_threshold", threshold=threshold)
     return Interruption(reads_less, sensor=sensor, settings={"threshold": threshold})
 
 
@@ -50,6 +53,7 @@ def reads_less(reading: float, threshold: float) -> bool:
 
 def after(ticks: int) -> Interruption:
     """So many ticks have run, this one included."""
+    counts("after", 1, ticks=ticks)
     return Interruption(out_of_time, settings={"ticks": ticks})
 
 

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from socialmind.errors import ModelError
+from socialmind.names import several
 
 EPISODE: Mapping[str, str] = {
     "ticks": "how many ticks the episode lasted",
@@ -82,7 +83,9 @@ class Measure:
         for what, one in given.items():
             if not callable(one):
                 raise ModelError(f"{one!r} as the {what} of a measure", "a function")
-        if not self.takes:
+        if self.takes:
+            object.__setattr__(self, "takes", several(self.takes, "takes"))
+        else:
             object.__setattr__(self, "takes", tuple(inspect.signature(self.function).parameters))
 
     @property

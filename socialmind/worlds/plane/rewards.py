@@ -6,7 +6,9 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from socialmind.names import several
 from socialmind.worlds.plane.devices import Reward
+from socialmind.worlds.plane.given import numbers, whole
 
 
 def closing(of: str, gain: float = 0.001) -> Reward:
@@ -14,6 +16,7 @@ def closing(of: str, gain: float = 0.001) -> Reward:
 
     Nothing when another one has become the nearest, nor in the tick in which rewards start anew.
     """
+    numbers("closing", gain=gain)
     return Reward(approach, of=of, memory=3, settings={"gain": gain})
 
 
@@ -33,6 +36,7 @@ def approach(memory: Any, target: Any, found: bool, distance: float, gain: float
 
 def reached(sensor: str, amount: float, threshold: float = 0.5) -> Reward:
     """`amount` in each tick in which a sensor reads more than `threshold`."""
+    numbers("reached", amount=amount, threshold=threshold)
     return Reward(
         amount_above,
         sensor=sensor,
@@ -47,6 +51,7 @@ def amount_above(reading: float, threshold: float, amount: float) -> float:
 
 def forward(gain: float) -> Reward:
     """`gain` in each tick in which the robot moves ahead, −10 · `gain` when it moves backwards."""
+    numbers("forward", gain=gain)
     return Reward(heading_on, settings={"gain": gain})
 
 
@@ -65,6 +70,7 @@ def speed_ahead(robot: Any) -> float:
 
 def speed(gain: float) -> Reward:
     """`gain` · v² in each tick, v the speed ahead; nothing for going backwards."""
+    numbers("speed", gain=gain)
     return Reward(square_of_speed, settings={"gain": gain})
 
 
@@ -76,6 +82,7 @@ def square_of_speed(robot: Any, gain: float) -> float:
 
 def collision_cost(gain: float) -> Reward:
     """−`gain` in each tick in contact with a border or an obstacle."""
+    numbers("collision_cost", gain=gain)
     return Reward(cost_of_contact, settings={"gain": gain})
 
 
@@ -95,6 +102,9 @@ def exploring(gain: float, side: float = 10.0, cells: int = 14) -> Reward:
         cells: how many squares a side of the grid has, whose centre is (0, 0); what lies beyond
             counts as the nearest square.
     """
+    numbers("exploring", gain=gain)
+    numbers("exploring", above=0.0, side=side)
+    whole("exploring", 1, cells=cells)
     return Reward(
         new_cell, memory=cells * cells, settings={"gain": gain, "side": side, "cells": cells}
     )
@@ -125,6 +135,9 @@ def straight(gain: float, window: int = 30, fastest: float = 2.55) -> Reward:
         fastest: the full spin, radians a second; that of a robot whose wheels push against each
             other with all their force.
     """
+    numbers("straight", gain=gain)
+    numbers("straight", above=0.0, fastest=fastest)
+    whole("straight", 1, window=window)
     return Reward(cost_of_turning, memory=1 + window, settings={"gain": gain, "fastest": fastest})
 
 
@@ -150,8 +163,11 @@ def clear(sensors: Sequence[str], threshold: float = 0.5, gain: float = 1.0) -> 
         threshold: what they read at the distance to keep, 0 … 1.
         gain: for reading 1 more than the threshold.
     """
+    numbers("clear", threshold=threshold, gain=gain)
     return Reward(
-        kept_away, sensors=tuple(sensors), settings={"threshold": threshold, "gain": gain}
+        kept_away,
+        sensors=several(sensors, "sensors"),
+        settings={"threshold": threshold, "gain": gain},
     )
 
 
@@ -166,6 +182,7 @@ def paid(amount: float = 1.0) -> Reward:
     A rule that sees an object brought home writes `robot.earned += 1`; the reward takes it, in the
     next tick, or at once if the robot dies or its episode ends in this one.
     """
+    numbers("paid", amount=amount)
     return Reward(take, settings={"amount": amount}, settles=True)
 
 

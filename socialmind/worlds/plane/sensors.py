@@ -13,8 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.errors import ModelError
-from socialmind.worlds.plane.devices import Sense
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_number, is_whole
+from socialmind.errors import ModelError, called_at
+from socialmind.worlds.plane.devices import Sense, is_point
+from socialmind.worlds.plane.given import counts, numbers, whole
 from socialmind.worlds.plane.layout import RAY
 
 HALF_ANGLE = math.radians(6.0)
@@ -49,16 +52,18 @@ class RangeFinder:
     at: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
-        whole = isinstance(self.rays, int) and not isinstance(self.rays, bool)
+        half, at = self.half_angle, self.at
         checks = (
-            ("angle", "radians", math.isfinite(self.angle)),
-            ("reach", "a number above 0", 0 < self.reach < math.inf),
-            ("half_angle", "radians, 0 … pi", 0 <= self.half_angle <= math.pi),
-            ("rays", "a whole number, 1 or more", whole and self.rays >= 1),
+            ("angle", "radians", is_number(self.angle)),
+            ("reach", "a number above 0", is_number(self.reach) and self.reach > 0),
+            ("half_angle", "radians, 0 … pi", is_number(half) and 0 <= half <= math.pi),
+            ("rays", "a whole number, 1 or more", is_whole(self.rays) and self.rays >= 1),
+            ("at", "two numbers, or None for the rim", at is None or is_point(at)),
         )
         for name, expected, fits in checks:
             if not fits:
-                raise ModelError(f"{name}={getattr(self, name)!r} of a range finder", expected)
+                found = f"{name}={shown(getattr(self, name))} of a range finder"
+                raise ModelError(found, expected, None, *called_at())
 
     def place(self, radius: float) -> tuple[float, float]:
         """Return where it sits on a body of some radius."""
@@ -140,6 +145,8 @@ def in_claw(
     That is, whether the centre of one that nobody else carries is within a square of sides
     2·`half`, whose centre is `ahead` of the body's centre and which turns with the body.
     """
+    numbers("in_claw", least=0.0, half=half)
+    numbers("in_claw", ahead=ahead)
     return Sense(can_grip, of=of, settings={"half": half, "ahead": ahead, **_truth(low, high)})
 
 
@@ -208,6 +215,7 @@ def signal_orientation(of: str, channel: int = 0, reach: float | str = math.inf)
         channel: the channel that an `emitter` writes.
         reach: how far a signal is heard.
     """
+    counts("signal_orientation", 0, channel=channel)
     return Sense(heard_from, of=of, settings={"channel": channel, "farthest": reach})
 
 
@@ -236,6 +244,7 @@ def signal_distance(of: str, channel: int = 0, reach: float | str = 100.0) -> Se
         channel: likewise.
         reach: likewise.
     """
+    counts("signal_distance", 0, channel=channel)
     return Sense(heard_at, of=of, settings={"channel": channel, "farthest": reach})
 
 
@@ -264,6 +273,7 @@ def signal_active(
         low: what it reads when none is heard.
         high: what it reads when one is.
     """
+    counts("signal_active", 0, channel=channel)
     told = {"channel": channel, "farthest": reach, **_truth(low, high)}
     return Sense(hears, of=of, settings=told)
 
@@ -308,6 +318,9 @@ def moved(positions: int = 20, every: int = 20, largest: float = 3.0) -> Sense:
         every: ticks from one remembered position to the next.
         largest: the mean distance that reads 1.
     """
+    whole("moved", 2, positions=positions)
+    counts("moved", 1, every=every)
+    numbers("moved", above=0.0, largest=largest)
     return Sense(
         roaming,
         memory=4 + 2 * positions,
@@ -339,6 +352,7 @@ def roaming(robot: Any, memory: Any, every: float, largest: float) -> float:
 
 def constant(value: float) -> Sense:
     """Always the same, 0 … 1."""
+    numbers("constant", value=value)
     return Sense(same, settings={"value": value})
 
 
@@ -349,6 +363,7 @@ def same(value: float) -> float:
 
 def identity(robots: int) -> Sense:
     """Which of a population's robots it is: 0, 1 / (n − 1) … 1 for n robots, in order of places."""
+    counts("identity", 1, robots=robots)
     return Sense(rank, settings={"robots": robots})
 
 
@@ -369,6 +384,7 @@ def holds(robot: Any, low: float, high: float) -> float:
 
 def noise(every: int = 1) -> Sense:
     """A number drawn uniformly from 0 … 1, anew every so many ticks."""
+    counts("noise", 1, every=every)
     return Sense(drawn, memory=2, settings={"every": every})
 
 
@@ -382,6 +398,7 @@ def drawn(rng: Any, memory: Any, every: float) -> float:
 
 def payoff(scale: float = 1.0) -> Sense:
     """The robot's reward of this tick: 0.5 for none, 1 for `scale` or more, 0 for −`scale`."""
+    numbers("payoff", above=0.0, scale=scale)
     return Sense(felt_reward, settings={"scale": scale})
 
 
