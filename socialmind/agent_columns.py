@@ -103,4 +103,3 @@ def as_before(columns: Mapping[str, Any], known: Sequence[str], first: str | Non
 def _listed(values: Any) -> list[Any]:
     listed: list[Any] = np.asarray(values, object).tolist()
     return listed
-

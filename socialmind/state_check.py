@@ -75,7 +75,7 @@ def _check_table(model: Model, name: str, table: Table, state: Arrays) -> None:
         minds, plans = rows["_mind"][slots], rows["_plan"][slots]
         taken = state[f"{name}.minds.mind_id"]
         if len(minds) and not (
-            0 <= minds.min() and minds.max() < len(taken) and (taken[minds] >= 0).all()
+            minds.min() >= 0 and minds.max() < len(taken) and (taken[minds] >= 0).all()
         ):
             raise _refused(model, f"{name}.rows", "minds that are nobody's")
         if len(plans) and not -1 <= plans.min() <= plans.max() < len(table.society.scheme.plans):

@@ -102,7 +102,6 @@ class Checkpoint:
         state = {name.removeprefix(_STATE): one for name, one in arrays.items()}
         return cls(state=state, **{key: one for key, one in record.items() if key in known})
 
-
     def check_parts(self, folder: Path) -> None:
         """Look at every part of the tables before anything is written.
 
@@ -128,7 +127,9 @@ _FIELDS = Fields(
         "seconds": NUMBER,
     },
     {
-        "sums": Each(Many(Kind("a size and a hash", lambda value: is_whole(value) or SHA256.holds(value)))),
+        "sums": Each(
+            Many(Kind("a size and a hash", lambda value: is_whole(value) or SHA256.holds(value)))
+        ),
         "run": optional(SHA256),
     },
 )

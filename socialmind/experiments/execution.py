@@ -22,7 +22,7 @@ from socialmind.agent_columns import as_before
 from socialmind.catalogue import failure_in_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
-from socialmind.experiments.arrays_file import make_room
+from socialmind.experiments.arrays_file import make_room, refuse_folder
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
 from socialmind.experiments.record import LONGEST
@@ -371,8 +371,13 @@ def _checked(capsule: Capsule) -> Checkpoint | None:
     if manifest.status == capsules.FINISHED:
         for name in TABLES:
             check_content(capsule.table(name), manifest.tables[name]["sha256"])
-    elif checkpoint is not None:
+        return checkpoint
+    for name in TABLES:
+        refuse_folder(capsule.table(name))
+    if checkpoint is not None:
         checkpoint.check_parts(capsule.parts)
+    elif capsule.parts.exists() and not capsule.parts.is_dir():
+        raise SocialmindError(f"{capsule.parts}: is a file, in the place of a folder; remove it")
     return checkpoint
 
 

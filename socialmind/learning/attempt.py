@@ -239,7 +239,9 @@ class Attempt:
 
 _CHECKPOINT = Fields(
     {
-        "position": Kind("a position in the curriculum, or null", lambda one: one is None or _at(one)),
+        "position": Kind(
+            "a position in the curriculum, or null", lambda one: one is None or _at(one)
+        ),
         "done": whole(0, 10**6),
         "item_ticks": whole(),
         "seconds": NUMBER,

@@ -53,9 +53,7 @@ class Training:
     @property
     def finished(self) -> list[int]:
         """The numbers of the attempts that have been through all their lessons."""
-        records = {
-            one: load_checkpoint(self._capsule.attempt(one))[0] for one in self.attempts
-        }
+        records = {one: load_checkpoint(self._capsule.attempt(one))[0] for one in self.attempts}
         return [one for one, record in records.items() if record["position"] is None]
 
     @property

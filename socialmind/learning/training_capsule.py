@@ -146,7 +146,7 @@ _FIELDS = Fields(
             "a list of names, or null",
             lambda value: (
                 value is None
-                or isinstance(value, list) and all(isinstance(one, str) for one in value)
+                or (isinstance(value, list) and all(isinstance(one, str) for one in value))
             ),
         ),
         "finished": whole(),
