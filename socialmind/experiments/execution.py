@@ -7,10 +7,13 @@ and sees whether the user wants to stop. What is computed never depends on where
 
 from __future__ import annotations
 
+import errno
 import inspect
+import os
 import shutil
 import time
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -58,6 +61,7 @@ AGENTS_EVERY = 10
 CHUNK_SECONDS = 0.2
 """Length aimed at for one piece of the loop: Ctrl-C and progress wait for it."""
 PROGRESS_SECONDS = 0.1
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 CHECKPOINT_COST = 20
 """Checkpoints lie at least this many times their own cost apart."""
 
@@ -261,18 +265,23 @@ class _Execution:
         with deferred_signals() as arrived:
             try:
                 self._loop(length, on_progress, checkpoint_every, arrived)
+                _finish(self._capsule, self._checkpoint())
             except Interrupted:
                 raise
             except Exception as error:
                 # The state is in mid-tick: the last checkpoint stays the truth.
                 known = isinstance(error, SocialmindError | OSError)
                 failure = error if known else self._failure(error)
-                self._capsule.update(status=capsules.FAILED, error=str(failure))
+                with suppress(OSError):  # there may be no room to say so
+                    self._capsule.update(status=capsules.FAILED, error=str(failure))
+                if isinstance(error, OSError) and error.errno in NO_ROOM:
+                    raise SocialmindError(
+                        f"{self._capsule.folder}: {os.strerror(error.errno)} at tick "
+                        f"{self._model.tick}; what the last checkpoint holds is safe: make room and go on with --resume"
+                    ) from error
                 if known:
                     raise
                 raise failure from error
-            checkpoint = self._checkpoint()
-            _finish(self._capsule, checkpoint)
 
     def _failure(self, error: Exception) -> SocialmindError:
         """An error of the model's own Python, with its place there."""
@@ -365,8 +374,8 @@ def _checked(capsule: Capsule) -> Checkpoint | None:
         checkpoint = Checkpoint.load(capsule.checkpoint)
         if checkpoint.run not in (None, manifest.identity()):
             raise SocialmindError(
-                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not those "
-                f"that {capsule.checkpoint.name} was written with; put them back"
+                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not "
+                f"those that {capsule.checkpoint.name} was written with; put them back"
             )
     if manifest.status == capsules.FINISHED:
         for name in TABLES:
@@ -394,8 +403,8 @@ def _restore(model: Model, checkpoint: Checkpoint, path: Path) -> None:
             raise ValueError("it holds other parameters or another tick than the run")
     except (SocialmindError, ValueError, KeyError, TypeError, IndexError) as error:
         raise SocialmindError(
-            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy of "
-            "the folder, or delete it and the run starts again from its first tick"
+            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy "
+            "of the folder, or delete it and the run starts again from its first tick"
         ) from error
 
 

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 import shutil
 
 VALUES = (
@@ -38,7 +37,7 @@ def digest(folder):
         if name == ".lock" or name.startswith("figures"):
             continue
         if path.is_symlink():
-            found[name] = os.readlink(path)
+            found[name] = str(path.readlink())
         elif path.is_dir():
             found[name] = "a folder"
         else:
