@@ -277,8 +277,8 @@ class _Execution:
                 if isinstance(error, OSError) and error.errno in NO_ROOM:
                     raise SocialmindError(
                         f"{self._capsule.folder}: {os.strerror(error.errno)} at tick "
-                        f"{self._model.tick}; what the last checkpoint holds is safe: make room and "
-                        "go on with --resume"
+                        f"{self._model.tick}; what the last checkpoint holds is safe: make room "
+                        "and go on with --resume"
                     ) from error
                 if known:
                     raise

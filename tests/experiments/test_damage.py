@@ -177,6 +177,16 @@ def test_a_checkpoint_of_before_knows_no_hashes_and_goes_on(folders, drifters, t
         assert content_of(tmp_path / "run" / table) == content_of(folders / "whole" / table)
 
 
+def test_parts_in_another_order_are_no_checkpoint(folders, tmp_path):
+    shutil.copytree(folders / "half", tmp_path / "run")
+    path = tmp_path / "run/checkpoint.npz"
+    checkpoint = Checkpoint.load(path)
+    checkpoint.parts["series"].reverse()
+    checkpoint.save(path)
+    with pytest.raises(SocialmindError, match="its parts of series are not numbered"):
+        Checkpoint.load(path)
+
+
 def test_a_file_that_unfolds_to_more_than_it_can_hold_is_not_unfolded(folders, tmp_path):
     shutil.copytree(folders / "half", tmp_path / "run")
     with zipfile.ZipFile(tmp_path / "run/checkpoint.npz", "w", zipfile.ZIP_DEFLATED) as file:
