@@ -8,6 +8,7 @@ one line, with exit code 2.
 from __future__ import annotations
 
 import os
+import shlex
 import sys
 import warnings
 from collections.abc import Callable
@@ -476,8 +477,8 @@ def _is_kept(source: str | None) -> bool:
 
 
 def _as_path(folder: Path) -> str:
-    """A folder as `socialmind run` takes it for a path and not for a model's name."""
-    return str(folder) if len(folder.parts) > 1 else f"./{folder}"
+    """A folder as `socialmind run` takes it for a path, and a shell for one word."""
+    return shlex.quote(str(folder) if len(folder.parts) > 1 else f"./{folder}")
 
 
 def _one_line(message: Warning | str, *_: object) -> str:

@@ -12,7 +12,7 @@ from socialmind.catalogue import load_model
 from socialmind.experiments import Run, replay, resume, run
 from socialmind.experiments.tables import content_of
 
-FARM = '''
+FARM = """
 from socialmind import Agent, Model, Population, Torus, each, once
 
 
@@ -45,7 +45,7 @@ class Farm(Model):
     dogs = Population(Dog, 3)
     world = Torus(5)
     schedule = (each(cows, graze), each(dogs, grow))
-'''
+"""
 
 
 @pytest.fixture(scope="module")

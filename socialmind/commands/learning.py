@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -70,7 +71,8 @@ def _told(quiet: bool, kind: str = "learn") -> Iterator[tuple[OnGeneration | Non
     except TrainingInterrupted as stop:
         typer.echo(
             f"socialmind: stopped in attempt {stop.attempt}, {stop.lesson}, after generation "
-            f"{stop.generation:,}; go on with `socialmind learn --resume {stop.folder}`",
+            f"{stop.generation:,}; go on with `socialmind learn --resume "
+            f"{shlex.quote(str(stop.folder))}`",
             err=True,
         )
         raise typer.Exit(128 + stop.signal_number) from None

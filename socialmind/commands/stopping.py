@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 
 import typer
@@ -18,7 +19,7 @@ def exit_code_of_stop(stop: KeyboardInterrupt) -> int:
         return CTRL_C
     typer.echo(
         f"socialmind: stopped at tick {stop.tick:,}; go on with "
-        f"`socialmind run --resume {stop.folder}`",
+        f"`socialmind run --resume {shlex.quote(str(stop.folder))}`",
         err=True,
     )
     return 128 + stop.signal_number

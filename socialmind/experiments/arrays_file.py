@@ -7,6 +7,7 @@ promises more than there is, and no more in all than such a file can hold.
 from __future__ import annotations
 
 import json
+import shutil
 import zipfile
 import zlib
 from pathlib import Path
@@ -25,16 +26,33 @@ LONGEST_HEADER = 1_000_000
 """Characters that say of what fields an array consists."""
 
 
+def refuse_folder(path: Path) -> None:
+    """Raise when a folder is where a file is to be.
+
+    Raises:
+        SocialmindError: so it is.
+    """
+    if path.is_dir() and not path.is_symlink():
+        raise SocialmindError(f"{path}: is a folder, in the place of a file; remove it")
+
+
 def make_room(path: Path) -> Path:
     """Return a path at which nothing is: a file or a link that was left there is taken away.
 
     Raises:
         SocialmindError: a folder is there.
     """
-    if path.is_dir() and not path.is_symlink():
-        raise SocialmindError(f"{path}: is a folder, in the place of a file; remove it")
+    refuse_folder(path)
     path.unlink(missing_ok=True)
     return path
+
+
+def remove(path: Path) -> None:
+    """Take away a folder with all that is in it, or a file or a link; links are not followed."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
 
 
 def load_arrays(path: Path, name: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

@@ -7,10 +7,13 @@ and sees whether the user wants to stop. What is computed never depends on where
 
 from __future__ import annotations
 
+import errno
 import inspect
+import os
 import shutil
 import time
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -22,7 +25,7 @@ from socialmind.agent_columns import as_before
 from socialmind.catalogue import failure_in_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
-from socialmind.experiments.arrays_file import make_room
+from socialmind.experiments.arrays_file import make_room, refuse_folder
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
 from socialmind.experiments.record import LONGEST
@@ -61,6 +64,7 @@ AGENTS_EVERY = 10
 CHUNK_SECONDS = 0.2
 """Length aimed at for one piece of the loop: Ctrl-C and progress wait for it."""
 PROGRESS_SECONDS = 0.1
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 CHECKPOINT_COST = 20
 """Checkpoints lie at least this many times their own cost apart."""
 
@@ -272,18 +276,24 @@ class _Execution:
         with deferred_signals() as arrived:
             try:
                 self._loop(length, on_progress, checkpoint_every, arrived)
+                _finish(self._capsule, self._checkpoint())
             except Interrupted:
                 raise
             except Exception as error:
                 # The state is in mid-tick: the last checkpoint stays the truth.
                 known = isinstance(error, SocialmindError | OSError)
                 failure = error if known else self._failure(error)
-                self._capsule.update(status=capsules.FAILED, error=str(failure))
+                with suppress(OSError):  # there may be no room to say so
+                    self._capsule.update(status=capsules.FAILED, error=str(failure))
+                if isinstance(error, OSError) and error.errno in NO_ROOM:
+                    raise SocialmindError(
+                        f"{self._capsule.folder}: {os.strerror(error.errno)} at tick "
+                        f"{self._model.tick}; what the last checkpoint holds is safe: make room "
+                        "and go on with --resume"
+                    ) from error
                 if known:
                     raise
                 raise failure from error
-            checkpoint = self._checkpoint()
-            _finish(self._capsule, checkpoint)
 
     def _failure(self, error: Exception) -> SocialmindError:
         """An error of the model's own Python, with its place there."""
@@ -386,8 +396,13 @@ def _checked(capsule: Capsule) -> Checkpoint | None:
     if manifest.status == capsules.FINISHED:
         for name in TABLES:
             check_content(capsule.table(name), manifest.tables[name]["sha256"])
-    elif checkpoint is not None:
+        return checkpoint
+    for name in TABLES:
+        refuse_folder(capsule.table(name))
+    if checkpoint is not None:
         checkpoint.check_parts(capsule.parts)
+    elif capsule.parts.exists() and not capsule.parts.is_dir():
+        raise SocialmindError(f"{capsule.parts}: is a file, in the place of a folder; remove it")
     return checkpoint
 
 

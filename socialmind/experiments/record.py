@@ -132,10 +132,11 @@ def check_record(content: Any, expected: Expected, place: str) -> None:
     Raises:
         SocialmindError: names the field, what was found and what was expected.
 
-    >>> check_record({"seed": -1}, Fields({"seed": whole()}, {}), "manifest.json")
+    >>> fields = Fields({"seed": whole()}, {})
+    >>> check_record({"seed": -1}, fields, "manifest.json")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    socialmind.errors.SocialmindError: manifest.json: seed: found -1; expected a whole number, 0 or more; take the file from a copy of the folder
-    """  # noqa: E501  # the message as it is
+    socialmind.errors.SocialmindError: manifest.json: seed: found -1; expected a whole number, ...
+    """
     fault = _fault(content, expected, "")
     if fault is not None:
         field, found, wanted = fault

@@ -7,10 +7,13 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+STOPS = (signal.SIGINT, signal.SIGTERM)
+HEARD = (*STOPS, *([signal.SIGHUP] if hasattr(signal, "SIGHUP") else []))
+
 
 @contextmanager
 def deferred_signals() -> Iterator[list[int]]:
-    """Collect Ctrl-C (SIGINT) and the request to terminate (SIGTERM) while the block runs.
+    """Collect Ctrl-C (SIGINT), requests to end (SIGTERM) and closed terminals (SIGHUP) in a block.
 
     The second one takes effect at once. Outside the main thread, where Python allows no handlers,
     nothing is collected.
@@ -28,7 +31,12 @@ def deferred_signals() -> Iterator[list[int]]:
     if threading.current_thread() is not threading.main_thread():
         yield arrived
         return
-    before = {number: signal.signal(number, note) for number in (signal.SIGINT, signal.SIGTERM)}
+    before = {
+        number: signal.signal(number, note)
+        for number in HEARD
+        # Who starts a program with nohup wants the end of the terminal unheard.
+        if number in STOPS or signal.getsignal(number) is not signal.SIG_IGN
+    }
     try:
         yield arrived
     finally:

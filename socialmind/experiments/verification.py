@@ -178,8 +178,10 @@ def compare(
             if difference is not None:
                 return Difference(name, difference)
             lengths = [lengths[0] + here.num_rows, lengths[1] + there.num_rows]
-    except pa.ArrowInvalid as error:
+    except pa.ArrowException as error:
         return Difference(name, f"column types differ ({one_line(str(error))})")
+    except UnicodeDecodeError:
+        return Difference(name, "a text in the run is no text any more")
     if lengths[0] != lengths[1]:
         return Difference(name, f"{lengths[0]} rows in the run, {lengths[1]} now")
     return None

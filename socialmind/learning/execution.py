@@ -12,8 +12,9 @@ from typing import Any
 import socialmind
 from coglogo_py.numbers import whole_number
 from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
-from socialmind.errors import SocialmindError
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import capsule as capsules
+from socialmind.experiments.arrays_file import refuse_folder, remove
 from socialmind.experiments.signals import deferred_signals
 from socialmind.experiments.sources import model_source
 from socialmind.learning.attempt import Attempt, News, load_result
@@ -224,6 +225,7 @@ def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
             f"{capsule.mind}: the training's copy of the mind that it began from is missing or was "
             "changed; take it from a copy of the folder"
         )
+    refuse_folder(capsule.curve)
     course = Course(curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine)
     for number in range(1, manifest.attempts + 1):
         if capsule.attempt(number).exists():
@@ -341,8 +343,17 @@ def _concluding(
 
 def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
     """Write the mind that an attempt has learned, which its checkpoint holds as well."""
-    if attempt.done:
-        attempt.mind.save(capsule.learned(attempt.number))
+    if not attempt.done:
+        return
+    folder = capsule.learned(attempt.number)
+    if not folder.is_dir() or any(path.is_symlink() for path in folder.rglob("*")):
+        remove(folder)
+    try:
+        attempt.mind.save(folder)
+    except (ModelError, OSError):
+        # A folder in the place of a file, or a file in that of a folder; the checkpoint has all.
+        remove(folder)
+        attempt.mind.save(folder)
 
 
 def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum:

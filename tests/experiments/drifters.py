@@ -39,7 +39,8 @@ class Drifters:
     def advance(self, ticks):
         self.advanced.append(ticks)
         for _ in range(ticks):
-            draws = np.random.Generator(np.random.Philox(key=[self.seed, self.tick]))
+            key = np.array([self.seed, self.tick], np.uint64)
+            draws = np.random.Generator(np.random.Philox(key=key))
             n = self._parameters["n"] + (self.tick // 7) % 4
             x = np.zeros(n)
             x[: min(n, len(self.x))] = self.x[:n]

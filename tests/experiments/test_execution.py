@@ -9,12 +9,13 @@ import time
 from pathlib import Path
 
 import filelock
+import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
 from socialmind.catalogue import catalogue, load_model
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.experiments import Interrupted, Run, resume, run
+from socialmind.experiments import Interrupted, Run, replay, resume, run
 from socialmind.experiments import execution as execution_module
 from socialmind.experiments.capsule import Capsule
 
@@ -31,6 +32,36 @@ def whole(drifters, tmp_path_factory):
     """A run of 1003 ticks that was never stopped, recorded every 4 and 20 ticks."""
     out = tmp_path_factory.mktemp("whole") / "run"
     return run(drifters, ticks=1003, seed=3, every=4, agents_every=20, out=out)
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGXFSZ"), reason="no limit of files here")
+@pytest.mark.parametrize("room", [1_000, 3_000])
+def test_a_full_disk_stops_a_run_that_goes_on_when_there_is_room(drifters, whole, tmp_path, room):
+    import resource
+
+    out = tmp_path / "run"
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+
+    def fill(tick, length):
+        if tick > 300:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (room, hard))
+
+    try:
+        with pytest.raises(SocialmindError, match=r"File too large at tick \d+; .* with --resume"):
+            run(drifters, 1003, 3, every=4, agents_every=20, out=out, on_progress=fill)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert not list(out.glob("*.partial"))
+    resume(out, model_class=drifters)
+    assert tables_of(out) == tables_of(whole)
+
+
+@pytest.mark.parametrize("seed", [0, 2**32, 2**63, 2**64 - 1, np.uint64(2**64 - 1)])
+def test_every_seed_is_kept_as_it_is(drifters, tmp_path, seed):
+    folder = run(drifters, np.int64(20), seed, every=np.int16(2), out=tmp_path / "run")
+    assert Run(folder).seed == int(seed)
+    resume(folder, 30, model_class=drifters)
+    assert replay(folder, drifters).equal
 
 
 def test_a_wrong_record_names_the_models_line(drifters, tmp_path):
@@ -146,7 +177,7 @@ def frequent_progress(monkeypatch):
     monkeypatch.setattr(execution_module, "PROGRESS_SECONDS", 0.0)
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_ctrl_c_leaves_a_capsule_that_goes_on(drifters, whole, tmp_path, frequent_progress, number):
     out = tmp_path / "run"
     before = signal.getsignal(number)

@@ -191,13 +191,22 @@ class TwoColumnsAlike:
         ({"x": 3.5}, "column x: found 3.5; expected a sequence with one value for each row"),
         ({"x": "abc"}, "column x: found 'abc'; expected a sequence with one value for each row"),
         ({"x": {1, 2}}, "column x: found {1, 2}; expected a sequence with one value for each row"),
-        ({"x": np.zeros(())}, "column x: an array of 0 dimensions; expected one value for each row"),
-        ({"x": [1, 2], "y": [1]}, "column y has 1 values, x has 2; give every column one value a row"),
-        ({"tick": [6], "x": [1]}, "a column tick of other values than the tick; the run adds its own, so "
-         "give it another name"),
+        (
+            {"x": np.zeros(())},
+            "column x: an array of 0 dimensions; expected one value for each row",
+        ),
+        (
+            {"x": [1, 2], "y": [1]},
+            "column y has 1 values, x has 2; give every column one value a row",
+        ),
+        (
+            {"tick": [6], "x": [1]},
+            "a column tick of other values than the tick; the run adds its own, so "
+            "give it another name",
+        ),
         ({"x": ["\ud800"]}, "column x: a text with half a character, which UTF-8 does not hold"),
     ],
-)  # fmt: skip
+)
 def test_what_is_no_row_is_named_with_the_method_that_gave_it(tmp_path, columns, message):
     table = GrowingTable("agents", tmp_path, source="farm/model.py:12: agents()")
     with pytest.raises(SocialmindError) as caught:
