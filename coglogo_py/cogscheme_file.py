@@ -22,7 +22,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
-from coglogo_py.errors import SchemeError
+from coglogo_py.errors import SchemeError, shown
 from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon, Group, Role
 
 SECTIONS = ("INFLUENCE", "DEPENDENCY", "REINFORCEMENT")
@@ -30,7 +30,7 @@ KEYWORDS = frozenset(("STARTCS", "PLANPOS", "BREEDS", "COG", "GRP", "ROL", *SECT
 
 # What Java's parseDouble takes, less hexadecimal, NaN and Infinity.
 NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)[dDfF]?\s*", re.A)
-WHOLE_NUMBER = re.compile(r"[+-]?[0-9]+", re.A)
+WHOLE_NUMBER = re.compile(r"[+-]?[0-9]{1,15}", re.A)
 
 
 def parse(
@@ -117,13 +117,13 @@ class _Lines:
 
     def unexpected(self, expected: str, remedy: str | None = None) -> SchemeError:
         """Return the error that the next line is not what is expected."""
-        found = "the end of the file" if self.next is None else repr(self.next)
+        found = "the end of the file" if self.next is None else shown(self.next)
         return SchemeError(found, expected, remedy, self.file, self.taken + 1)
 
     def wrong(self, expected: str, remedy: str | None = None) -> SchemeError:
         """Return the error that the line just taken is not what is expected."""
         return SchemeError(
-            repr(self.lines[self.taken - 1]), expected, remedy, self.file, self.taken
+            shown(self.lines[self.taken - 1]), expected, remedy, self.file, self.taken
         )
 
     def warn(self, message: str, line: int) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from difflib import get_close_matches
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,10 @@ LONGEST_MESSAGE = 1000
 """Characters of an error's message; what a user gave may be a million long."""
 LONGEST_VALUE = 80
 """Characters of a value within a message."""
+
+
+MOST_COMPARED = 2000
+"""Known names that a wrong one is compared with."""
 
 
 class CogLogoError(ValueError):
@@ -140,5 +145,7 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     >>> nearest("colour", []) is None
     True
     """
-    matches = get_close_matches(name, list(known), n=1)
+    if len(name) > LONGEST_VALUE:
+        return None
+    matches = get_close_matches(name, islice(known, MOST_COMPARED), n=1)
     return f"did you mean {matches[0]!r}?" if matches else None

@@ -28,6 +28,7 @@ from coglogo_py.checks import (
 from coglogo_py.decision import DecisionMaker, MaximumWeight
 from coglogo_py.errors import SchemeError, shown
 from coglogo_py.numbers import is_truth
+from coglogo_py.reading import text_in
 
 if TYPE_CHECKING:
     from coglogo_py.lint import Finding
@@ -310,7 +311,7 @@ class CognitiveScheme:
         from coglogo_py import cogscheme_file, yaml_file
 
         reader = yaml_file if Path(path).suffix.lower() in (".yaml", ".yml") else cogscheme_file
-        return reader.parse(_text_of(Path(path)), path, decision_makers)
+        return reader.parse(text_in(Path(path), latin_1=True), path, decision_makers)
 
     def save(self, path: str | Path) -> None:
         """Write the scheme to a file, in the form that the suffix names; replaces what was there.
@@ -364,18 +365,6 @@ class CognitiveScheme:
 def _links(holder: Cogniton | Culturon) -> tuple[str, ...]:
     """Return the plans that a cogniton or culturon is linked with, in order, some repeated."""
     return (*holder.influence, *holder.conditional, *holder.reinforcement)
-
-
-def _text_of(path: Path) -> str:
-    """Return a file's text: UTF-8, or else Latin-1, in which old editors wrote schemes."""
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise _not_done("read", error, path) from None
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return content.decode("latin-1")
 
 
 def _not_done(done: str, error: OSError, path: str | Path) -> SchemeError:

@@ -11,10 +11,11 @@ import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import yaml
 
-from coglogo_py.errors import SchemeError, nearest
+from coglogo_py.errors import SchemeError, nearest, shortened, shown
 
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 WHOLE_NUMBER = re.compile(r"[+-]?[0-9]{1,15}")
@@ -22,6 +23,55 @@ COLOUR = re.compile(r"#[0-9a-fA-F]{6}")
 TRUTH = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
 NOTHING = yaml.ScalarNode("tag:yaml.org,2002:null", "")
 """What stands where a field is left out."""
+
+
+MOST_NODES = 200_000
+"""Names, values, lists and mappings of a file; what an alias stands for counts each time."""
+MOST_DEPTH = 50
+"""Lists and mappings within each other."""
+
+
+class _Loader(yaml.SafeLoader):
+    """Composes nodes, and stops where there are more than anybody writes."""
+
+    def __init__(self, text: str, file: str | Path) -> None:
+        super().__init__(text)
+        self.file = file
+        self.depth = 0
+        self.count = 0
+        self.sizes: dict[str, int] = {}
+        """How many nodes each finished anchor stands for."""
+
+    def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
+        event = self.peek_event()
+        line = event.start_mark.line + 1
+        before = self.count
+        self.depth += 1
+        if self.depth > MOST_DEPTH:
+            raise SchemeError(
+                f"brackets or indents {MOST_DEPTH} deep", "YAML", "close the brackets",
+                self.file, line,
+            )  # fmt: skip
+        if isinstance(event, yaml.AliasEvent) and event.anchor in self.anchors:
+            if event.anchor not in self.sizes:
+                raise SchemeError(
+                    f"the alias *{shown(event.anchor)[1:-1]}, within what it stands for",
+                    "a name or value of its own",
+                    "write it out", self.file, line,
+                )  # fmt: skip
+            self.count += self.sizes[event.anchor]
+        else:
+            self.count += 1
+        if self.count > MOST_NODES:
+            raise SchemeError(
+                f"more than {MOST_NODES:,} names and values, aliases written out",
+                f"at most {MOST_NODES:,} in a file", "is it the right file?", self.file, line,
+            )  # fmt: skip
+        node: yaml.Node | None = super().compose_node(parent, index)
+        self.depth -= 1
+        if not isinstance(event, yaml.AliasEvent) and event.anchor is not None:
+            self.sizes[event.anchor] = self.count - before
+        return node
 
 
 def composed(text: str, file: str | Path, what: str = "a cognitive scheme") -> yaml.Node:
@@ -36,7 +86,7 @@ def composed(text: str, file: str | Path, what: str = "a cognitive scheme") -> y
         SchemeError: the text is empty, or no YAML.
     """
     try:
-        root = yaml.compose(text, Loader=yaml.SafeLoader)
+        root = _Loader(text, file).get_single_node()
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         remedy = "check quotes, brackets and indentation"
@@ -50,10 +100,6 @@ def composed(text: str, file: str | Path, what: str = "a cognitive scheme") -> y
         line = text.count("\n", 0, error.position) + 1
         raise SchemeError(
             "a control character", "text", "write it as an escape, in quotes", file, line
-        ) from None
-    except RecursionError:
-        raise SchemeError(
-            "brackets within brackets, hundreds deep", "YAML", "close the brackets", file
         ) from None
     if root is None:
         raise SchemeError("an empty file", what, "begin with name:", file, 1)
@@ -72,7 +118,7 @@ class Nodes:
         """Return the error that a node is not what is expected."""
         found = "several values" if isinstance(node, yaml.SequenceNode) else "fields"
         if isinstance(node, yaml.ScalarNode):
-            found = "nothing" if self.is_nothing(node) else repr(node.value)
+            found = "nothing" if self.is_nothing(node) else shown(node.value)
         return self.error(node, f"{found} as {where}", expected, remedy)
 
     def error(
@@ -111,7 +157,7 @@ class Nodes:
             if name in lines:
                 raise self.error(
                     key,
-                    f"{name!r} stands twice in {where}, first in line {lines[name]}",
+                    f"{shown(name)} stands twice in {where}, first in line {lines[name]}",
                     remedy="rename one or join them",
                 )
             lines[name] = key.start_mark.line + 1
@@ -123,7 +169,7 @@ class Nodes:
         for name, key, value in self.entries(node, where):
             if name not in known:
                 raise self.error(
-                    key, f"field {name!r} in {where}", f"one of {', '.join(known)}",
+                    key, f"field {shown(name)} in {where}", f"one of {', '.join(known)}",
                     nearest(name, known),
                 )  # fmt: skip
             found[name] = value
@@ -136,7 +182,10 @@ class Nodes:
         if not isinstance(node, yaml.SequenceNode):
             one = isinstance(node, yaml.ScalarNode)
             raise self.wrong(
-                node, where, "a list", f"write [{node.value}]" if one else "write [one, two]"
+                node,
+                where,
+                "a list",
+                f"write [{shortened(node.value, 40)}]" if one else "write [one, two]",
             )
         return list(node.value)
 
@@ -146,7 +195,9 @@ class Nodes:
         for item in self.items(node, where):
             name = self.name(item, f"a name in {where}")
             if name in lines:
-                raise self.error(item, f"{name!r} stands twice in {where}", remedy="remove one")
+                raise self.error(
+                    item, f"{shown(name)} stands twice in {where}", remedy="remove one"
+                )
             lines[name] = item.start_mark.line + 1
         return tuple(lines)
 

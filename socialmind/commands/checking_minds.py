@@ -8,6 +8,9 @@ from pathlib import Path
 import typer
 import yaml
 
+from coglogo_py import SchemeError
+from coglogo_py.reading import text_in
+from coglogo_py.yaml_nodes import composed
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.code import check_program
 from socialmind.mind.description import MindDescription
@@ -21,7 +24,6 @@ from socialmind.mind.files.folder_reader import (
     load_tasks,
 )
 from socialmind.mind.files.simbatch import Task
-from socialmind.mind.files.text_file import BYTE_ORDER_MARK
 from socialmind.mind.files.yaml_form import ACTUATORS, SENSORS, SKILLS, VARIABLES
 from socialmind.mind.lint import Finding, findings, genome_sizes
 
@@ -45,10 +47,10 @@ def is_mind(path: Path) -> bool:
         )
     if path.suffix.lower() not in (".yaml", ".yml") or not path.is_file():
         return False
-    text = path.read_bytes().decode("utf-8", errors="replace").removeprefix(BYTE_ORDER_MARK)
+    text = text_in(path, latin_1=True)
     try:
-        root = yaml.compose(text, Loader=yaml.SafeLoader)
-    except (yaml.YAMLError, RecursionError):
+        root = composed(text, path)
+    except SchemeError:
         # Broken or not, it is the reader of minds that should say so.
         return _SECTION.search(text) is not None
     keys = root.value if isinstance(root, yaml.MappingNode) else []

@@ -16,7 +16,7 @@ from coglogo_py import CognitiveScheme, SchemeError
 from socialmind.errors import ModelError
 from socialmind.mind.files.network_lines import NEURAL, network_lines, network_of
 from socialmind.mind.files.python_file import load_beside
-from socialmind.mind.files.text_file import Line, Lines, field, is_file, one_line
+from socialmind.mind.files.text_file import Line, Lines, field, inside, is_file, one_line
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.neat_graph import NeatGraph
@@ -156,7 +156,7 @@ def _program(lines: Lines, given: list[Line], skill: str, keyword: Line) -> Prog
     line = _parameters(lines, given, keyword, CLASS, (CLASS,))[CLASS][0]
     written = line.fields[1]
     folder = Path(lines.file).parent
-    path = folder / f"{written}.py"
+    path = folder / f"{Path(written).name}.py"
     if not is_file(path) and is_file(folder / f"{skill}.py"):
         path = folder / f"{skill}.py"
     function = load_beside(path, "", written, lines.file, line.number, only=True)
@@ -207,7 +207,7 @@ def scheme_function(
     Raises:
         ModelError: there is no such file, or it is no scheme.
     """
-    path = folder / source
+    path = inside(folder, source, "the scheme", named_in, line)
     if not source or not is_file(path):
         raise ModelError(
             f"the scheme {source!r}", "a file that there is", f"write {path}", named_in, line

@@ -20,7 +20,7 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.files import ades, botdesc, genome_file, simbatch, vardesc
 from socialmind.mind.files.ades import GENERAL_REMEDY
 from socialmind.mind.files.simbatch import Task
-from socialmind.mind.files.text_file import text_of
+from socialmind.mind.files.text_file import MOST_BYTES, MOST_GENOME, inside, text_of
 from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 
 BOTDESC, VARDESC, ADES, GENOME, SIMBATCH = ".botdesc", ".vardesc", ".ades", ".genome", ".simbatch"
@@ -34,11 +34,11 @@ def read_folder(path: Path) -> MindDescription:
         ModelError: there is none, or one of its files is wrong.
     """
     agent = agent_file(path)
-    sensors, actuators = botdesc.parse(text_of(agent), agent)
+    sensors, actuators = botdesc.parse(_text(agent, path), agent)
     variables: tuple[Variable, ...] = ()
     own = agent.with_suffix(VARDESC)
     if own.is_file():
-        variables = vardesc.parse(text_of(own), own)
+        variables = vardesc.parse(_text(own, path), own)
     else:
         for other in files_in(path, VARDESC):
             raise ModelError(
@@ -47,7 +47,7 @@ def read_folder(path: Path) -> MindDescription:
                 f"rename it to {own.name}",
                 other,
             )
-    skills = [_skill(folder) for folder in skill_folders(path)]
+    skills = [_skill(folder, path) for folder in skill_folders(path)]
     return whole(agent.stem, sensors, actuators, variables, skills)
 
 
@@ -113,7 +113,12 @@ def skill_folders(folder: Path) -> list[Path]:
     )
 
 
-def _skill(folder: Path) -> Skill:
+def _text(path: Path, mind: Path, most: int = MOST_BYTES) -> str:
+    """Return the text of a file of a mind; none that lies elsewhere, behind a link."""
+    return text_of(inside(mind, path.relative_to(mind).as_posix(), "the file", path), most)
+
+
+def _skill(folder: Path, mind: Path) -> Skill:
     """Read the skill of a folder, with its weights if there are any."""
     path = folder / f"{folder.name}{ADES}"
     others = [one for one in files_in(folder, ADES) if one != path]
@@ -125,7 +130,7 @@ def _skill(folder: Path) -> Skill:
             f"rename it to {path.name}, or take it out" if others else f"write {path.name}",
             at_fault,
         )
-    skill = ades.parse(text_of(path), path)
+    skill = ades.parse(_text(path, mind), path)
     if skill.name != folder.name:
         raise skill.refused(
             f"in the folder {folder.name}",
@@ -143,7 +148,7 @@ def _skill(folder: Path) -> Skill:
             )
     if not weights.is_file():
         return skill
-    return genome_file.parse(text_of(weights), weights, skill)
+    return genome_file.parse(_text(weights, mind, MOST_GENOME), weights, skill)
 
 
 def load_tasks(folder: str | Path) -> dict[str, Task]:
@@ -153,4 +158,4 @@ def load_tasks(folder: str | Path) -> dict[str, Task]:
         ModelError: one of the files is wrong.
     """
     tasks = files_in(Path(folder) / TASKS, SIMBATCH)
-    return {path.stem: simbatch.parse(text_of(path), path) for path in tasks}
+    return {path.stem: simbatch.parse(_text(path, Path(folder)), path) for path in tasks}

@@ -21,7 +21,7 @@ from typing import Any
 from socialmind.catalogue import MODEL_FILE, PRIVATE, load_file
 from socialmind.errors import ModelError
 from socialmind.language.syntax import parsed
-from socialmind.mind.files.text_file import is_file, text_of
+from socialmind.mind.files.text_file import inside, is_file, text_of
 
 Function = Callable[..., Any]
 
@@ -89,8 +89,8 @@ def load_beside(
     Raises:
         ModelError: no such file or function.
     """
-    if file:
-        path = Path(named_in).parent / file
+    folder = Path(named_in).parent if file else path.parent
+    path = inside(folder, file or path.name, "the file", named_in, line)
     if not name.isidentifier() or not (path.suffix == ".py" and is_file(path)):
         wrong = not name.isidentifier()
         raise ModelError(

@@ -9,12 +9,17 @@ from __future__ import annotations
 import os
 import re
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePosixPath, PureWindowsPath
 
+from coglogo_py import SchemeError
+from coglogo_py.errors import shown
+from coglogo_py.reading import MOST_BYTES, text_in
 from socialmind.errors import ModelError
 
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", re.A)
 WHOLE_NUMBER = re.compile(r"[0-9]{1,9}", re.A)
+MOST_GENOME = 200_000_000
+"""Bytes of a file of weights, of which a skill may have some millions."""
 BYTE_ORDER_MARK = "\ufeff"
 CONTROL = re.compile(rf"[\x00-\x08\x0a-\x1f\x7f-\x9f{BYTE_ORDER_MARK}]")
 """Control characters, but for the tab."""
@@ -108,7 +113,7 @@ class Lines:
         line = self.next
         if line is None:
             return self.error("the end of the file", expected, remedy, self.last)
-        return self.error(repr(line.text), expected, remedy, line.number)
+        return self.error(shown(line.text), expected, remedy, line.number)
 
     def error(
         self, found: str, expected: str | None, remedy: str | None, line: int | None
@@ -127,47 +132,74 @@ class Lines:
         """Return a finite number."""
         if not NUMBER.fullmatch(text):
             raise self.error(
-                f"{text!r} as {what}", "a number", "write it with a point, as 0.5", line
+                f"{shown(text)} as {what}", "a number", "write it with a point, as 0.5", line
             )
         value = float(text)
         if value in (float("inf"), float("-inf")):
-            raise self.error(f"{text!r} as {what}", "a number", "it is too large", line)
+            raise self.error(f"{shown(text)} as {what}", "a number", "it is too large", line)
         return value
 
     def whole_number(self, text: str, what: str, line: int) -> int:
         """Return a whole number, 0 or more."""
         if not WHOLE_NUMBER.fullmatch(text):
             raise self.error(
-                f"{text!r} as {what}", "a whole number, 0 or more", "write it in digits, as 2", line
+                f"{shown(text)} as {what}",
+                "a whole number, 0 or more",
+                "write it in digits, as 2",
+                line,
             )
         return int(text)
 
 
-def text_of(path: Path) -> str:
+def text_of(path: Path, most: int = MOST_BYTES) -> str:
     """Return a file's text.
 
+    Args:
+        path: the file.
+        most: bytes that it may have.
+
     Raises:
-        ModelError: there is no such file, or it is not text in UTF-8.
+        ModelError: there is no such file, it is too large, or it is not text in UTF-8.
     """
     try:
-        content = path.read_bytes()
-    except OSError as error:
+        return text_in(path, most)
+    except SchemeError as error:
         raise ModelError(
-            f"the file cannot be read ({error.strerror or error})",
-            remedy="check its name and whether you may read it",
-            file=path,
+            error.found, error.expected, error.remedy, error.file, error.line
         ) from None
+
+
+def inside(
+    folder: Path, written: str, what: str, named_in: str | Path, line: int | None = None
+) -> Path:
+    """Return the path that a file names, which may not lead out of a folder.
+
+    Args:
+        folder: the folder from which the path leads.
+        written: the path, with `/` between its parts.
+        what: what it is, in words.
+        named_in: the file that names it, for messages.
+        line: its line there.
+
+    Raises:
+        ModelError: it is absolute, names `..` or leads out by a link.
+    """
+    forms = PurePosixPath(written), PureWindowsPath(written)
+    out = "\\" in written or any(one.anchor or ".." in one.parts for one in forms)
+    path = folder / written
     try:
-        return content.decode("utf-8")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
+        out = out or not path.resolve().is_relative_to(folder.resolve())
+    except (OSError, RuntimeError, ValueError):
+        out = True  # links in a circle, or a name that no file can have
+    if out:
         raise ModelError(
-            f"the byte 0x{content[error.start]:02x}",
-            "text in UTF-8",
-            "save it as UTF-8",
-            path,
+            f"{what} {shown(written)}, outside of {folder}",
+            "a file within that folder, without '..' and links that lead out",
+            "copy the file there",
+            named_in,
             line,
-        ) from None
+        )
+    return path
 
 
 def is_file(path: Path) -> bool:
@@ -219,7 +251,7 @@ def one_line(text: str, what: str, barred: str = "#") -> str:
     if text != text.strip() or control or any(sign in text for sign in barred):
         signs = " and ".join(repr(sign) for sign in barred)
         raise ModelError(
-            f"{text!r} as {what}",
+            f"{shown(text)} as {what}",
             f"a text without {signs}, control characters and blanks around it",
             "change it",
         )

@@ -28,7 +28,7 @@ from socialmind.mind.files.ades import (
 from socialmind.mind.files.folder_reader import whole
 from socialmind.mind.files.network_lines import BRANCHES, HIDDEN, KEYWORDS, TYPE, network_of
 from socialmind.mind.files.python_file import load_beside
-from socialmind.mind.files.text_file import WHOLE_NUMBER, Line, Lines, text_of
+from socialmind.mind.files.text_file import MOST_GENOME, WHOLE_NUMBER, Line, Lines, inside, text_of
 from socialmind.mind.files.vardesc import SHARED
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.contract import InternalFunction
@@ -86,7 +86,9 @@ def load(path: Path) -> MindDescription:
                 nearest(file.stem, description.skills),
                 file,
             )
-        skills.append(genome_file.parse(text_of(file), file, description.skills[file.stem]))
+        skills.append(
+            genome_file.parse(_weights_in(file, path), file, description.skills[file.stem])
+        )
     own = {**description.skills, **{skill.name: skill for skill in skills}}
     return MindDescription(
         description.name,
@@ -95,6 +97,11 @@ def load(path: Path) -> MindDescription:
         description.variables.values(),
         own.values(),
     )
+
+
+def _weights_in(file: Path, mind: Path) -> str:
+    place = file.relative_to(mind.parent).as_posix()
+    return text_of(inside(mind.parent, place, "the file", mind), MOST_GENOME)
 
 
 def parse(text: str, file: str | Path) -> MindDescription:
