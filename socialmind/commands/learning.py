@@ -10,6 +10,7 @@ from typing import Any
 
 import typer
 
+from socialmind.commands.terminal import quoted
 from socialmind.errors import SocialmindError
 from socialmind.learning.attempt import News
 from socialmind.learning.execution import OnGeneration, TrainingInterrupted, learn, resume
@@ -70,7 +71,7 @@ def _told(quiet: bool) -> Iterator[tuple[OnGeneration | None, Any]]:
     except TrainingInterrupted as stop:
         typer.echo(
             f"socialmind: stopped in attempt {stop.attempt}, {stop.lesson}, after generation "
-            f"{stop.generation:,}; go on with `socialmind learn --resume {stop.folder}`",
+            f"{stop.generation:,}; go on with `socialmind learn --resume {quoted(stop.folder)}`",
             err=True,
         )
         raise typer.Exit(128 + stop.signal_number) from None

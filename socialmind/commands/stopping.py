@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import typer
 
+from socialmind.commands.terminal import quoted
+
 CTRL_C = 130
 
 
@@ -16,7 +18,7 @@ def exit_code_of_stop(stop: KeyboardInterrupt) -> int:
         return CTRL_C
     typer.echo(
         f"socialmind: stopped at tick {stop.tick:,}; go on with "
-        f"`socialmind run --resume {stop.folder}`",
+        f"`socialmind run --resume {quoted(stop.folder)}`",
         err=True,
     )
     return 128 + stop.signal_number
