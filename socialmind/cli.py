@@ -8,7 +8,6 @@ one line, with exit code 2.
 from __future__ import annotations
 
 import os
-import shlex
 import sys
 import warnings
 from collections.abc import Callable
@@ -19,6 +18,8 @@ from typing import Annotated, Any
 import typer
 
 from socialmind import __version__
+from socialmind.commands.terminal import quoted, write_plainly
+from socialmind.commands.whole_option import LARGEST_SEED, whole
 from socialmind.errors import IdleWarning, SocialmindError
 
 WRONG = 2
@@ -61,6 +62,10 @@ Trust = Annotated[
     bool,
     typer.Option("--trust", help="Run programs that you have neither named nor run before."),
 ]
+FROM_0: dict[str, Any] = {"metavar": "N", "parser": whole(0)}
+FROM_1: dict[str, Any] = {"metavar": "N", "parser": whole(1)}
+SEED: dict[str, Any] = {"metavar": "N", "parser": whole(0, LARGEST_SEED)}
+"""Options that are whole numbers, from 0, from 1, and of a seed: 0 … 2⁶⁴ − 1."""
 Quiet = Annotated[bool, typer.Option("--quiet", help="Say nothing but the result.")]
 
 
@@ -105,11 +110,18 @@ def _report(error: BaseException) -> int:
 
 
 @command
-def list_() -> None:
-    """List the models that ship with socialmind, and their parameters."""
-    from socialmind.commands.listing import print_models
+def list_(
+    model: Annotated[
+        str | None,
+        typer.Argument(metavar="MODEL", help="A model's name, or its folder (all that ship)."),
+    ] = None,
+) -> None:
+    """List models and their parameters; of one model also what it is made of and learns."""
+    from socialmind.commands.listing import print_model, print_models
 
-    if not print_models():
+    if model is not None:
+        print_model(model)
+    elif not print_models():
         raise typer.Exit(WRONG)
 
 
@@ -119,8 +131,8 @@ def run(
         str | None,
         typer.Argument(metavar="MODEL", help="A model's name, or its folder."),
     ] = None,
-    ticks: Annotated[int | None, typer.Option(help="Length of the run.", min=0)] = None,
-    seed: Annotated[int | None, typer.Option(help="Seed of every draw (0).", min=0)] = None,
+    ticks: Annotated[int | None, typer.Option(**FROM_0, help="Length of the run.")] = None,
+    seed: Annotated[int | None, typer.Option(**SEED, help="Seed of every draw (0).")] = None,
     settings: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Value of a parameter; may be repeated."),
@@ -136,10 +148,10 @@ def run(
         ),
     ] = None,
     every: Annotated[
-        int | None, typer.Option(help="Ticks between two rows of the series (500 rows).", min=1)
+        int | None, typer.Option(**FROM_1, help="Ticks between two rows of the series (500 rows).")
     ] = None,
     agents_every: Annotated[
-        int | None, typer.Option(help="Ticks between two records of the agents.", min=1)
+        int | None, typer.Option(**FROM_1, help="Ticks between two records of the agents.")
     ] = None,
     out: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Folder to make (a fresh one under runs/).")
@@ -208,7 +220,9 @@ def learn(
         list[str] | None,
         typer.Option(metavar="NAME|FILE", help="A lesson, or a .simbatch file (the curriculum)."),
     ] = None,
-    attempts: Annotated[int | None, typer.Option(help="Independent attempts (1).", min=1)] = None,
+    attempts: Annotated[
+        int | None, typer.Option(**FROM_1, help="Independent attempts (1).")
+    ] = None,
     mind: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Mind to begin from (the model's).")
     ] = None,
@@ -220,20 +234,20 @@ def learn(
         typer.Option("--set", metavar="NAME=NUMBER", help="Setting of optimisers; may repeat."),
     ] = None,
     generations: Annotated[
-        int | None, typer.Option(help="Generations of each lesson (the lesson's).", min=1)
+        int | None, typer.Option(**FROM_1, help="Generations of each lesson (the lesson's).")
     ] = None,
     ticks_budget: Annotated[
-        int | None, typer.Option(help="Ticks after which no generation begins.", min=1)
+        int | None, typer.Option(**FROM_1, help="Ticks after which no generation begins.")
     ] = None,
     cycles: Annotated[
-        int | None, typer.Option(help="How often lessons in a cycle are taught.", min=1)
+        int | None, typer.Option(**FROM_1, help="How often lessons in a cycle are taught.")
     ] = None,
-    seed: Annotated[int | None, typer.Option(help="Seed of every draw (0).", min=0)] = None,
+    seed: Annotated[int | None, typer.Option(**SEED, help="Seed of every draw (0).")] = None,
     engine: Annotated[
         str | None, typer.Option(metavar="ENGINE", help="compiled (as by default) or pymunk.")
     ] = None,
     workers: Annotated[
-        int | None, typer.Option(help="How many work side by side (one a core).", min=1)
+        int | None, typer.Option(**FROM_1, help="How many work side by side (one a core).")
     ] = None,
     cluster: Annotated[
         str | None, typer.Option(metavar="ADDRESS", help="Work on a Dask cluster: tcp://HOST:8786.")
@@ -289,8 +303,8 @@ def score(
             metavar="[POPULATION=]DIR", help="Hierarchy of skills in place of the model's."
         ),
     ] = None,
-    episodes: Annotated[int, typer.Option(help="How many, each in its own world.", min=1)] = 100,
-    seed: Annotated[int, typer.Option(help="Seed of the worlds.", min=0)] = 0,
+    episodes: Annotated[int, typer.Option(**FROM_1, help="How many, each in its own world.")] = 100,
+    seed: Annotated[int, typer.Option(**SEED, help="Seed of the worlds.")] = 0,
     engine: Annotated[
         str, typer.Option(metavar="ENGINE", help="compiled or pymunk, the reference.")
     ] = "compiled",
@@ -299,14 +313,14 @@ def score(
         typer.Option(metavar="end|continue", help="Whether a collision ends a run (the model's)."),
     ] = None,
     ticks: Annotated[
-        int | None, typer.Option(help="Limit of an episode (the model's).", min=1)
+        int | None, typer.Option(**FROM_1, help="Limit of an episode (the model's).")
     ] = None,
     settings: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Value of a parameter; may be repeated."),
     ] = None,
     workers: Annotated[
-        int | None, typer.Option(help="How many work side by side (one a core).", min=1)
+        int | None, typer.Option(**FROM_1, help="How many work side by side (one a core).")
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
     quiet: Quiet = False,
@@ -340,17 +354,17 @@ def render(
     ],
     tick: Annotated[
         list[int] | None,
-        typer.Option(help="Moment of a picture (the last); may be repeated, for rows.", min=0),
+        typer.Option(**FROM_0, help="Moment of a picture (the last); may be repeated, for rows."),
     ] = None,
     begin: Annotated[
-        int | None, typer.Option("--from", help="First tick of a film (0).", min=0)
+        int | None, typer.Option("--from", **FROM_0, help="First tick of a film (0).")
     ] = None,
     end: Annotated[
-        int | None, typer.Option("--to", help="Last tick of a film (the run's).", min=0)
+        int | None, typer.Option("--to", **FROM_0, help="Last tick of a film (the run's).")
     ] = None,
     every: Annotated[
         int | None,
-        typer.Option(help="Ticks between two frames (for 900 frames, 300 of a GIF).", min=1),
+        typer.Option(**FROM_1, help="Ticks between two frames (for 900 frames, 300 of a GIF)."),
     ] = None,
     fps: Annotated[float | None, typer.Option(help="Frames a second (30, 20 for a GIF).")] = None,
     mind: Annotated[
@@ -365,7 +379,8 @@ def render(
         typer.Option(metavar="DISTANCE", help="Show only what is so near to the robot."),
     ] = None,
     trail: Annotated[
-        int | None, typer.Option(metavar="TICKS", help="Length of the path drawn (all).", min=0)
+        int | None,
+        typer.Option(metavar="TICKS", parser=whole(0), help="Length of the path drawn (all)."),
     ] = None,
     look: Annotated[
         str | None,
@@ -374,7 +389,7 @@ def render(
         ),
     ] = None,
     width: Annotated[
-        int | None, typer.Option(help="Width in pixels; of SVG and PDF in millimetres.")
+        int | None, typer.Option(**FROM_1, help="Width in pixels; of SVG and PDF in millimetres.")
     ] = None,
     trust: Trust = False,
     quiet: Quiet = False,
@@ -419,8 +434,10 @@ def check(
 @command
 def explain(
     folder: Folder,
-    agent: Annotated[int, typer.Option(help="Identity of the agent.", show_default=False)],
-    tick: Annotated[int, typer.Option(help="Tick of the decision.", show_default=False)],
+    agent: Annotated[
+        int, typer.Option(**FROM_0, help="Identity of the agent.", show_default=False)
+    ],
+    tick: Annotated[int, typer.Option(**FROM_0, help="Tick of the decision.", show_default=False)],
     trust: Trust = False,
 ) -> None:
     """Say how an agent of a run came to a decision."""
@@ -477,8 +494,8 @@ def _is_kept(source: str | None) -> bool:
 
 
 def _as_path(folder: Path) -> str:
-    """A folder as `socialmind run` takes it for a path, and a shell for one word."""
-    return shlex.quote(str(folder) if len(folder.parts) > 1 else f"./{folder}")
+    """A folder as `socialmind run` takes it for a path and not for a model's name."""
+    return quoted(folder if len(folder.parts) > 1 else f"./{folder}")
 
 
 def _one_line(message: Warning | str, *_: object) -> str:
@@ -488,6 +505,7 @@ def _one_line(message: Warning | str, *_: object) -> str:
 
 def main() -> None:
     """Entry point of the console script."""
+    write_plainly()
     # A run says at its end what its agents could not do, once for all of them.
     warnings.simplefilter("ignore", IdleWarning)
     warnings.formatwarning = _one_line  # type: ignore[assignment]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -11,6 +10,7 @@ from typing import Any
 
 import typer
 
+from socialmind.commands.terminal import quoted
 from socialmind.errors import SocialmindError
 from socialmind.learning.attempt import News
 from socialmind.learning.execution import OnGeneration, TrainingInterrupted, learn, resume
@@ -71,8 +71,7 @@ def _told(quiet: bool, kind: str = "learn") -> Iterator[tuple[OnGeneration | Non
     except TrainingInterrupted as stop:
         typer.echo(
             f"socialmind: stopped in attempt {stop.attempt}, {stop.lesson}, after generation "
-            f"{stop.generation:,}; go on with `socialmind learn --resume "
-            f"{shlex.quote(str(stop.folder))}`",
+            f"{stop.generation:,}; go on with `socialmind learn --resume {quoted(stop.folder)}`",
             err=True,
         )
         raise typer.Exit(128 + stop.signal_number) from None

@@ -1,18 +1,20 @@
-"""`socialmind list`."""
+"""`socialmind list`: the models, and what one of them is made of."""
 
 from __future__ import annotations
 
 import inspect
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import typer
 
-from socialmind.catalogue import catalogue, load_model
+from socialmind.catalogue import catalogue, load_model, model_folder
 from socialmind.errors import SocialmindError
 
 if TYPE_CHECKING:
     from socialmind.model import Model
+    from socialmind.population import Population
 
 
 def print_models() -> bool:
@@ -27,6 +29,63 @@ def print_models() -> bool:
             typer.echo(f"socialmind: {error}", err=True)
             good = False
     return good
+
+
+def print_model(name: str) -> None:
+    """Print one model: parameters, populations, what it measures and learns.
+
+    Args:
+        name: its name, or its folder.
+
+    Raises:
+        SocialmindError: there is no such model, or it cannot be loaded.
+    """
+    folder, model_class = model_folder(name), load_model(name)
+    typer.echo(description(folder.name, model_class))
+    rows = [_population(one) for one in model_class.populations.values()]
+    lines = [("population", "size", "agents", "mind", "fields"), *rows]
+    tables = [aligned(lines)] if rows else []
+    facts = [("variables", ", ".join(model_class.shape.variables)), ("world", _world(model_class))]
+    if model_class.shape.plane is not None:
+        from socialmind.experiments.scoring import measures_of
+
+        facts.append(("measures", ", ".join(measures_of(model_class))))
+    facts += [("lessons", ", ".join(_lessons(folder))), ("folder", str(folder))]
+    tables.append(aligned([fact for fact in facts if fact[1]]))
+    for table in tables:
+        typer.echo("\n".join(["", *table]))
+
+
+def _population(one: Population) -> tuple[str, ...]:
+    minds = []
+    if one.mind is not None:
+        minds.append(f"scheme {_called(one.mind)}")
+    if one.hierarchy is not None:
+        minds.append(f"skills {_called(one.hierarchy)}")
+    fields = [name for name in one.shape.fields if name not in ("x", "y", "heading")]
+    return one.name, str(one.size), one.agent.__name__, ", ".join(minds), ", ".join(fields)
+
+
+def _called(mind: Any) -> str:
+    return str(mind) if isinstance(mind, str | Path) else str(getattr(mind, "name", ""))
+
+
+def _world(model_class: type[Model]) -> str:
+    world = getattr(model_class, "world", None)
+    if world is None:
+        return ""
+    size = getattr(world, "size", None)
+    return type(world).__name__ + (f" of {size} × {size} patches" if size is not None else "")
+
+
+def _lessons(folder: Path) -> list[str]:
+    """Return the names of the lessons that a model's folder holds."""
+    from socialmind.learning.course import LESSONS_FILE, curriculum_of
+
+    if not (folder / LESSONS_FILE).is_file():
+        return []
+    curriculum, _ = curriculum_of(folder)
+    return list(dict.fromkeys(lesson.name for lesson in curriculum.lessons))
 
 
 def description(name: str, model_class: type[Model]) -> str:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import shlex
 import sys
 
 import typer
+
+from socialmind.commands.terminal import quoted
 
 CTRL_C = 130
 
@@ -19,7 +20,7 @@ def exit_code_of_stop(stop: KeyboardInterrupt) -> int:
         return CTRL_C
     typer.echo(
         f"socialmind: stopped at tick {stop.tick:,}; go on with "
-        f"`socialmind run --resume {shlex.quote(str(stop.folder))}`",
+        f"`socialmind run --resume {quoted(stop.folder)}`",
         err=True,
     )
     return 128 + stop.signal_number

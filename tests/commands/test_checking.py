@@ -25,6 +25,20 @@ def test_list_shows_every_model_and_parameter(socialmind):
     assert re.search(r"^tutorial: ", result.stdout, re.MULTILINE)
 
 
+def test_list_of_one_model(socialmind, grazers, refused):
+    result = socialmind("list", "collect")
+    assert result.exit_code == 0, result.output
+    assert re.search(r"^  half_width +70 +units +60 or more", result.stdout, re.M)
+    assert re.search(r"^  robots +1 +Collector +skills mind +.*delivered", result.stdout, re.M)
+    assert re.search(r"^  measures +objects, survived, collisions$", result.stdout, re.M)
+    assert re.search(r"^  lessons +GoToObject, GoToDropZone, Avoid", result.stdout, re.M)
+    own = socialmind("list", grazers).stdout
+    assert re.search(r"^  n_grazers +\d+", own, re.M)
+    assert re.search(r"^  grazers +n_grazers +Grazer +scheme scheme.yaml", own, re.M)
+    assert f"  folder  {grazers}\n" in own
+    assert "did you mean" in refused("list", "colect")
+
+
 def test_the_small_model_is_small_checks_and_runs(socialmind, grazers, done):
     assert sorted(p.name for p in grazers.iterdir()) == ["README.md", "model.py", "scheme.yaml"]
     code = (grazers / "model.py").read_text().splitlines()
