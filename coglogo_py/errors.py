@@ -28,6 +28,23 @@ class MindError(CogLogoError):
     """A command to a mind that cannot be carried out; the mind is as it was before."""
 
 
+class ChoiceError(MindError):
+    """A decision maker of the modeller's own gave no position, or no probabilities.
+
+    Args:
+        found: what it gave, and what was expected.
+        place: file and line of the function.
+    """
+
+    def __init__(self, found: str, place: str) -> None:
+        self.found, self.place = found, place
+        super().__init__(f"{place}: {found}")
+
+    def __reduce__(self) -> tuple[type[ChoiceError], tuple[object, ...]]:
+        """Keep the fields when the error crosses a process boundary."""
+        return type(self), (self.found, self.place)
+
+
 class SchemeError(CogLogoError):
     """A cognitive scheme, or the file of one, is wrong: says where, what, and what to do.
 

@@ -5,8 +5,8 @@ a slot of `MindArrays`; cogniton, plan, group, role and culturon are positions i
 and culturons counted over all groups). Callers have checked these; what only the running model can
 know is checked here, before any state changes: finite values, the plan fed back from, group ids.
 
-All of it, constants too, stands in this one file because numba's cache on disk does not notice
-changes in other files. Sums run in the scheme's order, so both speeds give the same bits.
+All of it, constants too, stands in this one file: with two others it is the key that its compiled
+code is kept under. Sums run in the scheme's order, so both speeds give the same bits.
 """
 
 from __future__ import annotations
@@ -15,9 +15,10 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 
+from coglogo_py import borrow, streams
 from coglogo_py.borrow import borrowed
+from coglogo_py.machine_code import kept, key_of_files
 from coglogo_py.streams import LOW_32, MIND_STREAMS, uniforms
 
 if TYPE_CHECKING:
@@ -39,9 +40,10 @@ SEED_HIGH = 6
 STREAM = 7
 """Positions in `MindArrays.counters`."""
 
-_operation = njit(cache=True, no_cfunc_wrapper=True)
-_inlined = njit(cache=True, no_cfunc_wrapper=True, forceinline=True)
-_inner = njit(cache=True, no_cfunc_wrapper=True, no_cpython_wrapper=True, forceinline=True)
+_KEY = key_of_files("coglogo", __file__, borrow.__file__, streams.__file__)
+_operation = kept(_KEY, no_cfunc_wrapper=True)
+_inlined = kept(_KEY, no_cfunc_wrapper=True, forceinline=True)
+_inner = kept(_KEY, no_cfunc_wrapper=True, no_cpython_wrapper=True, forceinline=True)
 
 # --------------------------------------------------------------------------- birth and death
 

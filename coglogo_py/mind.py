@@ -10,6 +10,7 @@ import numpy as np
 from coglogo_py import kernel
 from coglogo_py.errors import MindError
 from coglogo_py.names import finite, whole
+from coglogo_py.own_maker import checked_choice, checked_probabilities
 from coglogo_py.receipt import Receipt, receipt_of
 
 if TYPE_CHECKING:
@@ -189,12 +190,7 @@ class Mind:
         draw = float(self._try(kernel.next_draw))
         if society.arrays.maker[0] != kernel.MODELLERS_OWN:
             return int(kernel.choose(int(society.arrays.maker[0]), maker.bias, weights, draw))
-        position = whole(maker.choose(weights, maker.bias, draw), f"{maker.name}.choose")
-        if not 0 <= position < count:
-            raise MindError(
-                f"{maker.name}.choose: expected a position in 0 … {count - 1}, found {position}"
-            )
-        return position
+        return checked_choice(maker, maker.choose(weights, maker.bias, draw), count)
 
     def plan_weights(self) -> dict[str, float]:
         """Return the available plans and their weights (equation 3.2), in the scheme's order."""
@@ -215,8 +211,9 @@ class Mind:
         if not weights:
             return {}
         maker = self.society.scheme.decision_maker
-        chances = maker.probabilities(np.array(list(weights.values())), maker.bias)
-        return dict(zip(weights, np.asarray(chances, np.float64).tolist(), strict=True))
+        found = maker.probabilities(np.array(list(weights.values())), maker.bias)
+        chances = checked_probabilities(maker, found, len(weights))
+        return dict(zip(weights, chances.tolist(), strict=True))
 
     def explain(self, within: Mapping[str, tuple[float, float]] | None = None) -> Receipt:
         """Return the receipt of the decision that this mind takes next, without taking it.

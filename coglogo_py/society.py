@@ -15,6 +15,7 @@ from coglogo_py.mind import Mind
 from coglogo_py.names import Names, whole
 from coglogo_py.numbers import whole_number
 from coglogo_py.scheme import CognitiveScheme
+from coglogo_py.state_check import oddity
 
 FIRST_CAPACITY = 16
 
@@ -161,7 +162,8 @@ class Society(Closed):
         missing = [name for name in MindArrays._fields if name not in state]
         if missing:
             raise CogLogoError(f"the state of a society lacks {', '.join(missing)}")
-        fitting = mind_arrays(self.arrays, max(1, len(state["mind_id"])), seed=0)
+        capacity = max(1, np.size(state["mind_id"]))
+        fitting = mind_arrays(self.arrays, capacity, seed=0)
         for name, fit in fitting._asdict().items():
             found = np.asarray(state[name])
             if found.shape != fit.shape or found.dtype != fit.dtype:
@@ -170,9 +172,17 @@ class Society(Closed):
                     f"expected {fit.dtype} of shape {fit.shape}, "
                     f"found {found.dtype} of shape {found.shape}; was it another scheme's?"
                 )
-        self.minds = MindArrays(
+        minds = MindArrays(
             **{name: np.array(state[name], order="C") for name in MindArrays._fields}
         )
+        roles = sum(len(group.roles) for group in self.scheme.groups)
+        odd = oddity(minds, len(self.scheme.groups), roles)
+        if odd is not None:
+            raise CogLogoError(
+                f"{odd} in the state of a society with scheme {self.scheme.name!r}: found numbers "
+                "that no such society has; take what state() returned"
+            )
+        self.minds = minds
         low, high = self.minds.counters[[kernel.SEED_LOW, kernel.SEED_HIGH]].tolist()
         self.seed = high << 32 | low
         self.stream = int(self.minds.counters[kernel.STREAM])

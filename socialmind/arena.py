@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from socialmind.connection import connect
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.fields import place_of_field
 from socialmind.language.nodes import nearest
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
@@ -61,7 +62,11 @@ class Arena:
                 places = places_of(robots, model.assemblies[name])
                 self.senses[name], self.motors[name] = places
         self._eyes = self._seeing()
-        self.arrays: PlaneArrays = self._arrays()
+        try:
+            self.arrays: PlaneArrays = self._arrays()
+        except ModelError as error:
+            place = place_of_field(type(model), "world")
+            raise ModelError(error.found, error.expected, error.remedy, *place) from None
         self._known = {kind: table.rows for kind, table in self._attached()}
         self._motion: Any = None
 
@@ -152,6 +157,16 @@ class Arena:
         if fault:
             raise self._not_finite(fault - 1)
 
+    def settle(self) -> None:
+        """Pay robots what is still due to them: an episode ends here.
+
+        The engine does so itself where an interruption ends it, not at a limit of ticks, which it
+        does not know.
+        """
+        from socialmind.worlds.plane.interpreted import settle_rewards
+
+        settle_rewards(self._model, self._model.engine.functions, ended=True)
+
     def _not_finite(self, place: int) -> SocialmindError:
         """Return the error for a body, by its place among the slots of all bodies."""
         for name in self.shape.bodies:
@@ -162,7 +177,7 @@ class Arena:
                 return ModelError(
                     f"agent {row['_id']} of {name!r}, whose motion is not finite in tick "
                     f"{self._model.tick}: {values}",
-                    "finite numbers",
+                    "numbers up to a thousand million",
                 )
             place -= len(table.rows)
         return SocialmindError("the motion of a body is not finite")

@@ -16,9 +16,12 @@ ENTRIES = 1
 ALIVE = 2
 NEXT_ID = 3
 FREE = 4
+GONE = 5
+GONE_SCORE = 6
 SIZE = 8
 """Places in a population's counters: who acts in this tick, entries in the order, the living, the
-next identity, free slots; and how many places there are."""
+next identity, free slots; of robots how many have died, and their scores' sum, the bits of a float;
+and how many places there are."""
 
 
 class NoRoomError(Exception):

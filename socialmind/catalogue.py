@@ -11,16 +11,20 @@ import ast
 import difflib
 import hashlib
 import importlib.util
+import os
+import signal
 import sys
+import threading
 import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import CodeType, ModuleType
+from types import CodeType, FrameType, ModuleType
 from typing import TYPE_CHECKING
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.syntax import parsed
+from socialmind.trust import programs_in, remember
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -102,10 +106,11 @@ def model_folder(name_or_path: str | Path) -> Path:
 def load_model(name_or_path: str | Path) -> type[Model]:
     """The model class that a model's folder defines.
 
-    Loading the same, unchanged folder again gives the same class.
+    Loading the same, unchanged folder again gives the same class. Its programs are remembered as
+    named by this user (`socialmind.trust`).
 
     Args:
-        name_or_path: as for `model_folder`.
+        name_or_path: as for `model_folder`; or the path of any Python file that defines a model.
 
     Returns:
         The one subclass of `socialmind.model.Model` that ``model.py`` defines, or the one that
@@ -115,8 +120,63 @@ def load_model(name_or_path: str | Path) -> type[Model]:
         SocialmindError: there is no such model.
         ModelError: the file cannot be read or run, or which class is meant is unclear.
     """
+    script = Path(name_or_path).expanduser()
+    if script.suffix == ".py" and script.name != MODEL_FILE and script.is_file():
+        return load_script(script)
     folder = model_folder(name_or_path)
+    remember(programs_in(folder))
     return _model_class(load_file(folder / MODEL_FILE))
+
+
+def load_script(path: Path, name: str | None = None) -> type[Model]:
+    """The model class that a Python file of any name defines.
+
+    Files beside it can be imported, as when Python runs it; what it does under
+    ``if __name__ == "__main__":`` it does not do.
+
+    Args:
+        path: the file.
+        name: of the class; the only one by default.
+
+    Raises:
+        ModelError: the file cannot be read or run, or which class is meant is unclear.
+    """
+    with modules_from(path.resolve().parent):
+        module = load_file(path.resolve(), alone=True)
+    if name is None:
+        return _model_class(module)
+    from socialmind.model import Model
+
+    found = getattr(module, name, None)
+    if not (isinstance(found, type) and issubclass(found, Model)):
+        raise ModelError(f"no model called {name!r} any more", file=path)
+    return found
+
+
+@contextmanager
+def modules_from(folder: Path) -> Iterator[None]:
+    """Let imports find the modules of a folder first, and load those anew.
+
+    Args:
+        folder: which need not exist.
+    """
+    own = {one.stem for one in folder.iterdir()} if folder.is_dir() else set()
+    before = {name: one for name, one in sys.modules.items() if name.partition(".")[0] in own}
+    from_elsewhere = {
+        name
+        for name, one in before.items()
+        if not str(getattr(one, "__file__", None) or "").startswith(str(folder))
+        and name.partition(".")[0] not in sys.stdlib_module_names
+    }
+    for name in from_elsewhere:
+        del sys.modules[name]
+    sys.path.insert(0, str(folder))
+    try:
+        yield
+    finally:
+        sys.path.remove(str(folder))
+        for name in from_elsewhere:
+            sys.modules[name] = before[name]
 
 
 def load_figures(folder: Path) -> ModuleType | None:
@@ -152,12 +212,12 @@ def _source_hash(folder: Path, above: tuple[Path, ...]) -> str:
     named: set[str] = set()
     if folder.is_file():
         content = folder.read_bytes()
-        named |= _models_in(content)
+        named |= models_in(content)
         total.update(content)
     else:
-        for path in _deciding_files(folder):
+        for path in deciding_files(folder):
             content = path.read_bytes()
-            named |= _models_in(content)
+            named |= models_in(content)
             total.update(f"{path.relative_to(folder).as_posix()}\0{len(content)}\0".encode())
             total.update(content)
     known = catalogue() if named else {}
@@ -168,7 +228,7 @@ def _source_hash(folder: Path, above: tuple[Path, ...]) -> str:
     return total.hexdigest()
 
 
-def _deciding_files(folder: Path) -> Iterator[Path]:
+def deciding_files(folder: Path) -> Iterator[Path]:
     """The Python files of a model that decide how it runs, in order."""
     for path in sorted(folder.rglob("*.py")):
         place = path.relative_to(folder)
@@ -178,10 +238,10 @@ def _deciding_files(folder: Path) -> Iterator[Path]:
             yield path
 
 
-def _models_in(source: bytes) -> set[str]:
+def models_in(source: bytes) -> set[str]:
     """The names of models whose folders a Python file asks for.
 
-    >>> _models_in(b"import x; model_folder('collect')")
+    >>> models_in(b"import x; model_folder('collect')")
     {'collect'}
     """
     if model_folder.__name__.encode() not in source:
@@ -204,20 +264,23 @@ def _models_in(source: bytes) -> set[str]:
     return {name for name in names if isinstance(name, str)}
 
 
-def load_file(path: Path) -> ModuleType:
+def load_file(path: Path, alone: bool = False) -> ModuleType:
     """Run a Python file as a module with a private name that stands for its folder's content.
 
     The module is the package of its folder, so ``from .rules import eat`` finds ``rules.py``
     beside it, and two models may both have one. The same, unchanged file gives the same module.
+    It is remembered as run by this user (`socialmind.trust`).
 
     Args:
         path: the file.
+        alone: whether it stands for itself, and not for the folder that it lies in.
 
     Raises:
         ModelError: it is no Python, or stopped with an error.
     """
     source = path.read_bytes()
-    key = hashlib.sha256(f"{path}\0{source_hash(path.parent)}\0".encode() + source).hexdigest()
+    around = "" if alone else source_hash(path.parent)
+    key = hashlib.sha256(f"{path}\0{around}\0".encode() + source).hexdigest()
     name = f"{PRIVATE}{path.parent.name}_{path.stem}_{key[:16]}"
     if name in sys.modules:
         return sys.modules[name]
@@ -228,16 +291,20 @@ def load_file(path: Path) -> ModuleType:
         raise ModelError("a file that Python cannot load", file=path)
     module = importlib.util.module_from_spec(spec)
     code = _compile(source, path)
+    remember({str(path): source})
     sys.modules[name] = module
-    try:
-        with _no_bytecode():
-            exec(code, module.__dict__)
-    except SocialmindError:
-        _forget(name)
-        raise
-    except Exception as error:
-        _forget(name)
-        raise _failed_import(error, path) from error
+    with _heard_interrupts() as heard:
+        try:
+            with _no_bytecode():
+                exec(code, module.__dict__)
+        except SocialmindError:
+            _forget(name)
+            raise
+        except BaseException as error:
+            _forget(name)
+            if heard:  # the user's Ctrl-C, and not the file's own exit
+                raise
+            raise _failed_import(error, path) from error
     return module
 
 
@@ -247,19 +314,43 @@ def _compile(source: bytes, path: Path) -> CodeType:
         return compile(source, str(path), "exec", dont_inherit=True)
     except SyntaxError as error:
         raise _failed_import(error, path) from error
+    except (RecursionError, MemoryError) as error:
+        raise ModelError("brackets or blocks nested too deep for Python", file=path) from error
     except ValueError as error:  # null bytes
         raise ModelError(f"not a Python file ({error})", file=path) from error
 
 
 @contextmanager
 def _no_bytecode() -> Iterator[None]:
-    """Leave no ``__pycache__`` in a model's folder, which may be the user's or read-only."""
-    before = sys.dont_write_bytecode
-    sys.dont_write_bytecode = True
+    """Neither leave a ``__pycache__`` in a model's folder nor run what lies in one there."""
+    before = sys.dont_write_bytecode, sys.pycache_prefix
+    sys.dont_write_bytecode, sys.pycache_prefix = True, os.devnull
     try:
         yield
     finally:
-        sys.dont_write_bytecode = before
+        sys.dont_write_bytecode, sys.pycache_prefix = before
+
+
+@contextmanager
+def _heard_interrupts() -> Iterator[list[int]]:
+    """Note the signals of Ctrl-C, to tell them from an exception that a file raises itself."""
+    heard: list[int] = []
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(before):
+        yield heard
+        return
+
+    def noted(number: int, frame: FrameType | None) -> None:
+        heard.append(number)
+        before(number, frame)
+
+    signal.signal(signal.SIGINT, noted)
+    try:
+        yield heard
+    finally:
+        # Unless the file set a handler of its own, which then stays.
+        if signal.getsignal(signal.SIGINT) is noted:
+            signal.signal(signal.SIGINT, before)
 
 
 def _forget(name: str) -> None:
@@ -268,7 +359,7 @@ def _forget(name: str) -> None:
         del sys.modules[loaded]
 
 
-def _failed_import(error: Exception, path: Path) -> ModelError:
+def _failed_import(error: BaseException, path: Path) -> ModelError:
     """Say in one line why a file of a model or mind cannot be loaded."""
     if isinstance(error, SyntaxError):
         return ModelError(
@@ -284,7 +375,7 @@ def _failed_import(error: Exception, path: Path) -> ModelError:
 
 
 def failure_in_model(
-    error: Exception, path: Path, doing: str, remedy: str | None = None
+    error: BaseException, path: Path, doing: str, remedy: str | None = None
 ) -> ModelError:
     """Say in one line where in a model's own files an error came from.
 
@@ -302,8 +393,12 @@ def failure_in_model(
         place = Path(frame.f_code.co_filename)
         if place.is_relative_to(path.parent):
             file, line = place, number
+    try:
+        said = f": {error}"
+    except Exception:  # an exception of the file's own, which cannot be written
+        said = ""
     return ModelError(
-        f"{doing} stopped with {type(error).__name__}: {error}",
+        f"{doing} stopped with {type(error).__name__}{said}",
         remedy=remedy,
         file=file,
         line=line,

@@ -32,6 +32,14 @@ app = typer.Typer(
 )
 
 Folder = Annotated[Path, typer.Argument(metavar="DIR", help="A run's folder.", show_default=False)]
+Source = Annotated[
+    str | None,
+    typer.Option(metavar="kept", help="Take the copies of the model's source that the run keeps."),
+]
+Trust = Annotated[
+    bool,
+    typer.Option("--trust", help="Run programs that you have neither named nor run before."),
+]
 Quiet = Annotated[bool, typer.Option("--quiet", help="Say nothing but the result.")]
 
 
@@ -125,6 +133,8 @@ def run(
         Path | None,
         typer.Option(metavar="DIR", help="Go on with a run; --ticks makes a finished one longer."),
     ] = None,
+    source: Source = None,
+    trust: Trust = False,
     quiet: Quiet = False,
 ) -> None:
     """Run a model into a folder, or go on with a run."""
@@ -135,6 +145,8 @@ def run(
             raise SocialmindError(
                 "which model? give a name (`socialmind list` shows them) or a folder"
             )
+        if source is not None:
+            raise SocialmindError("--source is for --resume: a new run has no copies yet")
         folder = running.start(
             model, ticks, seed or 0, settings or [], scheme or [], mind or [],
             every, agents_every, out, compiled=not interpreted, quiet=quiet,
@@ -152,9 +164,12 @@ def run(
                 f"--resume with {', '.join(given)}: a run keeps what it was started with; "
                 "leave it out, or start another run"
             )
-        folder = running.go_on(resume, ticks, compiled=False if interpreted else None, quiet=quiet)
+        folder = running.go_on(
+            resume, ticks, compiled=False if interpreted else None, quiet=quiet,
+            kept=_is_kept(source), trust=trust,
+        )  # fmt: skip
     if figures:
-        running.draw(folder)
+        running.draw(folder, trust)
     typer.echo(folder)
 
 
@@ -206,6 +221,7 @@ def learn(
         Path | None,
         typer.Option(metavar="DIR", help="Go on with a training; --attempts adds attempts."),
     ] = None,
+    trust: Trust = False,
     quiet: Quiet = False,
 ) -> None:
     """Teach the mind of a model its lessons, or go on with a training."""
@@ -233,8 +249,9 @@ def learn(
                 "leave it out, or start another training"
             )
         folder = learning.go_on(
-            resume, quiet, attempts=attempts, cycles=cycles, workers=workers, cluster=cluster
-        )
+            resume, quiet, attempts=attempts, cycles=cycles, workers=workers, cluster=cluster,
+            trust=trust,
+        )  # fmt: skip
     typer.echo(folder)
 
 
@@ -279,11 +296,11 @@ def score(
 
 
 @command
-def plot(folder: Folder) -> None:
+def plot(folder: Folder, trust: Trust = False) -> None:
     """Draw a run's figures, as PDF and PNG, under figures/ in its folder."""
     from socialmind.commands.running import draw
 
-    for path in draw(folder):
+    for path in draw(folder, trust):
         typer.echo(path)
 
 
@@ -334,6 +351,7 @@ def render(
     width: Annotated[
         int | None, typer.Option(help="Width in pixels; of SVG and PDF in millimetres.")
     ] = None,
+    trust: Trust = False,
     quiet: Quiet = False,
 ) -> None:
     """Draw a run on a plane: robots, what they see, where they go; on request their minds."""
@@ -341,17 +359,19 @@ def render(
 
     path = rendering.render(
         folder, out, tick or [], begin, end, every, fps, look, mind, agent, around, trail, width,
-        quiet,
+        quiet, trust,
     )  # fmt: skip
     typer.echo(path)
 
 
 @command
-def replay(folder: Folder, quiet: Quiet = False) -> None:
+def replay(
+    folder: Folder, source: Source = None, trust: Trust = False, quiet: Quiet = False
+) -> None:
     """Run a run again and compare: exit code 0 when it comes out equal, 1 when not."""
     from socialmind.commands.running import again
 
-    if not again(folder, quiet):
+    if not again(folder, quiet, _is_kept(source), trust):
         raise typer.Exit(1)
 
 
@@ -376,11 +396,12 @@ def explain(
     folder: Folder,
     agent: Annotated[int, typer.Option(help="Identity of the agent.", show_default=False)],
     tick: Annotated[int, typer.Option(help="Tick of the decision.", show_default=False)],
+    trust: Trust = False,
 ) -> None:
     """Say how an agent of a run came to a decision."""
     from socialmind.commands.checking import print_decision
 
-    print_decision(folder, agent, tick)
+    print_decision(folder, agent, tick, trust)
 
 
 @command
@@ -421,6 +442,13 @@ def new(
 
     write_model(folder)
     typer.echo(f"{folder}: run it with `socialmind run {_as_path(folder)}`")
+
+
+def _is_kept(source: str | None) -> bool:
+    """Whether a run's own copies are asked for."""
+    if source not in (None, "kept"):
+        raise SocialmindError(f"--source {source}; expected kept, the run's own copies")
+    return source == "kept"
 
 
 def _as_path(folder: Path) -> str:

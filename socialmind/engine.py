@@ -5,11 +5,12 @@ from __future__ import annotations
 import functools
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from numba.core.errors import NumbaError
 
 from coglogo_py.decision import BUILT_IN
+from coglogo_py.own_maker import refusal_of
 from socialmind.connection import connect
 from socialmind.errors import SocialmindError
 from socialmind.language.compiled import compiled_module
@@ -19,6 +20,7 @@ from socialmind.schedule import run_setup, run_tick
 if TYPE_CHECKING:
     from types import ModuleType
 
+    from coglogo_py.decision import DecisionMaker
     from socialmind.model import Model
 
 CHUNK_SECONDS = 0.2
@@ -49,12 +51,11 @@ class Engine:
         """The compiled loops."""
         if self._module is None:
             model = self.model
-            own = {
-                name: type(scheme.decision_maker).choose
-                for name, scheme in model.schemes.items()
-                if type(scheme.decision_maker) not in BUILT_IN
-            }
-            self._module = compiled_module(module_text(model.program, frozenset(own)), own)
+            own = {name: maker.choose for name, maker in self._own_makers().items()}
+            try:
+                self._module = compiled_module(module_text(model.program, frozenset(own)), own)
+            except NumbaError as error:
+                self._refuse_makers(error)
             for table in model.tables.values():
                 if table.minds is not None:
                     table.minds.compile()
@@ -143,8 +144,9 @@ class Engine:
         before = model.state() if copied else None
         try:
             return int(run() or 0)
-        except NumbaError:
-            raise  # the loop did not compile: a fault of ours, not of a rule
+        except NumbaError as error:
+            # Nothing has run. If it is but what a maker returns, a tick in Python says who got it.
+            self._refuse_makers(error, lambda: again(model, self.functions))
         except Exception as error:
             failed = model.tick
             if before is None:
@@ -158,6 +160,24 @@ class Engine:
                 self.module.advance(model.contexts, failed - begin)
             again(model, self.functions)
             return model.tick - begin
+
+    def _own_makers(self) -> dict[str, type[DecisionMaker]]:
+        """Return the decision makers of the modeller's own, by population."""
+        makers = {name: type(one.decision_maker) for name, one in self.model.schemes.items()}
+        return {name: maker for name, maker in makers.items() if maker not in BUILT_IN}
+
+    def _refuse_makers(
+        self, error: NumbaError, again: Callable[[], None] | None = None
+    ) -> NoReturn:
+        """Raise what a decision maker did that kept a loop from being compiled, else the error."""
+        for maker in self._own_makers().values():
+            refusal = refusal_of(maker)
+            if refusal is not None:
+                reason, runs = refusal
+                if runs and again is not None:
+                    again()
+                raise reason from None
+        raise error  # a fault of ours, not of a rule
 
     def _entities(self) -> int:
         grid, tables = self.model.grid, self.model.tables

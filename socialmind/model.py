@@ -14,6 +14,7 @@ import copy
 import copyreg
 import inspect
 import re
+import sys
 import warnings
 from abc import ABCMeta
 from collections.abc import Iterator, Mapping, Sequence
@@ -31,7 +32,9 @@ from coglogo_py.errors import shown
 from coglogo_py.memory import check_memory
 from coglogo_py.numbers import whole_number
 from coglogo_py.society import Society
+from socialmind.agent_columns import agent_columns
 from socialmind.arena import Arena
+from socialmind.bookkeeping import GONE, GONE_SCORE
 from socialmind.connection import names_of_minds
 from socialmind.declaration import SETTINGS, declaration_of
 from socialmind.engine import Engine
@@ -42,14 +45,17 @@ from socialmind.language.layout import model_dtype, row_dtype
 from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
+from socialmind.language.source import hold_text
 from socialmind.model_state import restore, state_of
 from socialmind.packing import is_private, packed, reference, unpacked
 from socialmind.parameter import Parameter
 from socialmind.population import Population
+from socialmind.provenance import note_definition
 from socialmind.schedule import PhaseDeclaration, taken
 from socialmind.streams import STREAM
 from socialmind.table import Table
 from socialmind.worlds.grid import Grid, Torus
+from socialmind.worlds.plane.bodies import OWN
 from socialmind.worlds.plane.plane import Plane, plane_shape
 from socialmind.worlds.plane.trajectories import trajectories
 
@@ -180,6 +186,8 @@ class Model(metaclass=ModelKind):
 
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
+        hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
+        note_definition(cls.__module__)
         found = declaration_of(cls, Model)
         cls.parameters, cls.variables, cls.populations, cls.torus, cls.plane = found[:5]
         cls.rewards, cls.interruptions = found.rewards, found.interruptions
@@ -207,7 +215,7 @@ class Model(metaclass=ModelKind):
             )
             for name, robots in plane.robots.items():
                 fields = {**populations[name].fields, **robots.fields}
-                populations[name] = replace(populations[name], fields=fields)
+                populations[name] = replace(populations[name], fields=fields, own=OWN)
         return ModelShape(
             name=cls.name,
             parameters={name: one.field for name, one in cls.parameters.items()},
@@ -221,14 +229,15 @@ class Model(metaclass=ModelKind):
 
     @classmethod
     def typed(cls, compiled: bool = True) -> Program:
-        """Return the typed rules of the model; they are typed once.
+        """Return the typed rules of the model; typed anew once a constant or helper is another.
 
         Raises:
             ModelError: a rule outside the language.
         """
-        if compiled not in cls._programs:
-            cls._programs[compiled] = Program(cls.shape, compiled)
-        return cls._programs[compiled]
+        known = cls._programs.get(compiled)
+        if known is None or known.outdated:
+            known = cls._programs[compiled] = Program(cls.shape, compiled)
+        return known
 
     @classmethod
     def steerings(cls, given: Any = None) -> dict[str, Steering]:
@@ -584,7 +593,7 @@ class Model(metaclass=ModelKind):
         """Return what a run records of the society at a tick: a name and a number for each column.
 
         A model overrides it. Unless it does: the size of each population, and the variables; on a
-        plane also the mean score of the robots, and the interruption that ended it, if any.
+        plane also the mean score of the robots, the dead included, and what ended it, if any.
         """
         sizes: dict[str, Any] = {name: len(table) for name, table in self.tables.items()}
         plain = {
@@ -594,29 +603,26 @@ class Model(metaclass=ModelKind):
         if plane is None:
             stops = type(self).stop_when is not Model.stop_when
             return sizes | plain | ({"over": self.over} if stops else {})
-        scores = [one for name in plane.robots for one in self.tables[name].score.tolist()]
-        fared = {"score": sum(scores) / len(scores) if scores else None} if plane.robots else {}
+        tables = [self.tables[name] for name in plane.robots]
+        scores = [one for table in tables for one in table.score.tolist()]
+        count = len(scores) + sum(int(table.counters[GONE]) for table in tables)
+        # The dead count with what they had.
+        scores += [float(table.counters.view(np.float64)[GONE_SCORE]) for table in tables]
+        fared = {"score": sum(scores) / count if count else None} if plane.robots else {}
         return sizes | fared | plain | {"over": self.over}
 
     def agents(self) -> dict[str, Any]:
         """Return what a run records of each agent at a tick: a name and a sequence for each column.
 
-        A model overrides it. Unless it does: identity, place, plan and fields of the first
-        population; on a plane where the robots are and how they fare, and the fields of their
-        class. None stands for no value.
+        A model overrides it. Unless it does: identity, plan, place and fields of all agents; on a
+        plane where the robots are and how they fare, and the fields of their class. Where several
+        populations are recorded, a column `population` comes first. None stands for no value.
         """
         if not self.tables:
             return {}
         if self.shape.plane is not None and self.shape.plane.robots:
             return trajectories(self)
-        table = next(iter(self.tables.values()))
-        columns: dict[str, Any] = {"agent": table.id}
-        if table.shape.minded:
-            columns["plan"] = self.plans(table)
-        for name, field in table.shape.fields.items():
-            if field.size is None and name != "heading":
-                columns[name] = getattr(table, name)
-        return columns
+        return agent_columns(self)
 
     def plans(self, table: Table) -> list[str | None]:
         """Return the names of the plans of a population's living, None where there is none."""

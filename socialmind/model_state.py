@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from socialmind.errors import SocialmindError
+from socialmind.state_check import check_state
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -47,8 +47,7 @@ def restore(model: Model, state: Mapping[str, NDArray[Any]]) -> None:
     Raises:
         SocialmindError: the state is that of another model.
     """
-    if state["context"].dtype != model.contexts.dtype:
-        raise SocialmindError(f"the checkpoint is not one of {model.name}")
+    check_state(model, state)
     model.contexts[:] = state["context"]
     model.connected = []
     if model.grid is not None:

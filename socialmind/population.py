@@ -58,6 +58,7 @@ TAKEN_NAMES = frozenset(
         "counters",
         "default",
         "dtype",
+        "edge",
         "free",
         "model",
         "order",

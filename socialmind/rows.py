@@ -13,7 +13,7 @@ from typing import Any
 from coglogo_py.errors import shown
 from coglogo_py.mind import Mind
 from coglogo_py.receipt import Receipt
-from socialmind.errors import UnknownNameError
+from socialmind.errors import UnknownNameError, ValueRefusedError
 from socialmind.fields import Field, presence
 from socialmind.language.arithmetic import brought_back, turned
 from socialmind.language.lowering import PLACES
@@ -210,19 +210,22 @@ def _hierarchy(row: Row) -> Any:
     return row._table.minds.of(row._slot)
 
 
-def row_class(shape: PopulationShape, wraps: bool, turns: bool) -> type[Row]:
+def row_class(shape: PopulationShape, wraps: bool, turns: bool, edged: bool = False) -> type[Row]:
     """Return the class of a population's rows as rules hold them, its fields as properties.
 
     Args:
         shape: the population's.
         wraps: whether places are brought back into a torus.
         turns: whether headings are kept in [0, 360).
+        edged: whether places outside an arena are refused.
     """
     members: dict[str, Any] = {"__slots__": ()}
     for field in shape.fields.values():
         members[field.name] = _field_property(field, _slot_of_row)
         if wraps and field.name in PLACES:
             members[field.name] = _place_property(field.name)
+        if edged and field.name in PLACES:
+            members[field.name] = _edged_property(field.name)
         if turns and field.name == "heading":
             members["heading"] = _heading
     if shape.minded:
@@ -378,6 +381,34 @@ def _place_property(name: str) -> property:
         table.columns[name][row._slot] = brought_back(value, grid.low, grid.size)
 
     return property(read, write)
+
+
+def _edged_property(name: str) -> property:
+    """Return a coordinate, which is refused outside the arena (`Table.edge`)."""
+
+    def read(row: Any) -> float:
+        value: float = row._table.columns[name].item(row._slot)
+        return value
+
+    def write(row: Any, value: float) -> None:
+        table = row._table
+        table.columns[name][row._slot] = inside(name, value, table.edge, f"agent {row.id}")
+
+    return property(read, write)
+
+
+def inside(name: str, value: float, edge: float, whose: str) -> float:
+    """Return a coordinate of a body.
+
+    Raises:
+        ValueRefusedError: it is outside the arena.
+    """
+    if edge > 0 and not abs(value) <= edge:
+        raise ValueRefusedError(
+            f"{name} = {value:g} of {whose}, which is outside the arena; "
+            f"expected -{edge:g} … {edge:g}"
+        )
+    return value
 
 
 def _read_heading(row: Any) -> float:

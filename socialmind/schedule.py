@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from coglogo_py.errors import ChoiceError
 from socialmind.errors import ModelError, RuleError
 from socialmind.language.shape import PhaseShape
 from socialmind.population import Population
@@ -95,15 +96,17 @@ def _run_schedule(model: Model, functions: dict[str, Rule]) -> None:
 
 def _run_plane(model: Model, functions: dict[str, Rule]) -> None:
     """Run a tick on a plane, on which nothing happens any more after an interruption."""
-    from socialmind.worlds.plane.interpreted import before_minds, think
+    from socialmind.worlds.plane.interpreted import before_minds, settle_rewards, think
 
-    if model.over is None:
+    over = model.over
+    if over is None:
         before_minds(model, functions)
     if model.over is None:
         think(model)
         _run_schedule(model, functions)
         if model.arena is not None and model.arena.shifting:
             model.arena.build()
+    settle_rewards(model, functions, model.over != over)
 
 
 def _run(model: Model, functions: dict[str, Rule], phase: Phase) -> None:
@@ -135,7 +138,10 @@ def _follow(model: Model, rule: Rule, phase: Phase, agent: Any, stream: Stream) 
         else:
             who = f"agent {agent.id} of {phase.shape.population!r}"
         what = f"{type(error).__name__}: {error}"
-        raise RuleError(what, place_of(error), model.tick, who) from error
+        place = place_of(error)
+        if isinstance(error, ChoiceError):  # what is wrong is not where the decision was asked for
+            what, place = error.found, error.place
+        raise RuleError(what, place, model.tick, who) from error
 
 
 def place_of(error: Exception, place: str = "in a rule") -> str:

@@ -25,6 +25,8 @@ STREAM = np.dtype(
 )
 """A stream's state: the counter's words, the key, the numbers drawn and the one left over."""
 
+LONGEST_PERMUTATION = 10_000_000
+"""How many places `rng.permutation` puts in order at most: 80 MB."""
 ORDER_TAG = 0x4F00
 SCHEDULE_TAG = 0x8000
 SETUP_TAG = 0xC000
@@ -112,6 +114,127 @@ def exponential(stream: Any, scale: float) -> float:
 
 
 @register_jitable
+def gamma(stream: Any, shape: float, scale: float) -> float:
+    """Draw from a gamma distribution of mean shape · scale.
+
+    Marsaglia and Tsang (2000), "A simple method for generating gamma variables"; a shape below 1
+    is drawn as shape + 1 and taken times u^(1 / shape), as in their section 6.
+    """
+    if not (shape > 0.0 and shape < math.inf):
+        raise ValueError("rng.gamma() wants a shape above 0")
+    if not (scale >= 0.0 and scale < math.inf):
+        raise ValueError("rng.gamma() wants a scale of 0 or more")
+    share = 1.0
+    if shape < 1.0:
+        share = math.exp(math.log(1.0 - random(stream)) / shape)
+        shape = shape + 1.0
+    d = shape - 1.0 / 3.0
+    c = 1.0 / math.sqrt(9.0 * d)
+    while True:
+        x = normal(stream, 0.0, 1.0)
+        v = 1.0 + c * x
+        if v > 0.0:
+            v = v * v * v
+            u = 1.0 - random(stream)
+            if math.log(u) < 0.5 * x * x + d - d * v + d * math.log(v):
+                return scale * (share * (d * v))
+
+
+@register_jitable
+def log_factorial(k: int) -> float:
+    """Return ln k! for k ≥ 0: a sum of logarithms, from 10 on Stirling's series."""
+    if k < 10:
+        total = 0.0
+        for factor in range(2, k + 1):
+            total = total + math.log(float(factor))
+        return total
+    n = float(k)
+    square = n * n
+    series = (
+        1.0 / 12.0 - (1.0 / 360.0 - (1.0 / 1260.0 - 1.0 / 1680.0 / square) / square) / square
+    ) / n
+    return (n + 0.5) * math.log(n) - n + 0.9189385332046727 + series
+
+
+@register_jitable
+def poisson(stream: Any, mean: float) -> int:
+    """Draw a whole number from a Poisson distribution; its mean is at most 10⁹.
+
+    Below a mean of 10 numbers are multiplied until they fall below e^−mean (Knuth, "The Art of
+    Computer Programming", 3.4.1); from there on it is PTRS of Hörmann (1993), "The transformed
+    rejection method for generating Poisson random variables".
+    """
+    if not (mean >= 0.0 and mean <= 1e9):
+        raise ValueError("rng.poisson() wants a mean of 0 … 10**9")
+    if mean < 10.0:
+        least = math.exp(-mean)
+        count = 0
+        product = random(stream)
+        while product > least:
+            count += 1
+            product = product * random(stream)
+        return count
+    b = 0.931 + 2.53 * math.sqrt(mean)
+    a = -0.059 + 0.02483 * b
+    alpha = 1.1239 + 1.1328 / (b - 3.4)
+    accepted = 0.9277 - 3.6224 / (b - 2.0)
+    while True:
+        u = random(stream) - 0.5
+        v = 1.0 - random(stream)
+        near = 0.5 - abs(u)
+        if near > 0.0:
+            k = math.floor((2.0 * a / near + b) * u + mean + 0.43)
+            if near >= 0.07 and v <= accepted:
+                return int(k)
+            if k >= 0 and (near >= 0.013 or v <= near):
+                likely = -mean + k * math.log(mean) - log_factorial(k)
+                if math.log(v * alpha / (a / (near * near) + b)) <= likely:
+                    return int(k)
+
+
+@register_jitable
+def weighted(stream: Any, weights: Any) -> int:
+    """Draw a place among weights, each as likely as its weight: one number in their running sum."""
+    total = 0.0
+    for weight in weights:
+        if not weight >= 0.0:
+            raise ValueError("rng.choice() wants weights of 0 or more")
+        total = total + weight
+    if not (total > 0.0 and total < math.inf):
+        raise ValueError("rng.choice() wants weights with a sum above 0, and not infinite")
+    drawn = random(stream) * total
+    reached = 0.0
+    last = 0
+    for place, weight in enumerate(weights):
+        if weight > 0.0:
+            reached = reached + weight
+            last = place
+            if drawn < reached:
+                return place
+    return last
+
+
+@register_jitable
+def shuffle_array(stream: Any, values: Any) -> None:
+    """Bring an array into a random order: Fisher and Yates, one number a swap."""
+    for i in range(len(values) - 1, 0, -1):
+        j = int(random(stream) * (i + 1))
+        kept = values[i]
+        values[i] = values[j]
+        values[j] = kept
+
+
+@register_jitable
+def permutation(stream: Any, n: int) -> Any:
+    """Draw an order of 0 … n − 1, as an array."""
+    if n < 0 or n > LONGEST_PERMUTATION:
+        raise ValueError("rng.permutation() wants a number of 0 … 10,000,000")
+    places = np.arange(n)
+    shuffle_array(stream, places)
+    return places
+
+
+@register_jitable
 def shuffle(stream: Any, places: Any, n: int) -> None:
     """Bring the first n elements of an array into a random order (Fisher and Yates).
 
@@ -179,3 +302,29 @@ class Stream:
     def exponential(self, scale: float) -> float:
         """Draw from an exponential distribution with the given mean."""
         return float(exponential(self, scale))
+
+    def gamma(self, shape: float, scale: float) -> float:
+        """Draw from a gamma distribution of mean shape · scale."""
+        return float(gamma(self, shape, scale))
+
+    def poisson(self, mean: float) -> int:
+        """Draw a whole number from a Poisson distribution."""
+        return int(poisson(self, mean))
+
+    def weighted(self, weights: Sequence[float]) -> int:
+        """Draw a place among weights, each as likely as its weight."""
+        return int(weighted(self, weights))
+
+    def choice(self, values: Any, p: Sequence[float] | None = None) -> Any:
+        """Draw one of several values, or of 0 … values − 1; p are weights of any sum."""
+        several = range(values) if isinstance(values, int) else values
+        return several[self.integers(len(several)) if p is None else self.weighted(p)]
+
+    def permutation(self, n: int) -> list[int]:
+        """Draw an order of 0 … n − 1."""
+        order: list[int] = permutation(self, n).tolist()
+        return order
+
+    def shuffle(self, values: Any) -> None:
+        """Bring an array into a random order."""
+        shuffle_array(self, values)

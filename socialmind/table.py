@@ -34,7 +34,7 @@ from socialmind.language.layout import row_dtype
 from socialmind.language.lowering import PLACES
 from socialmind.language.nodes import nearest
 from socialmind.language.shape import PopulationShape
-from socialmind.rows import Row, held_class, row_class, unknown
+from socialmind.rows import Row, held_class, inside, row_class, unknown
 from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 KEPT_BY_TABLES = frozenset(
     (
         "acting", "alive", "columns", "counters", "default", "dtype", "free", "minds", "model",
-        "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
+        "edge", "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
     )
 )  # fmt: skip
 """What a table keeps under names without an underscore; users assign to fields alone."""
@@ -91,8 +91,9 @@ class Table:
         self.default = np.zeros(1, self.dtype)
         for field in shape.fields.values():
             set_default(self.default, field)
-        self._turns = model.shape.plane is None
-        self._wraps = self._turns and model.grid is not None
+        self._turns = True
+        self._wraps = model.grid is not None
+        self.edge = _edge_of(model, shape.name)
         for name in ("x", "y", "heading"):
             self.default[name] = self._kept_within(name, self.default[name])
         if shape.minded:
@@ -120,7 +121,7 @@ class Table:
         if weighing is not None and society is not None and self.minds is not None:
             description = self.minds.assembly.description
             self.weighing = weighing.places(society.scheme, description)
-        self._bare = row_class(shape, self._wraps, self._turns)
+        self._bare = row_class(shape, self._wraps, self._turns, self.edge > 0)
         self._held = held_class(self._bare, shape)
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
@@ -265,6 +266,9 @@ class Table:
             return np.array([brought_back(one, low, size) for one in values.tolist()], float)
         if self._turns and name == "heading":
             return np.array([turned(one) for one in values.tolist()], float)
+        if self.edge > 0 and name in PLACES:
+            for place, one in enumerate(values.tolist()):
+                inside(name, one, self.edge, f"{self.shape.name!r} (row {place})")
         return values
 
     def hand_out(self, bare: bool) -> None:
@@ -332,6 +336,8 @@ class Table:
             raise ValueError("hatch() of an agent that is dead")
         slot = self._place()
         self.rows[slot] = self.rows[parent._slot]
+        for name in self.shape.own:
+            self.columns[name][slot] = self.default[name][0]
         agent = self._named(slot)
         if self.society is not None:
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
@@ -443,6 +449,15 @@ class Table:
                 "read what you need of it before it dies"
             )
         return self.society.mind_in(mind)
+
+
+def _edge_of(model: Model, population: str) -> float:
+    """Return how far from the middle the bodies of a population may be put; 0 for anywhere."""
+    plane = model.shape.plane
+    if plane is None or population not in plane.bodies:
+        return 0.0
+    wide = plane.half_width
+    return float(model.context[wide] if isinstance(wide, str) else wide)
 
 
 def _ends(identities: NDArray[np.int64]) -> str:

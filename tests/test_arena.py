@@ -189,7 +189,8 @@ def test_an_interruption_ends_all_but_the_ticks(compiled, physics):
     assert model.over == "watch" and model.series()["over"] == "watch"
     tick, before = model.tick, model.robots.rows.copy()
     robot = model.robots[0]
-    assert robot.x > 2.0 > robot.sensed == robot.ruled  # motion, rewards, and no more
+    # Motion, rewards, a last look, and no more.
+    assert robot.sensed == robot.x > 2.0 > robot.ruled
     state = model.state()
     model.advance(5)
     assert model.tick == tick + 5 and (model.robots.rows == before).all()
@@ -334,7 +335,7 @@ def test_motion_that_is_not_finite_is_refused(compiled, physics):
         world = Plane(20.0)
         robots = Population(Robot, 1, body=Disc(), actuators={"A": Act(nowhere)})
 
-    with pytest.raises(ModelError, match="finite numbers"):
+    with pytest.raises(ModelError, match="agent 0 of 'robots', whose motion is not finite"):
         Racing(compiled=compiled, physics=physics).advance(10)
 
 
@@ -345,7 +346,7 @@ def test_births_lose_no_tick_by_any_engine():
             born.x += 1.0 + ball.id
 
     class Growing(Model):
-        world = Plane(100.0)
+        world = Plane(200.0)
         balls = Population(Body, 1, body=Disc(linear_damping=0.0))
         schedule = (each(balls, breed),)
 

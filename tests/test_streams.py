@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy import stats
 
 from coglogo_py.streams import philox, uniforms
 from socialmind import Agent, Model, Population, each, streams
@@ -72,6 +73,109 @@ def test_whole_numbers_are_all_met_alike():
     assert set(drawn(1000, lambda rng: rng.integers(-3, -2)).tolist()) == {-3}
 
 
+@pytest.mark.parametrize("mean", [0.0, 0.3, 4.0, 9.99, 10.0, 37.5, 5000.0])
+def test_poisson_counts_are_as_likely_as_scipy_says(mean):
+    n = 20_000
+    counts = drawn(n, lambda rng: rng.poisson(mean), seed=11)
+    assert counts.min() >= 0
+    assert counts.mean() == pytest.approx(mean, abs=4 * math.sqrt(mean / n))
+    law = stats.poisson(mean)
+    edges = np.unique(law.ppf(np.linspace(0.02, 0.98, 15))) if mean else np.array([0.0])
+    expected = n * np.diff(law.cdf(edges), prepend=0, append=1)
+    places = np.searchsorted(edges, counts)
+    observed = np.bincount(places, minlength=len(expected))
+    kept = expected > 0
+    assert observed[~kept].sum() == 0
+    chi_square = np.sum((observed[kept] - expected[kept]) ** 2 / expected[kept])
+    assert chi_square < stats.chi2.ppf(0.999, max(1, kept.sum() - 1))
+
+
+def test_poisson_means_from_nothing_to_the_largest():
+    assert set(drawn(100, lambda rng: rng.poisson(0.0)).tolist()) == {0}
+    large = drawn(2000, lambda rng: rng.poisson(1e9))
+    assert large.mean() == pytest.approx(1e9, abs=4 * math.sqrt(1e9 / 2000))
+    assert large.std() == pytest.approx(math.sqrt(1e9), rel=0.1)
+
+
+def test_factorials():
+    for k in (0, 1, 2, 9, 10, 11, 57, 1000, 10**9):
+        assert streams.log_factorial(k) == pytest.approx(math.lgamma(k + 1), rel=1e-13, abs=1e-13)
+
+
+@pytest.mark.parametrize("shape", [0.05, 0.5, 1.0, 2.5, 40.0, 1e6])
+def test_gamma_numbers_are_distributed_as_scipy_says(shape):
+    n = 10_000
+    numbers = drawn(n, lambda rng: rng.gamma(shape, 3.0), seed=12)
+    law = stats.gamma(shape, scale=3.0)
+    assert stats.kstest(numbers, law.cdf).pvalue > 0.001
+    assert numbers.mean() == pytest.approx(law.mean(), abs=4 * law.std() / math.sqrt(n))
+    assert set(drawn(100, lambda rng: rng.gamma(shape, 0)).tolist()) == {0.0}
+
+
+def test_choices_are_as_likely_as_their_weights():
+    n = 40_000
+    weights = [0.0, 1.0, 2.5, 0.0, 0.5, 0.0]
+    places = drawn(n, lambda rng: rng.choice(6, p=weights), seed=13)
+    counts = np.bincount(places, minlength=6)
+    assert counts[[0, 3, 5]].tolist() == [0, 0, 0]
+    expected = n * np.array([1.0, 2.5, 0.5]) / 4
+    assert np.sum((counts[[1, 2, 4]] - expected) ** 2 / expected) < stats.chi2.ppf(0.999, 2)
+    assert drawn(3000, lambda rng: rng.choice((7, 8, 9))).mean() == pytest.approx(8, abs=0.07)
+    assert set(drawn(100, lambda rng: rng.choice((7, 8), p=(0, 3))).tolist()) == {8}
+    assert set(drawn(100, lambda rng: rng.choice((1.5, 2.5), p=(5e-324, 0))).tolist()) == {1.5}
+
+
+def test_permutations_are_fair():
+    stream = Stream(5)
+    firsts = np.zeros((4, 4))
+    for tick in range(4000):
+        stream.begin(3, 0, tick)
+        order = stream.permutation(4)
+        assert sorted(order) == [0, 1, 2, 3]
+        firsts[np.arange(4), order] += 1
+    assert np.all(np.abs(firsts - 1000) < 4 * math.sqrt(750))
+    assert stream.permutation(0) == []
+    assert stream.permutation(1) == [0]
+    stream.begin(3, 0, 1)
+    deck = np.arange(4)
+    stream.shuffle(deck)
+    stream.begin(3, 0, 1)
+    assert stream.permutation(4) == deck.tolist()
+
+
+def test_numbers_of_the_draws_stay_as_they_are():
+    stream = Stream(2024)
+    stream.begin(7, 3, 5)
+    numbers = [stream.random(), stream.uniform(-1, 1), stream.integers(1000)]
+    numbers += [stream.normal(0, 1), stream.exponential(2)]
+    assert [float(one).hex() for one in numbers] == KEPT
+    stream.begin(7, 3, 5)
+    numbers = [stream.gamma(2.5, 3), stream.gamma(0.5, 1), stream.poisson(4), stream.poisson(40)]
+    numbers += [stream.choice(5, p=(1, 2, 3, 4, 5)), *stream.permutation(4), stream.random()]
+    assert [float(one).hex() for one in numbers] == KEPT_TOO
+
+
+KEPT = [
+    "0x1.cb36660b68700p-6",
+    "0x1.988f9daa29ba2p-1",
+    "0x1.b800000000000p+9",
+    "0x1.0fa00e0a16533p-1",
+    "0x1.41b68cd94cc62p-2",
+]
+KEPT_TOO = [
+    "0x1.d8a8ac5b2e69cp+2",
+    "0x1.2e91faf02024ep-8",
+    "0x1.8000000000000p+2",
+    "0x1.1800000000000p+5",
+    "0x1.0000000000000p+0",
+    "0x1.8000000000000p+1",
+    "0x1.0000000000000p+1",
+    "0x1.0000000000000p+0",
+    "0x0.0p+0",
+    "0x1.74efecbb6f788p-2",
+]
+
+
 def test_successive_numbers_are_not_correlated():
     numbers = drawn(40_000, lambda rng: rng.random())
     assert abs(np.corrcoef(numbers[:-1], numbers[1:])[0, 1]) < 0.02
@@ -88,6 +192,22 @@ def test_successive_numbers_are_not_correlated():
         (lambda rng: rng.normal(0, -1), "deviation"),
         (lambda rng: rng.normal(0, math.nan), "deviation"),
         (lambda rng: rng.exponential(-1), "mean"),
+        (lambda rng: rng.poisson(-0.5), "mean of 0"),
+        (lambda rng: rng.poisson(math.nan), "mean of 0"),
+        (lambda rng: rng.poisson(math.inf), "mean of 0"),
+        (lambda rng: rng.gamma(0, 1), "shape above 0"),
+        (lambda rng: rng.gamma(-1, 1), "shape above 0"),
+        (lambda rng: rng.gamma(math.nan, 1), "shape above 0"),
+        (lambda rng: rng.gamma(math.inf, 1), "shape above 0"),
+        (lambda rng: rng.gamma(1, -1), "scale of 0 or more"),
+        (lambda rng: rng.gamma(1, math.nan), "scale of 0 or more"),
+        (lambda rng: rng.choice(2, p=(0, 0)), "a sum above 0"),
+        (lambda rng: rng.choice(2, p=(1, -1)), "weights of 0 or more"),
+        (lambda rng: rng.choice(2, p=(1, math.nan)), "weights of 0 or more"),
+        (lambda rng: rng.choice(2, p=(1, math.inf)), "not infinite"),
+        (lambda rng: rng.choice(2, p=(1e308, 1e308)), "not infinite"),
+        (lambda rng: rng.permutation(-1), "number of 0"),
+        (lambda rng: rng.permutation(10**9), "number of 0"),
     ],
 )
 def test_impossible_draws(draw, message):
@@ -121,19 +241,28 @@ def test_compiled_streams_draw_the_same():
             streams.integers(stream, -5, 2**50),
             streams.normal(stream, 1.0, 2.0),
             streams.exponential(stream, 3.0),
+            streams.gamma(stream, 0.7, 2.0),
+            streams.gamma(stream, 7.5, 2.0),
+            streams.poisson(stream, 3.0),
+            streams.poisson(stream, 3e4),
+            streams.weighted(stream, (0.5, 0.0, 2.0, 1.0)),
             places,
+            streams.permutation(stream, 9),
         )
 
     states = np.zeros(1, STREAM)
     stream = Stream(2**64 - 5)
     states["key_0"], states["key_1"] = stream.key_0, stream.key_1
-    *fast, order = draws(states)
+    *fast, order, permuted = draws(states)
     stream.begin(99, 12345678901, 2**40 + 3)
     places = np.arange(50)
     shuffle(stream, places, 50)
     slow = [stream.random(), stream.uniform(-2, 3), stream.integers(-5, 2**50)]
     slow += [stream.normal(1, 2), stream.exponential(3)]
+    slow += [stream.gamma(0.7, 2), stream.gamma(7.5, 2), stream.poisson(3), stream.poisson(3e4)]
+    slow += [stream.weighted((0.5, 0.0, 2.0, 1.0))]
     assert fast == slow
+    assert permuted.tolist() == stream.permutation(9)
     assert order.tolist() == places.tolist()
 
 

@@ -92,13 +92,14 @@ def _findings_of_hierarchies(model_class: type[Model]) -> list[str]:
     ]
 
 
-def print_decision(folder: Path, agent: int, tick: int) -> None:
+def print_decision(folder: Path, agent: int, tick: int, trust: bool = False) -> None:
     """Print how an agent of a run came to its decision.
 
     Args:
         folder: the run's.
         agent: the agent's identity.
         tick: 1 … the ticks done; the decision explained is the one in force then.
+        trust: run programs that this user has neither named nor run before.
 
     Raises:
         SocialmindError: no such run, tick, agent or decision.
@@ -106,10 +107,8 @@ def print_decision(folder: Path, agent: int, tick: int) -> None:
     capsule = Capsule(folder)
     done = capsule.manifest.ticks_done
     if not 1 <= tick <= done:
-        there = (
-            f"expected 1 … {done}, the ticks that the run has done"
-            if done
-            else ("the run has done no tick yet, so there is no decision to explain")
-        )
+        there = f"expected 1 … {done}, the ticks that the run has done"
+        if not done:
+            there = "the run has done no tick yet, so there is no decision to explain"
         raise SocialmindError(f"tick {tick}: {there}")
-    typer.echo(str(model_of(capsule).explain(agent, tick)))
+    typer.echo(str(model_of(capsule, trust=trust).explain(agent, tick)))

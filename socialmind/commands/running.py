@@ -78,30 +78,39 @@ def by_population(values: Sequence[str], option: str) -> Path | dict[str, Path] 
     return named or None
 
 
-def go_on(folder: Path, ticks: int | None, compiled: bool | None, quiet: bool) -> Path:
+def go_on(
+    folder: Path,
+    ticks: int | None,
+    compiled: bool | None,
+    quiet: bool,
+    kept: bool = False,
+    trust: bool = False,
+) -> Path:
     """Go on with a run; `socialmind run --resume`."""
     _save_memory()
     with progress_bar(quiet) as on_progress:
-        folder = execution.resume(folder, ticks, compiled, on_progress=on_progress)
+        folder = execution.resume(
+            folder, ticks, compiled, on_progress=on_progress, kept=kept, trust=trust
+        )
     _conclude(folder, quiet)
     return folder
 
 
-def draw(folder: Path) -> list[Path]:
+def draw(folder: Path, trust: bool = False) -> list[Path]:
     """Draw a run's figures without a window; gives the files."""
     # A model's figures.py may use pyplot, which looks for a screen unless told not to.
     os.environ["MPLBACKEND"] = "Agg"
     from socialmind.experiments.figures import draw_figures
 
-    return draw_figures(folder)
+    return draw_figures(folder, trust)
 
 
-def again(folder: Path, quiet: bool) -> bool:
+def again(folder: Path, quiet: bool, kept: bool = False, trust: bool = False) -> bool:
     """Replay a run and say what comes out; True when it is equal."""
     from socialmind.experiments.verification import replay
 
     with progress_bar(quiet) as on_progress:
-        found = replay(folder, on_progress=on_progress)
+        found = replay(folder, on_progress=on_progress, kept=kept, trust=trust)
     for note in found.notes:
         typer.echo(f"note: {note}", err=True)
     for difference in found.differences:

@@ -39,6 +39,10 @@ class Drawing:
         self._picture: Picture | None = None
         self._canvas: Any = None
 
+    def __getstate__(self) -> dict[str, Any]:
+        """A copy has the paths, and begins a picture of its own."""
+        return {**vars(self), "_picture": None, "_canvas": None}
+
     def note(self, model: Model) -> None:
         """Note where the robots are."""
         for name in self._robots:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,7 @@ import numpy as np
 from gymnasium.spaces import Box
 from numpy.typing import NDArray
 
-from socialmind.envs.steered_world import SteeredWorld, sizes_of
+from socialmind.envs.steered_world import SteeredWorld, held, sizes_of
 from socialmind.errors import SocialmindError
 from socialmind.model import Model
 
@@ -23,7 +24,8 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
 
     An observation is what the body's sensors read, an action is what its actuators are told, both
     0 … 1 and in the body's order. A reward is what the model's rewards give in the tick. An
-    interruption terminates an episode, the limit of ticks truncates it.
+    interruption or the robot's death terminates an episode, the limit of ticks truncates it. Robots
+    that are born on the way are told 0.5.
 
     A step is a tick. The first tick belongs to `reset`: actuators are told 0.5 in it, and it ends
     with the sensors reading for the first time, as for the minds of the model. Its reward comes
@@ -65,6 +67,8 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
         self.action_space = Box(0.0, 1.0, (len(body.actuators),), np.float32)
         self.metadata = {**self.metadata, "render_fps": self._world.fps}
         self.render_mode = render_mode
+        self._actuators = list(body.actuators)
+        self._identity = 0
         self._pending = 0.0
 
     @property
@@ -86,7 +90,10 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
             the name of the interruption that has ended the episode or None.
         """
         super().reset(seed=seed)
-        self._world.begin(int(self.np_random.integers(2**63)), options)
+        model = self._world.begin(int(self.np_random.integers(2**63)), options)
+        if not len(model.tables[self._robots]):
+            raise SocialmindError(f"the robot of {model.name} died in its setup")
+        self._identity = int(model.tables[self._robots].id[0])
         self._world.advance()
         self._pending = self._column("reward")
         return self._observation(), self._info()
@@ -98,16 +105,26 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
             action: (actuators,), held to 0 … 1.
 
         Returns:
-            What the sensors read, the reward, whether an interruption has ended the episode,
-            whether its ticks are up, and what `reset` tells.
+            What the sensors read, the reward, whether an interruption or the robot's death has
+            ended the episode, whether its ticks are up, and what `reset` tells.
+
+        Raises:
+            SocialmindError: an action that is not a number for each actuator.
         """
         model = self._world.running
+        told = held(action, self._actuators)
         reward, self._pending = self._pending, 0.0
-        if model.over is None:
-            model.steer(self._robots, np.clip(np.asarray(action, np.float64), 0.0, 1.0))
+        if not self._ended:
+            slots = model.tables[self._robots].slots
+            commands = np.full((len(slots), len(told)), 0.5)
+            commands[slots == self._world.slot(self._robots, self._identity)] = told
+            model.steer(self._robots, commands)
             self._world.advance()
             reward += self._column("reward")
-        return self._observation(), reward, model.over is not None, self._world.up, self._info()
+        return self._observation(), reward, self._ended, self._world.up, self._info()
+
+    def __copy__(self) -> Any:
+        return copy.deepcopy(self)  # or both would run one world
 
     def render(self) -> Any:
         """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
@@ -117,11 +134,16 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
         """Let the world go."""
         self._world.close()
 
+    @property
+    def _ended(self) -> bool:
+        dead = self._world.slot(self._robots, self._identity) is None
+        return dead or self._world.running.over is not None
+
     def _column(self, name: str) -> Any:
-        return self._world.running.tables[self._robots].rows[name][0].item()
+        return self._world.row(self._robots, self._identity)[name].item()
 
     def _observation(self) -> Numbers:
-        readings = self._world.running.tables[self._robots].rows["readings"][0]
+        readings = self._world.row(self._robots, self._identity)["readings"]
         shape: Any = self.observation_space.shape
         return readings[: shape[0]].astype(np.float32)
 

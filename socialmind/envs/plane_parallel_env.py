@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
@@ -12,8 +13,10 @@ from gymnasium.spaces import Box
 from gymnasium.utils.seeding import np_random
 from numpy.typing import NDArray
 
-from socialmind.envs.steered_world import SteeredWorld
+from coglogo_py.errors import shown
+from socialmind.envs.steered_world import SteeredWorld, held
 from socialmind.errors import SocialmindError
+from socialmind.language.nodes import nearest
 from socialmind.model import Model
 
 
@@ -105,6 +108,7 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         self.agents: list[str] = []
         self._random, _ = np_random(None)
         self._identity: dict[str, int] = {}
+        self._dead: dict[str, Any] = {}
         self._pending: dict[str, float] = {}
 
     @property
@@ -135,14 +139,22 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         """
         if seed is not None:
             self._random, _ = np_random(seed)
-        model = self._world.begin(int(self._random.integers(2**63)), options)
+        # PettingZoo's own checks of an environment give it an option called "options".
+        given = {name: one for name, one in (options or {}).items() if name != "options"}
+        model = self._world.begin(int(self._random.integers(2**63)), given)
+        self._dead = {}
         self._identity = {
-            agent: int(model.tables[name].rows["_id"][number])
+            agent: number
             for agent, (name, number) in self._place.items()
+            if model.tables[name].contains(number)  # the others died in the setup
         }
         self._world.advance()
-        self.agents = [agent for agent in self.possible_agents if self._slot(agent) is not None]
-        self._pending = {agent: self._reward(agent) for agent in self.agents}
+        # Who died in this tick as well: the first step tells of it, and pays what is due.
+        self.agents = list(self._identity)
+        self._dead = {
+            agent: self._row(agent).copy() for agent in self.agents if self._slot(agent) is None
+        }
+        self._pending = {agent: float(self._row(agent)["reward"]) for agent in self.agents}
         return self._observations(self.agents), self._infos(self.agents)
 
     def step(
@@ -161,21 +173,30 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
 
         Returns:
             By agent what its sensors read, its reward, whether its episode has ended, whether its
-            ticks are up, and what `reset` tells.
+            ticks are up, and what `reset` tells. The dead are told of once more, in the tick of
+            their death.
+
+        Raises:
+            SocialmindError: an action for nobody, or that is not a number for each actuator.
         """
         model = self._world.running
         acting = list(self.agents)
+        told = self._told(actions)
         rewards, self._pending = {agent: self._pending.pop(agent, 0.0) for agent in acting}, {}
-        if model.over is None and acting:
-            self._steer(actions)
+        living = [agent for agent in acting if agent not in self._dead]
+        if model.over is None and living:
+            self._steer(told)
             self._world.advance()
-            for agent in acting:
-                rewards[agent] += self._reward(agent)
+            for agent in living:
+                rewards[agent] += float(self._row(agent)["reward"])
         over = model.over is not None
         ended = {agent: over or self._slot(agent) is None for agent in acting}
         up = dict.fromkeys(acting, self._world.up)
         self.agents = [agent for agent in acting if not (ended[agent] or up[agent])]
         return self._observations(acting), rewards, ended, up, self._infos(acting)
+
+    def __copy__(self) -> Any:
+        return copy.deepcopy(self)  # or both would run one world
 
     def render(self) -> Any:
         """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
@@ -186,56 +207,49 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         self._world.close()
         self.agents = []
 
-    def _steer(self, actions: Mapping[str, Numbers]) -> None:
+    def _told(self, actions: Mapping[str, Numbers]) -> dict[str, NDArray[np.float64]]:
+        """Return the actions of all agents as commands."""
+        for agent in actions:
+            if agent not in self._place:
+                hint = nearest(str(agent), self.possible_agents)
+                raise SocialmindError(
+                    f"an action for {shown(agent)}; expected agents among "
+                    f"{', '.join(self.possible_agents)}; {hint}"
+                )
+        return {
+            agent: held(action, list(self._world.bodies[self._place[agent][0]].actuators), agent)
+            for agent, action in actions.items()
+        }
+
+    def _steer(self, told: Mapping[str, NDArray[np.float64]]) -> None:
         """Tell each living robot's actuators the action of its agent."""
-        unknown = [agent for agent in actions if agent not in self._place]
-        if unknown:
-            raise SocialmindError(
-                f"an action for {unknown[0]!r}; expected agents among "
-                f"{', '.join(self.possible_agents)}"
-            )
         model = self._world.running
         for name, (_, count) in self._counts.items():
             table = model.tables[name]
             commands = np.full((len(table.rows), count), 0.5)
-            for agent in self.agents:
-                if self._place[agent][0] == name and agent in actions:
-                    told = np.asarray(actions[agent], np.float64)
-                    if told.shape != (count,):
-                        raise SocialmindError(
-                            f"an action of {agent!r} of shape {told.shape}; expected {(count,)}"
-                        )
-                    commands[self._slot(agent)] = np.clip(told, 0.0, 1.0)
+            for agent, command in told.items():
+                slot = self._slot(agent) if agent in self.agents else None
+                if self._place[agent][0] == name and slot is not None:
+                    commands[slot] = command
             model.steer(name, commands[table.slots])
 
     def _slot(self, agent: str) -> int | None:
         """Return where the robot of an agent is in its table, None once it is dead."""
-        table = self._world.running.tables[self._place[agent][0]]
-        found = np.flatnonzero(table.alive & (table.rows["_id"] == self._identity[agent]))
-        return int(found[0]) if len(found) else None
+        return self._world.slot(self._place[agent][0], self._identity[agent])
 
     def _row(self, agent: str) -> Any:
-        """Return the robot of an agent, as it was at last if it is dead; None if that is lost."""
-        rows = self._world.running.tables[self._place[agent][0]].rows
-        found = np.flatnonzero(rows["_id"] == self._identity[agent])
-        return rows[found[0]] if len(found) else None
-
-    def _reward(self, agent: str) -> float:
-        row = self._row(agent)
-        return 0.0 if row is None else float(row["reward"])
+        """Return the robot of an agent, as it was at last if it is dead."""
+        if agent in self._dead:
+            return self._dead[agent]
+        return self._world.row(self._place[agent][0], self._identity[agent])
 
     def _observations(self, agents: Sequence[str]) -> dict[str, Numbers]:
         found = {}
         for agent in agents:
-            count, row = self._counts[self._place[agent][0]][0], self._row(agent)
-            readings = np.zeros(count) if row is None else row["readings"][:count]
-            found[agent] = readings.astype(np.float32)
+            count = self._counts[self._place[agent][0]][0]
+            found[agent] = self._row(agent)["readings"][:count].astype(np.float32)
         return found
 
     def _infos(self, agents: Sequence[str]) -> dict[str, dict[str, Any]]:
         told = self._world.told()
-        rows = {agent: self._row(agent) for agent in agents}
-        return {
-            agent: {**told, "score": 0.0 if row is None else float(row["score"])}
-            for agent, row in rows.items()
-        }
+        return {agent: {**told, "score": float(self._row(agent)["score"])} for agent in agents}

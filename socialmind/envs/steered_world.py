@@ -7,7 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import gymnasium
+import numpy as np
+from numpy.typing import NDArray
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import whole_number
+from socialmind.arena import ENGINES
 from socialmind.catalogue import load_model, model_folder
 from socialmind.errors import SocialmindError
 from socialmind.language.nodes import nearest
@@ -55,6 +60,7 @@ class SteeredWorld:
         if render_mode not in (None, "rgb_array"):
             raise SocialmindError(f"render_mode {render_mode!r}; expected 'rgb_array' or None")
         self.model_class = class_of(model, environment)
+        _check_names(self.model_class, physics, without, parameters or {})
         self.sizes = sizes_of(self.model_class, parameters)
         self._limit = limit_of(self.model_class, ticks)
         plane: Any = self.model_class.shape.plane
@@ -73,14 +79,24 @@ class SteeredWorld:
             drawn: the seed of its world, unless it is given.
             options: `{"world": seed}`, or nothing.
         """
-        self.seed = int((options or {}).get("world", drawn))
+        given = dict(options or {})
+        for name in given:
+            if name != "world":
+                hint = nearest(str(name), ["world"])
+                raise SocialmindError(f"the option {shown(name)} of reset(); {hint}")
+        self.seed = whole_number(
+            given.get("world", drawn), "the option 'world'", 0, 2**64 - 1, SocialmindError
+        )
         self.model = self.model_class(seed=self.seed, hierarchy=False, **self._made_with)
         self._drawing = None
         return self.model
 
     def advance(self) -> None:
-        """Run a tick."""
-        self.running.advance()
+        """Run a tick; in the last one robots are paid what is still due to them."""
+        model = self.running
+        model.advance()
+        if self.up and model.over is None and model.arena is not None:
+            model.arena.settle()
         if not self._drawn:
             return
         if self._drawing is None:
@@ -105,6 +121,17 @@ class SteeredWorld:
         """Whether the ticks of the episode are up."""
         return self.running.tick >= self._limit
 
+    def slot(self, population: str, identity: int) -> int | None:
+        """Return where a robot is in its table, None once it is dead."""
+        table = self.running.tables[population]
+        return int(table.slot_of[identity]) if table.contains(identity) else None
+
+    def row(self, population: str, identity: int) -> Any:
+        """Return a robot, in the tick in which it dies as it was at last."""
+        rows = self.running.tables[population].rows
+        slot = self.slot(population, identity)
+        return rows[np.flatnonzero(rows["_id"] == identity)[0] if slot is None else slot]
+
     def told(self) -> dict[str, Any]:
         """Return the seed of the world, the tick, and what has ended the episode, or None."""
         return {"world": self.seed, "tick": self.running.tick, "over": self.running.over}
@@ -120,16 +147,56 @@ class SteeredWorld:
         self.model = self._drawing = None
 
 
+def held(action: Any, actuators: Sequence[str], whose: str = "") -> NDArray[np.float64]:
+    """Return an action as commands, 0 … 1.
+
+    Args:
+        action: what a learning algorithm gives.
+        actuators: the names of the robot's.
+        whose: the agent's name, where there are several.
+
+    Raises:
+        SocialmindError: it is not a number for each actuator.
+    """
+    try:
+        told = np.asarray(action, np.float64)
+    except (TypeError, ValueError):
+        told = np.full(len(actuators), np.nan)
+    what = f"an action of {whose!r}" if whose else "an action"
+    if told.shape != (len(actuators),):
+        raise SocialmindError(
+            f"{what} of shape {told.shape}; expected {(len(actuators),)}: {', '.join(actuators)}"
+        )
+    if np.isnan(told).any():
+        raise SocialmindError(f"{what}: found {shown(action)}; expected numbers, 0 … 1")
+    return np.clip(told, 0.0, 1.0)
+
+
 def limit_of(model_class: type[Model], ticks: int | None) -> int:
     """Return the limit of an episode: `ticks`, or the model's own.
 
     Raises:
         SocialmindError: too few for a step after the reset.
     """
-    limit = model_class.ticks if ticks is None else ticks
+    given = model_class.ticks if ticks is None else ticks
+    limit = whole_number(given, "ticks", error=SocialmindError)
     if limit < 2:
         raise SocialmindError(f"ticks {limit}; expected 2 or more, one for the reset")
     return limit
+
+
+def _check_names(
+    model_class: type[Model], physics: str, without: Sequence[str], parameters: Mapping[str, Any]
+) -> None:
+    """Refuse engines, interruptions and parameters that there are not, before the first reset."""
+    given = [("engine", [physics], ENGINES), ("parameter", parameters, model_class.parameters)]
+    ignored = [without] if isinstance(without, str) else without
+    given.append(("interruption", ignored, model_class.interruptions))
+    for what, names, known in given:
+        for name in names:
+            if name not in known:
+                hint = nearest(str(name), known)
+                raise SocialmindError(f"{model_class.name} has no {what} {shown(name)}; {hint}")
 
 
 def sizes_of(

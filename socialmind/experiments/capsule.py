@@ -9,6 +9,7 @@ before in one step, so whenever the run is killed the folder says truly how far 
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import platform
@@ -20,7 +21,28 @@ from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
+from coglogo_py.errors import shown
 from socialmind.errors import SocialmindError
+from socialmind.experiments.arrays_file import make_room
+from socialmind.experiments.record import (
+    NAME_WITHIN,
+    NUMBER,
+    PATH,
+    SETTING,
+    SHA256,
+    TEXT,
+    TRUTH,
+    Each,
+    Fields,
+    Many,
+    check_record,
+    one_of,
+    optional,
+    read_record,
+    whole,
+    within,
+)
+from socialmind.experiments.tables import TABLES
 
 MANIFEST = "manifest.json"
 FORMAT = 1
@@ -32,8 +54,9 @@ class Manifest:
     """What a run is and how far it came; the content of ``manifest.json``.
 
     Args:
-        model: ``name``, ``path`` (folder; None for a class that no file defines) and
-            ``source_sha256`` of its Python files.
+        model: ``name``, ``path`` (folder; None for a class that no file defines), ``source_sha256``
+            of the folder's Python files, and ``sources``: all that decided how it runs, as
+            `socialmind.provenance.Sources.record` says it.
         parameters: value of every parameter.
         seed: of the run.
         compiled: whether compiled or interpreted; the result is the same.
@@ -56,7 +79,7 @@ class Manifest:
         format: of this file.
     """
 
-    model: dict[str, str | None]
+    model: dict[str, Any]
     parameters: dict[str, Any]
     seed: int
     compiled: bool
@@ -89,18 +112,34 @@ class Manifest:
                 if path.parent.is_dir()
                 else f"{path.parent}: no such folder"
             )
-        try:
-            content = json.loads(path.read_text(encoding="utf-8"))
-            found = content.get("format") if isinstance(content, dict) else None
-            if found != FORMAT:
-                raise SocialmindError(
-                    f"{path}: format {found}; expected {FORMAT}; "
-                    "use the version of socialmind that wrote it"
-                )
-            known = {f.name for f in fields(cls)}
-            return cls(**{key: value for key, value in content.items() if key in known})
-        except (ValueError, TypeError) as error:
-            raise SocialmindError(f"{path}: not a run's manifest ({error})") from error
+        content = read_record(path, "a run's manifest")
+        found = content.get("format")
+        if found != FORMAT:
+            raise SocialmindError(
+                f"{path}: format {shown(found)}; expected {FORMAT}; "
+                "use the version of socialmind that wrote it"
+            )
+        check_record(content, _FIELDS, str(path))
+        check_record(content["ticks_done"], whole(0, content["ticks"]), f"{path}: ticks_done")
+        if content["status"] == FINISHED:
+            check_record(content.get("tables"), _BOTH_TABLES, f"{path}: tables of a finished run")
+        known = {f.name for f in fields(cls)}
+        return cls(**{key: value for key, value in content.items() if key in known})
+
+    def identity(self) -> str:
+        """Return a hash of what decides the result, apart from the model itself."""
+        decides = {
+            "parameters": self.parameters,
+            "seed": self.seed,
+            "engine": self.engine,
+            "every": self.every,
+            "agents_every": self.agents_every,
+            "copies": [
+                {name: one["sha256"] for name, one in copies.items()}
+                for copies in (self.schemes, self.minds)
+            ],
+        }
+        return hashlib.sha256(json.dumps(decides, sort_keys=True).encode()).hexdigest()
 
     def content(self) -> bytes:
         """Return the file's content."""
@@ -109,6 +148,40 @@ class Manifest:
     def save(self, path: Path) -> None:
         """Write the manifest in one step: a reader sees the old one or this one."""
         replace_file(path, self.content())
+
+
+IDLE = Fields(
+    {}, {"count": whole(), "first_agent": optional(whole()), "first_tick": optional(whole())}
+)
+_TABLE = Fields({"rows": whole(), "columns": Each(TEXT), "sha256": SHA256}, {})
+_BOTH_TABLES = Fields(dict.fromkeys(TABLES, _TABLE), {})
+_FIELDS = Fields(
+    {
+        "model": Fields(
+            {"name": TEXT, "path": optional(PATH), "source_sha256": optional(SHA256)}, {}
+        ),
+        "parameters": Each(SETTING),
+        "seed": whole(0, 2**64 - 1),
+        "compiled": TRUTH,
+        "schemes": Each(Fields({"file": NAME_WITHIN, "sha256": SHA256}, {"name": TEXT})),
+        "ticks": whole(),
+        "every": whole(1),
+        "agents_every": whole(1),
+        "status": one_of(RUNNING, INTERRUPTED, FAILED, FINISHED),
+        "ticks_done": whole(),
+    },
+    {
+        "error": optional(TEXT),
+        "engine": one_of("compiled", "pymunk"),
+        "minds": Each(Fields({"folder": NAME_WITHIN, "sha256": SHA256}, {"name": TEXT})),
+        "tables": Each(_TABLE),
+        "idle": IDLE,
+        "timings": Fields({}, {"created": TEXT, "seconds": NUMBER, "loop_seconds": NUMBER}),
+        "versions": Each(TEXT),
+        "platforms": Many(Each(TEXT)),
+    },
+)
+"""What a manifest holds; fields that came later may be missing."""
 
 
 class Capsule:
@@ -144,26 +217,26 @@ class Capsule:
     @property
     def parts(self) -> Path:
         """The folder of the tables' parts, there while the run is not finished."""
-        return self.folder / "parts"
+        return within(self.folder, "parts")
 
     @property
     def checkpoint(self) -> Path:
         """The file that the run goes on from."""
-        return self.folder / "checkpoint.npz"
+        return within(self.folder, "checkpoint.npz")
 
     @property
     def schemes(self) -> dict[str, Path]:
         """The run's own copies of its scheme files, by population."""
-        return {name: self.folder / one["file"] for name, one in self.manifest.schemes.items()}
+        return {n: within(self.folder, one["file"]) for n, one in self.manifest.schemes.items()}
 
     @property
     def minds(self) -> dict[str, Path]:
         """The run's own copies of its minds' folders, by population."""
-        return {name: self.folder / one["folder"] for name, one in self.manifest.minds.items()}
+        return {n: within(self.folder, one["folder"]) for n, one in self.manifest.minds.items()}
 
     def table(self, name: str) -> Path:
         """The merged file of a table."""
-        return self.folder / f"{name}.parquet"
+        return within(self.folder, f"{name}.parquet")
 
     def update(self, **changes: Any) -> None:
         """Change fields of the manifest, in memory and on disk."""
@@ -185,9 +258,14 @@ class Capsule:
 
 def replace_file(path: Path, content: bytes) -> None:
     """Write a file in one step: a reader sees the one before or this one."""
-    unfinished = path.with_name(path.name + ".partial")
-    unfinished.write_bytes(content)
-    unfinished.replace(path)
+    unfinished = make_room(path.with_name(path.name + ".partial"))
+    try:
+        with unfinished.open("xb") as file:
+            file.write(content)
+        unfinished.replace(path)
+    except OSError:
+        unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
+        raise
 
 
 def placed(out: Path | None, home: str, name: str, files: Mapping[str, bytes]) -> Path:
@@ -270,7 +348,10 @@ def held(folder: Path) -> Iterator[None]:
     """
     import filelock
 
-    lock = filelock.FileLock(folder / ".lock", timeout=0)
+    path = folder / ".lock"
+    if path.is_symlink() or path.is_dir():
+        raise SocialmindError(f"{path}: expected the file of a lock; remove it")
+    lock = filelock.FileLock(path, timeout=0)
     try:
         lock.acquire()
     except filelock.Timeout:

@@ -121,7 +121,10 @@ def _numbers(values: np.ndarray, missing: np.ndarray | None) -> pa.Array:
 def _strings(values: list[str | None], missing: np.ndarray | None) -> pa.Array:
     import pyarrow as pa
 
-    encoded = [b"" if one is None else one.encode() for one in values]
+    try:
+        encoded = [b"" if one is None else one.encode() for one in values]
+    except UnicodeEncodeError:
+        raise SocialmindError("a text with half a character, which UTF-8 does not hold") from None
     offsets = np.zeros(len(values) + 1, np.int64)
     np.cumsum([len(one) for one in encoded], out=offsets[1:])
     if offsets[-1] > np.iinfo(np.int32).max:

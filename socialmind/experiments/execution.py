@@ -16,11 +16,16 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
+from socialmind.agent_columns import as_before
 from socialmind.catalogue import failure_in_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
+from socialmind.experiments.arrays_file import make_room
 from socialmind.experiments.capsule import Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
+from socialmind.experiments.record import LONGEST
 from socialmind.experiments.signals import deferred_signals
 from socialmind.experiments.sources import (
     mind_copies,
@@ -28,8 +33,20 @@ from socialmind.experiments.sources import (
     model_source,
     physics_of,
     scheme_copies,
+    with_late_reads,
 )
-from socialmind.experiments.tables import AGENTS, SERIES, TABLES, GrowingTable, merge
+from socialmind.experiments.tables import (
+    AGENTS,
+    SERIES,
+    TABLES,
+    GrowingTable,
+    check_content,
+    merge,
+    part_name,
+    seal,
+)
+from socialmind.provenance import sources_of
+from socialmind.trust import remember
 
 if TYPE_CHECKING:
     from socialmind.experiments.sources import HierarchyArgument, SchemeArgument
@@ -107,13 +124,11 @@ def run(
         Interrupted: Ctrl-C; what was done is safe, `resume` goes on.
     """
     started = time.perf_counter()
-    length = model_class.ticks if ticks is None else ticks
-    _at_least(0, ticks=length)
-    step = max(1, -(-length // RECORDED)) if every is None else every
-    agents_step = step * AGENTS_EVERY if agents_every is None else agents_every
-    _at_least(1, every=step, agents_every=agents_step)
-    if not 0 <= seed < 2**64:
-        raise SocialmindError(f"seed {seed}; expected a whole number from 0 to 2**64 - 1")
+    length = _whole("ticks", model_class.ticks if ticks is None else ticks, 0)
+    step = _whole("every", max(1, -(-length // RECORDED)) if every is None else every, 1)
+    agents_step = min(step * AGENTS_EVERY, LONGEST) if agents_every is None else agents_every
+    agents_step = _whole("agents_every", agents_step, 1)
+    seed = _whole("seed", seed, 0, 2**64 - 1)
     target = None if out is None else Path(out)
     if target is not None:
         capsules.refuse_unless_free(target.expanduser())
@@ -144,7 +159,10 @@ def run(
         versions=capsules.versions(),
         platforms=[capsules.fingerprint()],
     )
-    capsule = Capsule.create(target, manifest, {**scheme_files, **mind_files})
+    copies = sources_of(model_class).copies()
+    remember({path: content for path, content in copies.items() if path.endswith(".py")})
+    files = {**scheme_files, **mind_files, **copies}
+    capsule = Capsule.create(target, manifest, files)
     with capsule.locked():
         _Execution(capsule, model, None, started).go(length, on_progress, checkpoint_every)
     return capsule.folder
@@ -157,6 +175,8 @@ def resume(
     model_class: type[Model] | None = None,
     on_progress: Progress | None = None,
     checkpoint_every: float = 5.0,
+    kept: bool = False,
+    trust: bool = False,
 ) -> Path:
     """Go on with a run that was stopped, or make a finished one longer.
 
@@ -169,18 +189,21 @@ def resume(
         model_class: the model; loaded from where the run says it stands by default.
         on_progress: as for `run`.
         checkpoint_every: as for `run`.
+        kept: whether to take the copies of the model's source that the run keeps.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         The run's folder.
 
     Raises:
-        SocialmindError: no run's folder, in use, or its model or scheme was changed since.
+        SocialmindError: no run's folder, in use, its model or scheme was changed since, or it
+            holds unknown programs.
         Interrupted: Ctrl-C; what was done is safe.
     """
     started = time.perf_counter()
     capsule = Capsule(folder)
     with capsule.locked():
-        checkpoint = Checkpoint.load(capsule.checkpoint) if capsule.checkpoint.is_file() else None
+        checkpoint = _checked(capsule)
         # Killed between its last tick and its last file: only the files are missing.
         if (
             checkpoint is not None
@@ -190,7 +213,7 @@ def resume(
         ):
             _finish(capsule, checkpoint)
         done = _ticks_done(capsule.manifest, checkpoint)
-        length = capsule.manifest.ticks if ticks is None else ticks
+        length = capsule.manifest.ticks if ticks is None else _whole("ticks", ticks, 0)
         if length < done:
             raise SocialmindError(
                 f"{capsule.folder}: {done} ticks are done, {length} asked for; "
@@ -200,7 +223,9 @@ def resume(
             shutil.rmtree(capsule.parts, ignore_errors=True)
             if length == done:
                 return capsule.folder
-        model = model_of(capsule, model_class, compiled)
+        model = model_of(capsule, model_class, compiled, kept, trust)
+        if checkpoint is not None:
+            _restore(model, checkpoint, capsule.checkpoint)
         if capsule.manifest.status == capsules.FINISHED:
             checkpoint = _reopen(capsule, checkpoint, length)
         machine = capsules.fingerprint()
@@ -212,8 +237,6 @@ def resume(
             compiled=capsule.manifest.compiled if compiled is None else compiled,
             platforms=known if machine in known else [*known, machine],
         )
-        if checkpoint is not None:
-            model.restore(dict(checkpoint.state))
         _Execution(capsule, model, checkpoint, started).go(length, on_progress, checkpoint_every)
     return capsule.folder
 
@@ -229,8 +252,17 @@ class _Execution:
         self._every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
         parts = checkpoint.parts if checkpoint else {}
         self._tables = {
-            name: GrowingTable(name, capsule.parts, parts.get(name, ())) for name in TABLES
+            name: GrowingTable(
+                name,
+                capsule.parts,
+                parts.get(name, ()),
+                _source_of(model, name),
+                checkpoint.sums if checkpoint else None,
+            )
+            for name in TABLES
         }
+        self._begun_with = self._tables[AGENTS].columns
+        self._first = next(iter(getattr(model, "populations", {})), None)
         self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(TABLES, -1)
         self._loop_seconds = checkpoint.loop_seconds if checkpoint else 0.0
         self._started = started - (checkpoint.seconds if checkpoint else 0.0)
@@ -301,11 +333,12 @@ class _Execution:
         """Take down what is due at this tick and not in the tables yet."""
         for name, every in self._every.items():
             if tick > self._recorded[name] and (tick % every == 0 or tick == length):
-                if name == SERIES:
-                    row = {k: [v] for k, v in self._model.series().items()}
-                    self._tables[name].add(tick, {"tick": [tick], **row})
-                else:
-                    self._tables[name].add(tick, self._model.agents())
+                columns: Any = self._model.series() if name == SERIES else self._model.agents()
+                if name == SERIES and hasattr(columns, "items"):
+                    columns = {column: [value] for column, value in columns.items()}
+                elif self._begun_with is not None and isinstance(columns, Mapping):
+                    columns = as_before(columns, self._begun_with, self._first)
+                self._tables[name].add(tick, columns)
                 self._recorded[name] = tick
 
     def _checkpoint(self, status: str = capsules.RUNNING) -> Checkpoint:
@@ -325,10 +358,62 @@ class _Execution:
             loop_seconds=self._loop_seconds,
             seconds=time.perf_counter() - self._started,
             state=self._model.state(),
+            sums={part: one for table in self._tables.values() for part, one in table.sums.items()},
+            run=self._capsule.manifest.identity(),
         )
         checkpoint.save(self._capsule.checkpoint)
-        self._capsule.update(status=status, **_so_far(self._capsule.manifest, checkpoint))
+        model = with_late_reads(self._capsule.manifest.model, type(self._model))
+        changes = _so_far(self._capsule.manifest, checkpoint)
+        self._capsule.update(status=status, model=model, **changes)
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
+
+
+def _checked(capsule: Capsule) -> Checkpoint | None:
+    """A run's checkpoint, when all that it goes on from is as the run wrote it.
+
+    Raises:
+        SocialmindError: a part or a table is missing or was changed; nothing is written yet.
+    """
+    manifest = capsule.manifest
+    checkpoint = None
+    if capsule.checkpoint.exists() or capsule.checkpoint.is_symlink():
+        checkpoint = Checkpoint.load(capsule.checkpoint)
+        if checkpoint.run not in (None, manifest.identity()):
+            raise SocialmindError(
+                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not "
+                f"those that {capsule.checkpoint.name} was written with; put them back"
+            )
+    if manifest.status == capsules.FINISHED:
+        for name in TABLES:
+            check_content(capsule.table(name), manifest.tables[name]["sha256"])
+    elif checkpoint is not None:
+        checkpoint.check_parts(capsule.parts)
+    return checkpoint
+
+
+def _restore(model: Model, checkpoint: Checkpoint, path: Path) -> None:
+    """Put a model where a run's checkpoint says it was.
+
+    Raises:
+        SocialmindError: the checkpoint is not one of this model with these parameters.
+    """
+    try:
+        before = model.parameter_values()
+        model.restore(dict(checkpoint.state))
+        if model.parameter_values() != before or model.tick != checkpoint.tick:
+            raise ValueError("it holds other parameters or another tick than the run")
+    except (SocialmindError, ValueError, KeyError, TypeError, IndexError) as error:
+        raise SocialmindError(
+            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy "
+            "of the folder, or delete it and the run starts again from its first tick"
+        ) from error
+
+
+def _source_of(model: Model, name: str) -> str:
+    """The method that gives a table's rows, with the file and line where it is written."""
+    written = getattr(getattr(type(model), name), "__code__", None)
+    place = "" if written is None else f"{written.co_filename}:{written.co_firstlineno}: "
+    return f"{place}{name}()"
 
 
 def _finish(capsule: Capsule, checkpoint: Checkpoint) -> None:
@@ -356,19 +441,20 @@ def _reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Che
         )
     every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
     capsule.parts.mkdir(exist_ok=True)
-    parts, recorded = {}, {}
+    parts, recorded, sums = {}, {}, {}
     for name, step in every.items():
-        part = f"{name}-000000.parquet"
+        part = part_name(name, 0)
         off_grid = checkpoint.tick % step
         merge(
             [capsule.table(name)],
-            capsule.parts / part,
+            make_room(capsule.parts / part),
             name,
             drop_tick=checkpoint.tick if off_grid else None,
         )
         parts[name] = [part]
+        sums[part] = seal(capsule.parts / part)
         recorded[name] = checkpoint.tick - off_grid
-    reopened = Checkpoint(**{**vars(checkpoint), "parts": parts, "recorded": recorded})
+    reopened = replace(checkpoint, parts=parts, recorded=recorded, sums=sums)
     reopened.save(capsule.checkpoint)
     capsule.update(status=capsules.RUNNING, ticks=length, tables={})
     for name in TABLES:
@@ -395,7 +481,9 @@ def _ticks_done(manifest: Manifest, checkpoint: Checkpoint | None) -> int:
     return checkpoint.tick if checkpoint else 0
 
 
-def _at_least(least: int, **values: int) -> None:
-    for name, value in values.items():
-        if not isinstance(value, int) or value < least:
-            raise SocialmindError(f"{name} {value}; expected a whole number from {least} up")
+def _whole(name: str, value: Any, low: int, high: int | None = None) -> int:
+    """Return a whole number as Python's, which a manifest can hold."""
+    if not is_whole(value) or value < low or value > (LONGEST if high is None else high):
+        bound = f"from {low} up" if high is None else f"from {low} to 2**64 - 1"
+        raise SocialmindError(f"{name} {shown(value)}; expected a whole number {bound}")
+    return int(value)

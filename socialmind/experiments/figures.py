@@ -11,6 +11,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.result import Run
 from socialmind.experiments.sources import recorded_folder
+from socialmind.trust import programs_in, require
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -19,7 +20,7 @@ PANEL = (58.0, 40.0)
 """Width and height of a panel of the figure of all series, in mm."""
 
 
-def draw_figures(folder: str | Path) -> list[Path]:
+def draw_figures(folder: str | Path, trust: bool = False) -> list[Path]:
     """Draw a run's figures as PDF and PNG under ``figures/`` in its folder.
 
     The model's ``figures.py`` says which by ``draw(run: Run) -> dict[str, Figure]``; without that
@@ -27,6 +28,7 @@ def draw_figures(folder: str | Path) -> list[Path]:
 
     Args:
         folder: the run's.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         The files written.
@@ -38,10 +40,13 @@ def draw_figures(folder: str | Path) -> list[Path]:
 
     from socialmind.experiments import paper
 
-    run = Run(folder)
+    run = Run(folder, trust)
     home = run.folder / "figures"
+    model = recorded_folder(Capsule(folder))
+    if model is not None:
+        require(programs_in(model), trust, f"{run.folder}: its model at {model}")
     with mpl.rc_context():
-        figures = _figures(run, recorded_folder(Capsule(folder)))
+        figures = _figures(run, model)
         written = paper.save(figures, home)
     if "matplotlib.pyplot" in sys.modules:  # which keeps the figures that were made with it
         from matplotlib import pyplot

@@ -32,6 +32,7 @@ def draw_moments(
     style: Style = PLAIN,
     on_progress: Progress | None = None,
     captions: Sequence[str] = (),
+    trust: bool = False,
 ) -> Path:
     """Draw moments of a run, one below the other, with the path up to each.
 
@@ -42,6 +43,7 @@ def draw_moments(
         style: how.
         on_progress: called with the ticks done and the length.
         captions: what is said above each moment; nothing by default.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         The file.
@@ -60,7 +62,7 @@ def draw_moments(
         _check_tick(tick, "tick", done)
     if captions and len(captions) != len(wanted):
         raise SocialmindError(f"{len(captions)} captions; expected one for each of {len(wanted)}")
-    repeated = Repeated(capsule, style.robot, style.mind)
+    repeated = Repeated(capsule, style.robot, style.mind, trust)
     with paper.style():
         page = Page(repeated, style, path.suffix.lower(), len(wanted), captions)
         for _ in repeated.at(wanted, on_progress):
@@ -79,6 +81,7 @@ def film_run(
     fps: float | None = None,
     style: Style = PLAIN,
     on_progress: Progress | None = None,
+    trust: bool = False,
 ) -> Path:
     """Make a film of a run.
 
@@ -93,6 +96,7 @@ def film_run(
         fps: frames a second; 30 by default, 20 of a GIF.
         style: how.
         on_progress: called with the ticks done and the length.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         The file.
@@ -117,7 +121,7 @@ def film_run(
     written = film.Film(path, fps or FPS.get(suffix, 30.0))
     step = every or max(1, math.ceil((last - begin) / (FRAMES[suffix] - 1)))
     ticks = sorted({*range(begin, last, step), last})
-    repeated = Repeated(capsule, style.robot, style.mind)
+    repeated = Repeated(capsule, style.robot, style.mind, trust)
     with paper.style(), written:
         page = Page(repeated, style, suffix)
         page.draw()

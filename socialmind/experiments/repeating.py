@@ -34,6 +34,7 @@ class Repeated:
         capsule: the run.
         robot: who is looked at; the first robot by default.
         mind: whether the robot's hierarchy is wanted.
+        trust: run programs that this user has neither named nor run before.
 
     Attributes:
         scene: what stands where.
@@ -45,8 +46,14 @@ class Repeated:
             robot at its start.
     """
 
-    def __init__(self, capsule: Capsule, robot: Name | None = None, mind: bool = False) -> None:
-        self._model: Model = model_of(capsule)
+    def __init__(
+        self,
+        capsule: Capsule,
+        robot: Name | None = None,
+        mind: bool = False,
+        trust: bool = False,
+    ) -> None:
+        self._model: Model = model_of(capsule, trust=trust)
         self.scene: Scene = scene_of(self._model)
         self.robot = self._found(robot, mind)
         self.mind: AgentState | None = None

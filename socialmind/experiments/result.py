@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import FINISHED, Capsule, Manifest
 from socialmind.experiments.checkpoint import Checkpoint
-from socialmind.experiments.sources import recorded_class
-from socialmind.experiments.tables import AGENTS, SERIES, read
+from socialmind.experiments.sources import recorded_class, require_minds
+from socialmind.experiments.tables import AGENTS, SERIES, check_content, read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -30,13 +30,15 @@ class Run:
 
     Args:
         folder: the run's.
+        trust: run programs that this user has neither named nor run before.
 
     Raises:
         SocialmindError: the folder is no run's.
     """
 
-    def __init__(self, folder: str | Path) -> None:
+    def __init__(self, folder: str | Path, trust: bool = False) -> None:
         self._capsule = Capsule(folder)
+        self._trust = trust
 
     @property
     def folder(self) -> Path:
@@ -89,7 +91,7 @@ class Run:
                 schemes[population] = CognitiveScheme.load(path)
             except SchemeError:
                 # It may name a decision maker that only the model's own file defines.
-                declared = recorded_class(self._capsule).populations[population]
+                declared = recorded_class(self._capsule, self._trust).populations[population]
                 schemes[population] = CognitiveScheme.load(path, declared.decision_makers)
         return schemes
 
@@ -103,14 +105,17 @@ class Run:
         """The hierarchies of skills that the run used, by the population that has them."""
         from socialmind.mind.description import MindDescription
 
+        require_minds(self._capsule, self._trust)
         return {name: MindDescription.load(path) for name, path in self._capsule.minds.items()}
 
     def _table(self, name: str) -> pd.DataFrame:
         if self.manifest.status == FINISHED:
             paths = [self._capsule.table(name)]
+            check_content(paths[0], self.manifest.tables[name]["sha256"])
         elif self._capsule.checkpoint.is_file():
-            parts = Checkpoint.load(self._capsule.checkpoint).parts[name]
-            paths = [self._capsule.parts / part for part in parts]
+            checkpoint = Checkpoint.load(self._capsule.checkpoint)
+            checkpoint.check_parts(self._capsule.parts)
+            paths = [self._capsule.parts / part for part in checkpoint.parts[name]]
         else:
             raise SocialmindError(
                 f"{self.folder}: the run was stopped before its first checkpoint; "

@@ -237,8 +237,15 @@ def _run(task: _Task, worlds: Sequence[int], workers: int, on_progress: Progress
 
 def _columns(episodes: Episodes, worlds: Sequence[int]) -> Columns:
     outcome = episodes.run(None, worlds)
-    fields = {f"field {name}": values[0] for name, values in outcome.fields.items()}
-    return {"ticks": outcome.ticks[0], "ended": outcome.ended[0], **fields}
+    columns = {"ticks": outcome.ticks[0], "ended": outcome.ended[0]}
+    for name, values in outcome.fields.items():
+        column = np.empty(len(worlds), object)
+        for place, value in enumerate(values[0]):
+            # Of robots there are as many as have lived, in one episode more than in another.
+            lived = outcome.lived.get(name)
+            column[place] = value if lived is None else value[: lived[0, place]]
+        columns[f"field {name}"] = column
+    return columns
 
 
 @contextmanager

@@ -10,8 +10,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import socialmind
-from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
+from socialmind.catalogue import (
+    MODEL_FILE,
+    catalogue,
+    load_model,
+    load_script,
+    modules_from,
+    source_hash,
+)
 from socialmind.errors import SocialmindError
+from socialmind.provenance import KEPT, difference, difference_of_copies, sources_of
+from socialmind.trust import programs_in, remember, require
 
 if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme
@@ -23,25 +32,37 @@ if TYPE_CHECKING:
     HierarchyArgument = str | Path | MindDescription | Mapping[str, Any] | None
 
 
-def model_source(model_class: type[Model]) -> dict[str, str | None]:
-    """Where a model stands and the hash of its source, as the manifest records it.
+def model_source(model_class: type[Model]) -> dict[str, Any]:
+    """Where a model stands and what it is made from, as the manifest records it.
 
     A class defined in a ``model.py`` stands for its folder; one of another file for that file;
-    one typed into an interpreter has neither path nor hash.
+    one typed into a notebook or interpreter has no path.
+
+    Raises:
+        SocialmindError: a file was edited since it was loaded.
     """
     try:
         path: Path | None = Path(inspect.getfile(model_class)).resolve()
     except (OSError, TypeError):
         path = None
-    if path is None or not path.is_file():
-        return {"name": model_class.__name__, "path": None, "source_sha256": None}
-    if path.name == MODEL_FILE:
+    if path is not None and path.name == MODEL_FILE:
         path = path.parent
+    there = path is not None and path.exists()
     return {
-        "name": path.name if path.is_dir() else model_class.__name__,
-        "path": str(path),
-        "source_sha256": source_hash(path),
+        "name": path.name if path is not None and path.is_dir() else model_class.__name__,
+        "path": str(path) if there else None,
+        "source_sha256": source_hash(path) if path is not None and there else None,
+        "sources": sources_of(model_class).record(),
     }
+
+
+def with_late_reads(record: dict[str, Any], model_class: type[Model]) -> dict[str, Any]:
+    """A manifest's record of a model, with the files that the model has read since it was made."""
+    sources = record.get("sources")
+    if sources is None:
+        return record
+    found = sources_of(model_class).late(sources["files"])
+    return {**record, "sources": {**sources, "files": {**sources["files"], **found}}}
 
 
 def recorded_folder(capsule: Capsule) -> Path | None:
@@ -52,27 +73,83 @@ def recorded_folder(capsule: Capsule) -> Path | None:
     return catalogue().get(name or "")
 
 
-def recorded_class(capsule: Capsule) -> type[Model]:
-    """The model class of a run, loaded from the folder that its manifest names.
+def recorded_class(capsule: Capsule, kept: bool = False, trust: bool = False) -> type[Model]:
+    """The model class of a run, loaded from where its manifest says, or from the run's copies.
+
+    Args:
+        capsule: the run.
+        kept: from the copies that the run keeps.
+        trust: run programs that this user has neither named nor run before.
 
     Raises:
-        SocialmindError: no such folder is here.
+        SocialmindError: the model is not there, or it holds unknown programs.
     """
+    record = capsule.manifest.model
+    path = None if record["path"] is None else Path(record["path"])
+    if kept:
+        return _kept_class(capsule, path, trust)
     folder = recorded_folder(capsule)
-    if folder is None:
-        record = capsule.manifest.model
+    if folder is not None:
+        require(programs_in(folder), trust, f"{capsule.folder}: its model at {folder}")
+        return _with_minds(capsule, load_model(folder), trust)
+    if path is not None and path.is_file():
+        require(programs_in(path), trust, f"{capsule.folder}: its model at {path}")
+        return _with_minds(capsule, load_script(path, record["name"]), trust)
+    where = "was typed into a notebook or interpreter" if path is None else f"is not at {path}"
+    remedy = "give the class as model_class in Python"
+    if (capsule.folder / KEPT).is_dir():
+        remedy += ", or take the run's own copy: --source kept"
+    raise SocialmindError(f"{capsule.folder}: its model {record['name']} {where}; {remedy}")
+
+
+def _with_minds(capsule: Capsule, cls: type[Model], trust: bool) -> type[Model]:
+    """The class, whose minds may lie beside its folder."""
+    for population in cls.populations.values():
+        if isinstance(population.hierarchy, str | Path):
+            mind = cls.folder() / population.hierarchy
+            require(programs_in(mind), trust, f"{capsule.folder}: the mind at {mind}")
+    return cls
+
+
+def _kept_class(capsule: Capsule, path: Path | None, trust: bool) -> type[Model]:
+    home = capsule.folder / KEPT
+    if path is None or not home.is_dir():
         raise SocialmindError(
-            f"{capsule.folder}: its model {record['name']} is not at {record['path']}; "
-            "put its folder there, or give the class as model_class in Python"
+            f"{capsule.folder}: keeps no copy of its model's source; give the class as model_class"
         )
-    return load_model(folder)
+    changed = difference_of_copies(capsule.manifest.model["sources"], capsule.folder)
+    if changed:
+        raise SocialmindError(changed)
+    require(programs_in(home), trust, f"{capsule.folder}: its copy of the model's source")
+    with modules_from(home / "modules"):
+        if (home / "model" / MODEL_FILE).is_file():
+            return load_model(home / "model")
+        return load_script(home / "model" / path.name, capsule.manifest.model["name"])
+
+
+def require_minds(capsule: Capsule, trust: bool) -> None:
+    """Refuse unknown programs in a run's copies of its minds, unless they are trusted.
+
+    Raises:
+        SocialmindError: there are some; lists them.
+    """
+    for path in capsule.minds.values():
+        require(programs_in(path), trust, f"{capsule.folder}: its copy of a mind")
 
 
 def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     """What differs between the run's model or schemes and the files as they are, or None."""
-    found = model_source(model_class)
-    if found["source_sha256"] != capsule.manifest.model["source_sha256"]:
-        return f"{found['path']}: the model's source is not the one the run was made with"
+    record = capsule.manifest.model
+    if _is_kept(capsule, model_class):
+        changed = difference_of_copies(record["sources"], capsule.folder)
+    elif "sources" in record:
+        changed = difference(record["sources"], sources_of(model_class))
+    else:  # a run from before modules and data elsewhere were looked at
+        found = model_source(model_class)
+        same = found["source_sha256"] == record["source_sha256"]
+        changed = None if same else f"{found['path']}: is not the source the run was made with"
+    if changed:
+        return changed
     for population, path in capsule.schemes.items():
         if not path.is_file():
             return f"{path}: the run's copy of its scheme is missing"
@@ -86,8 +163,36 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     return None
 
 
+def _edited(capsule: Capsule) -> str | None:
+    """What differs between a run's record and the files of the model's folder, or None."""
+    record, folder = capsule.manifest.model, recorded_folder(capsule)
+    if folder is None:
+        return None
+    for label, hashed in (record.get("sources") or {"files": {}})["files"].items():
+        kind, _, name = label.partition("/")
+        if kind == "model" and name.endswith(".py"):
+            file = folder / name
+            if not file.is_file() or _sha256(file.read_bytes()) != hashed:
+                return f"{file}: is not the file that the run was made with"
+    if "sources" not in record and source_hash(folder) != record["source_sha256"]:
+        return f"{folder}: is not the source the run was made with"
+    return None
+
+
+def _is_kept(capsule: Capsule, model_class: type[Model]) -> bool:
+    """Return whether a class was loaded from a run's own copies."""
+    try:
+        return Path(inspect.getfile(model_class)).is_relative_to(capsule.folder / KEPT)
+    except (OSError, TypeError):
+        return False
+
+
 def model_of(
-    capsule: Capsule, model_class: type[Model] | None = None, compiled: bool | None = None
+    capsule: Capsule,
+    model_class: type[Model] | None = None,
+    compiled: bool | None = None,
+    kept: bool = False,
+    trust: bool = False,
 ) -> Model:
     """A run's model at tick 0.
 
@@ -95,15 +200,27 @@ def model_of(
         capsule: the run.
         model_class: its class; loaded from where the manifest says by default.
         compiled: speed; the run's by default.
+        kept: load the class from the copies that the run keeps.
+        trust: run programs that this user has neither named nor run before.
 
     Raises:
-        SocialmindError: the model is missing, or it, its scheme or socialmind was changed since.
+        SocialmindError: the model is missing, or it, its scheme or socialmind was changed since;
+            or model or minds hold unknown programs.
     """
     manifest = capsule.manifest
-    cls = recorded_class(capsule) if model_class is None else model_class
-    changed = changes_since(capsule, cls)
-    if changed:
-        raise SocialmindError(f"{changed}; put the old file back, or start another run")
+    require_minds(capsule, trust)
+    cls = model_class
+    # Said before anything is run, or asked about.
+    changed = None if kept or cls is not None else _edited(capsule)
+    if cls is None and not changed:
+        cls = recorded_class(capsule, kept, trust)
+    changed = changed or (None if cls is None else changes_since(capsule, cls))
+    if changed or cls is None:
+        remedies = ["put the old file back", "start another run"]
+        if (capsule.folder / KEPT).is_dir():
+            remedies.insert(1, "take the run's own copies (--source kept)")
+        remedy = f"{', '.join(remedies[:-1])}, or {remedies[-1]}"
+        raise SocialmindError(f"{changed}; {remedy}")
     then, today = manifest.versions.get("socialmind"), socialmind.__version__
     if then != today:
         raise SocialmindError(
@@ -176,6 +293,7 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
             found = _files_in(Path(place) / "mind")
         folder = f"minds/{population}"
         name, sha256 = assembly.description.name, _hash_of(found)
+        remember({path: content for path, content in found.items() if path.endswith(".py")})
         records[population] = {"name": name, "folder": folder, "sha256": sha256}
         files |= {f"{folder}/{path}": content for path, content in found.items()}
     return records, files

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import tempfile
 from dataclasses import dataclass
+from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coglogo_py.errors import one_line
+from socialmind.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.columns import from_arrow
 from socialmind.experiments.execution import Progress, run
-from socialmind.experiments.sources import changes_since, recorded_class
-from socialmind.experiments.tables import TABLES, content_of, pieces
+from socialmind.experiments.sources import changes_since, recorded_class, require_minds
+from socialmind.experiments.tables import AGENTS, TABLES, content_of, pieces
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -67,6 +70,8 @@ def replay(
     folder: str | Path,
     model_class: type[Model] | None = None,
     on_progress: Progress | None = None,
+    kept: bool = False,
+    trust: bool = False,
 ) -> Replay:
     """Run a capsule's model again, in a temporary folder, and compare what comes out.
 
@@ -74,6 +79,8 @@ def replay(
         folder: of a finished run.
         model_class: the model; loaded from where the run says it stands by default.
         on_progress: as for `socialmind.experiments.run`.
+        kept: whether to take the copies of the model's source that the run keeps.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         Whether the tables are reproduced, and where they first differ.
@@ -88,7 +95,8 @@ def replay(
             f"{stored.folder}: the run is {manifest.status} at tick {manifest.ticks_done} of "
             f"{manifest.ticks}; finish it with --resume first"
         )
-    cls = recorded_class(stored) if model_class is None else model_class
+    require_minds(stored, trust)
+    cls = recorded_class(stored, kept, trust) if model_class is None else model_class
     notes = [changed] if (changed := changes_since(stored, cls)) else []
     here = capsules.versions()
     notes += [
@@ -98,6 +106,7 @@ def replay(
     ]
     exact = manifest.platforms == [capsules.fingerprint()]
     differences = _tampering(stored)
+    first = next(iter(getattr(cls, "populations", {})), None)
     with tempfile.TemporaryDirectory(prefix="socialmind-replay-") as place:
         again = run(
             cls,
@@ -114,7 +123,7 @@ def replay(
             engine=manifest.engine,
         )
         for name in TABLES:
-            found = compare(stored.table(name), Capsule(again).table(name), name, exact)
+            found = compare(stored.table(name), Capsule(again).table(name), name, exact, first)
             differences += [found] if found else []
     return Replay(exact, tuple(differences), tuple(notes))
 
@@ -128,14 +137,19 @@ def _tampering(stored: Capsule) -> list[Difference]:
     ]
 
 
-def compare(stored: Path, again: Path, name: str, exact: bool = True) -> Difference | None:
+def compare(
+    stored: Path, again: Path, name: str, exact: bool = True, first: str | None = None
+) -> Difference | None:
     """The first difference between two tables, in the order of their rows.
+
+    A run made before the column `population` is compared by the columns and rows that it has.
 
     Args:
         stored: Parquet file of the run.
         again: Parquet file of the run made again.
         name: of the table, for the message.
         exact: False allows numbers to differ by 1e-6 of their size, or 1e-9.
+        first: the model's first population.
 
     Returns:
         None when there is none.
@@ -144,20 +158,28 @@ def compare(stored: Path, again: Path, name: str, exact: bool = True) -> Differe
     import pyarrow.parquet as pq
 
     schema, found = pq.read_schema(again), pq.read_schema(stored)
+    population = None
     if found.names != schema.names:
-        return Difference(
-            name, f"columns {', '.join(found.names)} in the run; {', '.join(schema.names)} now"
-        )
+        own, today = set(found.names), set(schema.names)
+        before = name == AGENTS and POPULATION in today - own and own < today
+        if not before and own != today:
+            return Difference(
+                name, f"columns {', '.join(found.names)} in the run; {', '.join(schema.names)} now"
+            )
+        population = first if before else None
+        schema = pa.schema([schema.field(column) for column in found.names])
+    lengths = [0, 0]
     try:
+        sides = pieces([stored], schema), pieces([again], schema, population=population)
         # The two have the same pieces, but for the last when their lengths differ.
-        for here, there in zip(pieces([stored], schema), pieces([again], schema), strict=False):
+        for here, there in zip_longest(*sides, fillvalue=pa.Table.from_batches([], schema)):
             rows = min(here.num_rows, there.num_rows)
             difference = _first_difference(here.slice(0, rows), there.slice(0, rows), exact)
             if difference is not None:
                 return Difference(name, difference)
+            lengths = [lengths[0] + here.num_rows, lengths[1] + there.num_rows]
     except pa.ArrowInvalid as error:
-        return Difference(name, f"column types differ ({error})")
-    lengths = [pq.read_metadata(path).num_rows for path in (stored, again)]
+        return Difference(name, f"column types differ ({one_line(str(error))})")
     if lengths[0] != lengths[1]:
         return Difference(name, f"{lengths[0]} rows in the run, {lengths[1]} now")
     return None

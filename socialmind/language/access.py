@@ -174,12 +174,16 @@ def _weigh_NAME(_model, agent, slot, minds, weights, plans, count):
 
 _CHOOSE_AMONG = "_choose_NAME = _kernel.choose_among"
 
-_CHOOSE_BY_OWN_MAKER = """@_inner
+_CHOOSE_BY_OWN_MAKER = """from coglogo_py.own_maker import position_of as _position_of
+
+
+@_inner
 def _choose_NAME(scheme, minds, slot, weights, plans, count):
     plan = -1
     if count > 0:
         u = _kernel.next_draw(minds, slot)
-        plan = plans[_own_NAME(weights[:count], scheme.maker[1], u)]
+        place = _own_NAME(weights[:count].copy(), scheme.maker[1], u)
+        plan = plans[_position_of(place, count)]
     minds.draws[slot] += 1
     return plan"""
 
@@ -235,6 +239,10 @@ def population_text(population: PopulationShape, own_maker: bool) -> str:
             "NEW_HIERARCHY": f"_begin_hierarchy_{name}(_model, slot)",
             "HATCHED_HIERARCHY": f"_copy_hierarchy_{name}(_model, parent._slot, slot)",
         }
+    if population.own:
+        born = f"born = carray(_as_pointer(_model._{name}_default), (1,), {name}_ROW)[0]"
+        lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
+        fills["HATCHED_MIND"] = "\n    ".join([*lines, fills["HATCHED_MIND"]])
     text = _POPULATION
     for mark, fill in fills.items():
         text = text.replace(mark, fill)

@@ -437,6 +437,19 @@ def brought_back(value: float, low: int, size: int) -> float:
 
 
 @register_jitable
+def within(value: float, half_width: float) -> float:
+    """Return a coordinate of a body as a plane has it, which has room for bodies inside alone.
+
+    Args:
+        value: the coordinate.
+        half_width: of the arena; 0 for one without borders.
+    """
+    if half_width > 0.0 and not abs(value) <= half_width:
+        raise ValueError("a place outside the arena")
+    return value
+
+
+@register_jitable
 def turned(heading: float) -> float:
     """Return a heading in [0, 360) degrees."""
     if 0.0 <= heading < 360.0:

@@ -6,11 +6,21 @@ import ast
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from socialmind.language import tables
 from socialmind.language.nodes import Typed, call, constant, marked, nearest
 from socialmind.language.operators import typed_power
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
-from socialmind.language.signatures import MATH, Signature
-from socialmind.language.types import BOOL, FLOAT, INT, NONE, ArrayType, PopulationType, Type
+from socialmind.language.signatures import MATH, WRITTEN, Signature
+from socialmind.language.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    NONE,
+    ArrayType,
+    PopulationType,
+    TableType,
+    Type,
+)
 
 if TYPE_CHECKING:
     from socialmind.language.expressions import ExpressionTyper
@@ -25,9 +35,10 @@ def built_in(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
 def without_keywords(typer: ExpressionTyper, node: ast.Call, name: str) -> None:
     """Refuse a call with keywords."""
     if node.keywords:
-        typer.refuse(
-            node, f"{name}() with {node.keywords[0].arg}=", f"write {name}() without the name"
-        )
+        advice = f"write the values in their order, without names: {name}({WRITTEN.get(name, '…')})"
+        if node.keywords[0].arg == "key":
+            advice = "keep the best so far in a for loop"
+        typer.refuse(node, f"{name}() with {node.keywords[0].arg}=", advice)
 
 
 def fitted(
@@ -36,12 +47,10 @@ def fitted(
     """Return the arguments of a call as the types that its signature wants."""
     wanted = signature.arguments
     if len(node.args) != len(wanted):
-        typer.refuse(
-            node,
-            f"{len(node.args)} arguments for {name}()",
-            "see the table of calls in docs/rules.md",
-            f"{len(wanted)}",
-        )
+        advice = "see the table of calls in docs/rules.md"
+        if name in WRITTEN:
+            advice = f"write {name}({WRITTEN[name]})"
+        typer.refuse(node, f"{len(node.args)} arguments for {name}()", advice, f"{len(wanted)}")
     return [
         typer.fitted(argument, kind, f"{name}()")
         for argument, kind in zip(node.args, wanted, strict=True)
@@ -104,7 +113,9 @@ def _round(typer: ExpressionTyper, node: ast.Call) -> Typed:
 def _extreme(name: str) -> Callable[[ExpressionTyper, ast.Call], Typed]:
     def typed(typer: ExpressionTyper, node: ast.Call) -> Typed:
         if len(node.args) == 1:
-            value, kind = typer.expression(node.args[0])
+            value, kind = typer.several(node.args[0])
+            if isinstance(kind, TableType) and isinstance(kind.item, Type):
+                return call(f"_{name}_of", [value], node), kind.item
             if not isinstance(kind, ArrayType):
                 typer.refuse(
                     node,
@@ -127,7 +138,11 @@ def _extreme(name: str) -> Callable[[ExpressionTyper, ast.Call], Typed]:
 
 
 def _sum(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    value, kind = typer.expression(_only(typer, node, "sum"))
+    value, kind = typer.several(_only(typer, node, "sum"))
+    if isinstance(kind, TableType) and kind.item in (BOOL, INT):
+        return call("_total_int", [tables.written(tuple(map(int, kind.values)), node)], node), INT
+    if isinstance(kind, TableType) and kind.item == FLOAT:
+        return call("_total", [value, constant(0.0, node)], node), FLOAT
     if not isinstance(kind, ArrayType):
         typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
     if kind.of == FLOAT:
@@ -136,7 +151,9 @@ def _sum(typer: ExpressionTyper, node: ast.Call) -> Typed:
 
 
 def _len(typer: ExpressionTyper, node: ast.Call) -> Typed:
-    value, kind = typer.expression(_only(typer, node, "len"))
+    value, kind = typer.several(_only(typer, node, "len"))
+    if isinstance(kind, TableType):
+        return constant(len(kind.values), node), INT
     if isinstance(kind, ArrayType):
         return constant(kind.size, node), INT
     if isinstance(kind, PopulationType):

@@ -6,6 +6,7 @@ import ast
 import types as python_types
 from typing import TYPE_CHECKING, Any
 
+from socialmind.language import hints
 from socialmind.language.built_in import (
     BUILT_IN,
     built_in,
@@ -13,10 +14,11 @@ from socialmind.language.built_in import (
     math_function,
     without_keywords,
 )
+from socialmind.language.draws import typed_draw
 from socialmind.language.hierarchies import hierarchy_call
-from socialmind.language.nodes import Typed, call, constant, marked, nearest
+from socialmind.language.nodes import Typed, call, close, constant, marked, nearest
 from socialmind.language.refusals import METHODS, MODULES, NAMES
-from socialmind.language.signatures import CHOSEN, MIND, RNG, Signature
+from socialmind.language.signatures import CHOSEN, MIND, Signature
 from socialmind.language.types import (
     BOOL,
     FLOAT,
@@ -31,6 +33,7 @@ from socialmind.language.types import (
     PlanType,
     PopulationType,
     RowType,
+    TableType,
     TextType,
     TupleType,
     Type,
@@ -74,11 +77,8 @@ def _called_by_name(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
         return built_in(typer, node, name)
     if name in NAMES:
         typer.refuse(node, f"{name}() in the rule {typer.source.name!r}", NAMES[name])
-    return typer.refuse(
-        node,
-        f"the unknown function {name!r}",
-        nearest(name, [*BUILT_IN, *typer.source.public_names]),
-    )
+    advice = hints.for_function(typer, name, BUILT_IN)
+    return typer.refuse(node, f"the unknown function {name!r}", advice)
 
 
 def _called_in_module(
@@ -88,9 +88,10 @@ def _called_in_module(
     root = module.__name__.split(".")[0]
     if root in MODULES:
         typer.refuse(node, f"{full}() in a rule", MODULES[root])
-    if module.__name__ != "math" and not hasattr(module, name):
+    names = typer.program.module_names(module)
+    if module.__name__ != "math" and name not in names:
         typer.refuse(node, f"the unknown function {full!r}", nearest(name, dir(module)))
-    return _called_value(typer, node, full, getattr(module, name, None))
+    return _called_value(typer, node, full, names.get(name))
 
 
 def _called_value(typer: ExpressionTyper, node: ast.Call, name: str, value: Any) -> Typed:
@@ -129,7 +130,7 @@ def helper(
     source = typer.program.source(function)
     names = source.parameters
     written = list(first or [])
-    written += [typer.expression(argument) for argument in node.args]
+    written += [typer.several(argument) for argument in node.args]
     if len(written) > len(names):
         typer.refuse(
             node,
@@ -145,7 +146,7 @@ def helper(
                 f"the argument {keyword.arg!r} of {source.name}()",
                 nearest(str(keyword.arg), [name for name in names if name not in given]),
             )
-        given[str(keyword.arg)] = typer.expression(keyword.value)
+        given[str(keyword.arg)] = typer.several(keyword.value)
     for name, default in source.defaults.items():
         if name not in given:
             given[name] = typer.module_value(node, f"{source.name}({name}=…)", default)
@@ -166,8 +167,8 @@ def helper(
                 node, f"{kind} for {name!r} of {source.name}()", "give each parameter one value"
             )
         kinds[name] = kind
-        if isinstance(kind, TextType):
-            continue  # a text is part of which function this is, not an argument of it
+        if isinstance(kind, TextType | TableType):
+            continue  # a constant is part of which function this is, not an argument of it
         if place < len(written):
             arguments.append(value)
         else:
@@ -187,7 +188,7 @@ def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Type
     base, kind = typer.expression(func.value)
     name = func.attr
     if kind == RNG_TYPE:
-        return _draw(typer, node, base, name)
+        return typed_draw(typer, node, base, name)
     if isinstance(kind, MindType):
         return _mind(typer, node, base, kind, name)
     if isinstance(kind, HierarchyType):
@@ -200,22 +201,15 @@ def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Type
         return _world(typer, node, base, kind, name)
     if name in METHODS:
         typer.refuse(node, f".{name}() in a rule", METHODS[name])
+    if kind == MODEL:
+        advice = f"write it as a function of the file, and call it: {name}(model)"
+        typer.refuse(node, f"{name}() of the model", advice)
     return typer.refuse(node, f"{name}() of {kind}", "see docs/rules.md for what can be called")
 
 
 def _made(node: ast.Call, base: ast.expr, name: str, arguments: list[ast.expr], mark: Any) -> Any:
     func = ast.copy_location(ast.Attribute(base, name, ast.Load()), node)
     return marked(ast.copy_location(ast.Call(func, arguments, []), node), mark)
-
-
-def _draw(typer: ExpressionTyper, node: ast.Call, base: ast.expr, name: str) -> Typed:
-    if name not in RNG:
-        typer.refuse(node, f"rng.{name}()", METHODS.get(name) or nearest(name, RNG))
-    without_keywords(typer, node, f"rng.{name}")
-    fitting = [one for one in RNG[name] if len(one.arguments) == len(node.args)]
-    signature = fitting[0] if fitting else RNG[name][-1]
-    arguments = fitted(typer, node, f"rng.{name}", signature)
-    return _made(node, base, name, arguments, ("draw", name, len(arguments))), signature.result
 
 
 def _mind(
@@ -303,7 +297,7 @@ def _agent(
     return typer.refuse(
         node,
         f"{name}() of {kind}",
-        nearest(name, ("die", "hatch", "run_plan")) + "; or call a function",
+        hints.for_agents_method(typer, ast.unparse(base), name),
     )
 
 
@@ -327,10 +321,11 @@ def _population(
         if len(index) != 1:
             typer.refuse(node, "contains() of other than one identity", "write contains(id)")
         return _made(node, base, name, index, ("contains", kind.population)), BOOL
+    advice = close(name, ("create", "one_of", "contains")) if name not in hints.POPULATION else None
     return typer.refuse(
         node,
         f"{name}() of {kind}",
-        nearest(name, ("create", "one_of", "contains")) + "; or write a for loop over it",
+        advice or hints.for_population(typer, kind.population, name),
     )
 
 
@@ -345,6 +340,5 @@ def _world(
     if name in ("in_radius", "patches"):
         loop = "patches" if name == "patches" else "in_radius(agent, radius)"
         typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{loop}:`")
-    return typer.refuse(
-        node, f"the world's {name}()", nearest(name, [*torus.COMMANDS, "patch", "in_radius"])
-    )
+    advice = hints.for_world(typer, name, [*torus.COMMANDS, "patch", "in_radius"])
+    return typer.refuse(node, f"the world's {name}()", advice)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from typing import TYPE_CHECKING
 
+from socialmind.language import tables
 from socialmind.language.nodes import Typed, constant, marked, nearest
 from socialmind.language.types import (
     BOOL,
@@ -13,7 +14,9 @@ from socialmind.language.types import (
     OptionalType,
     PlanType,
     RowType,
+    TableType,
     TextType,
+    TupleType,
 )
 
 if TYPE_CHECKING:
@@ -88,6 +91,10 @@ def _identity(typer: ExpressionTyper, node: ast.Compare) -> Typed:
 def _one_of_several(typer: ExpressionTyper, node: ast.Compare, operator: ast.cmpop) -> Typed:
     """Type `x in (1, 2)` as `x == 1 or x == 2`, where asking again changes nothing."""
     several = node.comparators[0]
+    if isinstance(several, ast.Name | ast.Attribute):
+        kind = typer.expression(several)[1]
+        if isinstance(kind, TableType) and not isinstance(kind.item, TupleType):
+            several = tables.written(kind.values, several)
     if not isinstance(several, ast.Tuple | ast.List | ast.Set) or not several.elts:
         typer.refuse(node, "`in` without written values", "write `x in (1, 2)`, or a for loop")
     assert isinstance(several, ast.Tuple | ast.List | ast.Set)  # refused above
@@ -155,9 +162,11 @@ def _plans(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typ
         elif isinstance(kind, TextType) and isinstance(other, PlanType):
             values.append(typer.plan_name(value, kind, other.population))
         else:
-            typer.refuse(
-                node,
-                f"{kind} compared with {other}",
-                "compare a plan with a plan's name, or with a plan of the same population",
-            )
+            advice = "compare a plan with a plan's name, or with a plan of the same population"
+            if not isinstance(kind, PlanType) and not isinstance(other, PlanType):
+                advice = (
+                    "texts name plans (agent.plan == 'GrowWheat') and nothing else; "
+                    "keep a choice among few as a whole number: `RED = 0` at the top of the file"
+                )
+            typer.refuse(node, f"{kind} compared with {other}", advice)
     return _compare(node, values), BOOL

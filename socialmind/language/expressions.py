@@ -11,6 +11,7 @@ import numpy as np
 
 from socialmind.errors import ModelError
 from socialmind.fields import Field
+from socialmind.language import hints, tables
 from socialmind.language.built_in import BUILT_IN
 from socialmind.language.calls import typed_call
 from socialmind.language.comparisons import typed_comparison
@@ -40,6 +41,7 @@ from socialmind.language.types import (
     PlanType,
     PopulationType,
     RowType,
+    TableType,
     TextType,
     TupleType,
     Type,
@@ -172,13 +174,18 @@ class ExpressionTyper:
                 self.refuse(
                     near,
                     "whole numbers of a function, where numbers with fractions are needed",
-                    "let the function return float(…)",
+                    "let the function return float(…); in a tuple of constants write 1.0",
                 )
             value.elts = [
                 self.converted(item, of, to, what, near)
                 for item, of, to in zip(value.elts, kind.items, target.items, strict=True)
             ]
             return value
+        if isinstance(kind, RowType) and target in NUMBERS:
+            advice = (
+                f"keep its identity, `….id`; `model.{kind.population}[identity]` finds it again"
+            )
+            self.refuse(near, f"{kind} for {what}", advice, str(target))
         return self.refuse(near, f"{kind} for {what}", f"give it {target}", str(target))
 
     def truth(self, node: ast.expr) -> ast.expr:
@@ -200,6 +207,9 @@ class ExpressionTyper:
                 "a value that may be None as a condition",
                 "write `is not None`, or compare it",
             )
+        if isinstance(kind, PopulationType):
+            advice = f"write `len(model.{kind.population}) > 0`"
+            self.refuse(node, f"{kind} as a condition", advice)
         return self.refuse(node, f"{kind} as a condition", "write a comparison")
 
     def truth_value(self, node: ast.expr) -> Typed:
@@ -224,7 +234,8 @@ class ExpressionTyper:
             self.refuse(
                 node,
                 "None as a value",
-                "only fields declared as `int | None`, `float | None` and a plan may be None",
+                "only fields declared as `int | None`, `float | None` and a plan may be None; "
+                "a variable begins with a number, as -1 for none",
             )
         return self.refuse(node, f"{value!r}", "write a number")
 
@@ -241,21 +252,24 @@ class ExpressionTyper:
             if isinstance(kind, TextType):
                 # A text is part of which function this is, not an argument of it.
                 return constant(kind.value, node), kind
+            if isinstance(kind, TableType):
+                return tables.written(kind.values, node), kind
             return ast.copy_location(ast.Name(name, ast.Load()), node), kind
         if name in self.source.names:
             return self.module_value(node, name, self.source.names[name])
         if name in NAMES:
             self.refuse(node, f"{name}() in the rule {self.source.name!r}", NAMES[name])
-        known = [*self.variables, *self.source.public_names]
         if name in BUILT_IN:
             self.refuse(node, f"the function {name!r} as a value", f"call it: {name}(…)")
-        return self.refuse(node, f"the unknown name {name!r}", nearest(name, known))
+        return self.refuse(node, f"the unknown name {name!r}", hints.for_name(self, name))
 
     def module_value(self, node: ast.expr, name: str, value: Any) -> Typed:
         """Return a constant of the author's file (or of `math`), written in its place."""
         for plain, kinds in _CONSTANTS:
             if isinstance(value, kinds):
                 return self._on_constant(ast.copy_location(ast.Constant(plain(value)), node))
+        if isinstance(value, tuple):
+            return self.table(node, name, value)
         if isinstance(value, python_types.FunctionType):
             self.refuse(node, f"the function {name!r} as a value", f"call it: {name}(…)")
         if isinstance(value, python_types.ModuleType):
@@ -266,9 +280,32 @@ class ExpressionTyper:
         return self.refuse(
             node,
             f"{name!r}, which is of the type {type(value).__name__}",
-            "only numbers, plan names and plain functions of the file are for rules; "
-            "tables belong into array fields or parameters",
+            "only numbers, plan names, tuples of these and plain functions of the file are for "
+            "rules; write a table as a tuple, what changes as an array field",
         )
+
+    def table(self, node: ast.expr, name: str, values: tuple[Any, ...]) -> Typed:
+        """Return a tuple of constants, written in its place."""
+        try:
+            kind = tables.table(values)
+        except tables.NoTableError as error:
+            self.refuse(
+                node,
+                f"the tuple {name!r}: {error}",
+                "write numbers of one kind, or tuples of equal length; "
+                "larger tables belong into array fields",
+            )
+        return tables.written(kind.values, node), kind
+
+    def several(self, node: ast.expr) -> Typed:
+        """Return an expression; constants written as a tuple are a table."""
+        if isinstance(node, ast.Tuple) and node.elts:
+            try:
+                values = ast.literal_eval(node)
+            except ValueError:
+                return self.expression(node)
+            return self.table(node, "(…)", values)
+        return self.expression(node)
 
     # Attributes -------------------------------------------------------------------------------
 
@@ -290,10 +327,13 @@ class ExpressionTyper:
         if isinstance(kind, WorldType):
             if node.attr in ("size", "low", "high"):
                 return marked(new, ("world_size", node.attr)), INT
-            remedy = nearest(node.attr, ("size", "low", "high"))
+            remedy = hints.for_world(self, node.attr, ("size", "low", "high"))
             if node.attr == "patches":
                 remedy = "write `for patch in model.world.patches:`"
             self.refuse(node, f"the world's {node.attr!r} as a value", remedy)
+        if isinstance(kind, PopulationType):
+            advice = hints.for_population(self, kind.population, node.attr)
+            self.refuse(node, f"{node.attr!r} of {kind}", advice)
         return self.refuse(
             node, f"{node.attr!r} of {kind}", "only agents, patches and the model have fields"
         )
@@ -301,14 +341,15 @@ class ExpressionTyper:
     def module_attribute(self, node: ast.Attribute, module: python_types.ModuleType) -> Typed:
         """Return a constant of `math`, or one of the author's own modules."""
         name = f"{module.__name__}.{node.attr}"
-        if not hasattr(module, node.attr):
+        names = self.program.module_names(module)
+        if node.attr not in names:
             self.refuse(node, f"the unknown name {name!r}", nearest(node.attr, dir(module)))
         if module.__name__ == "math" and node.attr not in MATH_CONSTANTS:
             self.refuse(node, f"{name!r} as a value", f"call it: {name}(…)")
         root = module.__name__.split(".")[0]
         if root in MODULES:
             self.refuse(node, f"{name!r} in a rule", MODULES[root])
-        return self.module_value(node, name, getattr(module, node.attr))
+        return self.module_value(node, name, names[node.attr])
 
     def _model_attribute(self, node: ast.Attribute) -> Typed:
         name = node.attr
@@ -320,8 +361,8 @@ class ExpressionTyper:
             return marked(node, ("world",)), WorldType()
         fields = {**self.shape.parameters, **self.shape.variables}
         if name not in fields:
-            known = [*fields, *self.shape.populations, "tick"]
-            self.refuse(node, f"the model's {name!r}", nearest(name, known))
+            found = f"the model's {name!r}, which it does not declare"
+            self.refuse(node, found, hints.for_model(self, name))
         return self.field(node, fields, MODEL, ("model",))
 
     def _agent_attribute(self, node: ast.Attribute, kind: RowType) -> Typed:
@@ -354,9 +395,11 @@ class ExpressionTyper:
         """Return the reading of a declared field."""
         found: Field | None = fields.get(node.attr)
         if found is None:
-            self.refuse(
-                node, f"the unknown field {node.attr!r} of {owner}", nearest(node.attr, fields)
-            )
+            if isinstance(owner, RowType):
+                advice = hints.for_agent(self, node, owner.population)
+            else:
+                advice = hints.declaring(node.attr, fields, "the class of the patches", self)
+            self.refuse(node, f"the unknown field {node.attr!r} of {owner}", advice)
         kind: AnyType = SCALARS[found.kind]
         if found.size is not None:
             kind = ArrayType(SCALARS[found.kind], found.size)
@@ -369,9 +412,11 @@ class ExpressionTyper:
     # Places in arrays and populations ---------------------------------------------------------
 
     def _on_subscript(self, node: ast.Subscript) -> Typed:
-        base, kind = self.expression(node.value)
+        base, kind = self.several(node.value)
         if isinstance(node.slice, ast.Slice):
             self.refuse_syntax(node.slice)
+        if isinstance(kind, TableType | TupleType):
+            return self.place_in_tuple(node, base, kind)
         if isinstance(kind, PopulationType):
             index = self.fitted(node.slice, INT, "the identity of an agent")
             new = ast.copy_location(ast.Subscript(base, index, ast.Load()), node)
@@ -381,7 +426,30 @@ class ExpressionTyper:
             checked = call("_position", [index, constant(kind.size, node)], node)
             new = ast.copy_location(ast.Subscript(base, checked, ast.Load()), node)
             return marked(new, ("element", kind.of == BOOL)), kind.of
+        if isinstance(kind, RowType) or kind == MODEL:
+            self.refuse(node, f"[…] on {kind}", "write the name of the field after a dot")
         return self.refuse(node, f"[…] on {kind}", "only array fields and populations have places")
+
+    def place_in_tuple(
+        self, node: ast.Subscript, base: ast.expr, kind: TableType | TupleType
+    ) -> Typed:
+        """Return a place of a tuple: of constants by any index, of others by a written one."""
+        size = len(kind.values if isinstance(kind, TableType) else kind.items)
+        index = self.fitted(node.slice, INT, "the place in the tuple")
+        written = index.value if isinstance(index, ast.Constant) else None
+        if isinstance(written, int) and not -size <= written < size:
+            self.refuse(node, f"the place {written} of {kind}", f"write 0 … {size - 1}")
+        if isinstance(kind, TupleType):
+            if not isinstance(written, int):
+                self.refuse(
+                    node, f"a place of {kind} that depends", "take them apart: `x, y = PAIRS[k]`"
+                )
+            new = ast.copy_location(ast.Subscript(base, index, ast.Load()), node)
+            return new, kind.items[written]
+        if kind.item is None:
+            self.refuse(node, "a place in a tuple of texts", "write if … elif … with the texts")
+        checked = call("_position", [index, constant(size, node)], node)
+        return ast.copy_location(ast.Subscript(base, checked, ast.Load()), node), kind.item
 
     def _on_tuple(self, node: ast.Tuple) -> Typed:
         items = [self.there(item) for item in node.elts]

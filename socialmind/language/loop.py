@@ -66,6 +66,7 @@ from numba import carray, njit
 from coglogo_py import kernel as _kernel
 from coglogo_py.arrays import MindArrays as _MindArrays
 from coglogo_py.arrays import SchemeArrays as _SchemeArrays
+from coglogo_py.machine_code import kept as _kept
 from socialmind import bookkeeping as _bookkeeping
 from socialmind import streams as _streams
 from socialmind.language import arithmetic as _arithmetic
@@ -90,6 +91,11 @@ _rng_uniform = _streams.uniform
 _rng_integers = _streams.integers
 _rng_normal = _streams.normal
 _rng_exponential = _streams.exponential
+_rng_gamma = _streams.gamma
+_rng_poisson = _streams.poisson
+_rng_weighted = _streams.weighted
+_rng_permutation = _streams.permutation
+_rng_shuffle = _streams.shuffle_array
 _begin = _streams.begin
 _shuffle = _streams.shuffle
 _born = _bookkeeping.born
@@ -246,14 +252,14 @@ def advance(models, ticks):
     return _advance(models.view(MODEL), ticks)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def _prepare(models):
     _model = models[0]
     rng = _stream(_model)
 {setup}    _end_tick(_model)
 
 
-@njit(cache=True, nogil=True)
+@_kept(__name__, nogil=True)
 def _advance(models, ticks):
     _model = models[0]
     rng = _stream(_model)

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import ast
+import copy
 from typing import TYPE_CHECKING, Any
 
+from socialmind.language.draws import permutation
 from socialmind.language.nodes import call, constant, marked
+from socialmind.language.refusals import NAMES
 from socialmind.language.types import (
     BOOL,
     FLOAT,
     INT,
+    RNG,
     AnyType,
     ArrayType,
     PatchType,
     PopulationType,
     RowType,
+    TableType,
+    TupleType,
     WorldType,
 )
 
@@ -51,34 +57,57 @@ def while_loop(function: FunctionTyper, node: ast.While) -> ast.stmt:
 def for_loop(function: FunctionTyper, node: ast.For) -> list[ast.stmt]:
     """Return a for loop as both speeds run it."""
     typer = function.typer
+    called = node.iter.func if isinstance(node.iter, ast.Call) else None
     if not isinstance(node.target, ast.Name):
-        typer.refuse(node, "several variables in a for loop", "loop over one")
-    name = node.target.id
-    if name != "_" and (name in function.counters or name in function.parameters):
-        typer.refuse(node, f"{name!r} as the variable of a loop inside its own", "use another name")
+        advice = NAMES.get(called.id) if isinstance(called, ast.Name) else None
+        if advice is not None:
+            typer.refuse(node, "several variables in a for loop", advice)
+    names = _names(node.target)
+    for name in names:
+        if name != "_" and (name in function.counters or name in function.parameters):
+            typer.refuse(
+                node, f"{name!r} as the variable of a loop inside its own", "use another name"
+            )
     before, iterated, kind, mark = _iterated(function, node.iter)
+    kinds = [kind] if isinstance(node.target, ast.Name) else list(getattr(kind, "items", ()))
+    if not names:
+        typer.refuse(node, "a field in the place of a loop's variable", "write `for name in …:`")
+    if isinstance(node.target, ast.Name) and isinstance(kind, TupleType):
+        advice = f"write `for {', '.join('xyzuvw'[: len(kind.items)])} in …:`"
+        typer.refuse(node, f"{kind} for one variable in a for loop", advice)
+    if len(kinds) != len(names):
+        advice = f"write {len(kinds)} variables" if len(kinds) > 1 else "loop over one"
+        typer.refuse(node, f"{kind} for {len(names)} variables in a for loop", advice)
     assigned = typer.assigned
     outer = function.counters
-    function.counters = outer - {name}
-    function.bound(name, constant(0, node), kind, node)
-    if function.kinds[name] != kind:
-        typer.refuse(
-            node,
-            f"{name!r}, which is {function.kinds[name]} elsewhere, as {kind}",
-            "use another name",
-        )
-    function.counters = outer | {name}
+    function.counters = outer - set(names)
+    for name, one in zip(names, kinds, strict=True):
+        function.bound(name, constant(0, node), one, node)
+        if function.kinds[name] != one:
+            typer.refuse(
+                node,
+                f"{name!r}, which is {function.kinds[name]} elsewhere, as {one}",
+                "use another name",
+            )
+    function.counters = outer | set(names)
     body, at_breaks = _body(function, node.body)
     function.counters = outer
     # Not one round may have run.
     typer.assigned = assigned
     orelse = function.block(node.orelse) if node.orelse else []
     typer.assigned = both(typer.assigned, at_breaks)
-    target = ast.copy_location(ast.Name(name, ast.Store()), node.target)
+    target = copy.deepcopy(node.target)
     return [
         *before,
         marked(ast.copy_location(ast.For(target, iterated, body, orelse), node), mark),
     ]
+
+
+def _names(target: ast.expr) -> list[str]:
+    """Return the variables of a for loop; none where something else is written there."""
+    parts = target.elts if isinstance(target, ast.Tuple | ast.List) else [target]
+    names = [part.id for part in parts if isinstance(part, ast.Name)]
+    return names if len(names) == len(parts) else []
 
 
 def _body(function: FunctionTyper, body: list[ast.stmt]) -> tuple[list[ast.stmt], Any]:
@@ -96,16 +125,24 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
         if "range" not in typer.variables and "range" not in typer.source.names:
             return _range(function, node)
     elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-        if node.func.attr == "in_radius" and _is_world(function, node.func.value):
+        if node.func.attr == "in_radius" and _is(function, node.func.value, WorldType()):
             return _in_radius(function, node, node.func.value)
+        if node.func.attr == "permutation" and _is(function, node.func.value, RNG):
+            stream, _ = typer.expression(node.func.value)
+            return [], permutation(typer, node, stream), INT, ("permutation",)
     elif (
         isinstance(node, ast.Attribute)
         and node.attr == "patches"
-        and _is_world(function, node.value)
+        and _is(function, node.value, WorldType())
     ):
         base, _ = typer.expression(node.value)
         return [], call("_all_patches", [base], node), PatchType(), ("patches",)
-    value, kind = typer.expression(node)
+    value, kind = typer.several(node)
+    if isinstance(kind, TableType):
+        if kind.item is None:
+            advice = "write a line for each text: rules hold no texts"
+            typer.refuse(node, "a for loop over texts", advice)
+        return [], value, kind.item, ("table",)
     if isinstance(kind, PopulationType):
         return [], value, RowType(kind.population), ("agents", kind.population)
     if isinstance(kind, ArrayType):
@@ -125,10 +162,10 @@ def _range(function: FunctionTyper, node: ast.Call) -> Iterated:
     return [], call("_range", bounds, node), INT, ("range",)
 
 
-def _is_world(function: FunctionTyper, node: ast.expr) -> bool:
+def _is(function: FunctionTyper, node: ast.expr, kind: AnyType) -> bool:
     if isinstance(node, ast.Name) and node.id not in function.kinds:
         return False
-    return isinstance(function.typer.expression(node)[1], WorldType)
+    return function.typer.expression(node)[1] == kind
 
 
 def _in_radius(function: FunctionTyper, node: ast.Call, world: ast.expr) -> Iterated:

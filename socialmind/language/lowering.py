@@ -61,8 +61,9 @@ class _Lowering(ast.NodeTransformer):
     """Rewrites the marked nodes of a tree, the inner ones first."""
 
     def __init__(self, shape: ModelShape | None) -> None:
-        self.turns = shape is not None and shape.plane is None
-        self.wraps = self.turns and shape is not None and shape.patch is not None
+        self.turns = shape is not None
+        self.wraps = shape is not None and shape.patch is not None
+        self.plane = None if shape is None else shape.plane
         self.loops = 0
         self.kept = 0
 
@@ -122,7 +123,7 @@ class _Lowering(ast.NodeTransformer):
             target = ast.Attribute(self.visit(place.value), "_plan", ast.Store())
             return [ast.Assign([target], value)]
         if place.mark[0] == "agent":
-            value = self.kept_within(field.name, value)
+            value = self.kept_within(place.mark[1], field.name, value)
         holder = self.holder(place, place.mark)
         if not field.optional:
             return [ast.Assign([ast.Attribute(holder, place.attr, ast.Store())], value)]
@@ -144,8 +145,12 @@ class _Lowering(ast.NodeTransformer):
             ast.Assign([there], ast.Constant(not mark[1])),
         ]
 
-    def kept_within(self, name: str, value: ast.expr) -> ast.expr:
+    def kept_within(self, population: str, name: str, value: ast.expr) -> ast.expr:
         """Return a new place or heading as agents keep it (`rows` has the interpreted twin)."""
+        if self.plane is not None and population in self.plane.bodies and name in PLACES:
+            wide = self.plane.half_width
+            half = _parsed(f"_model.{wide}") if isinstance(wide, str) else ast.Constant(float(wide))
+            return ast.Call(_name("_within"), [value, half], [])
         if self.wraps and name in PLACES:
             low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
             return ast.Call(_name("_brought_back"), [value, low, size], [])

@@ -40,7 +40,10 @@ def written_number(node: ast.Constant) -> float | int:
 def nearest(name: str, known: Iterable[str]) -> str:
     """Return a hint at the known name that a misspelt one resembles, or what there is."""
     names = list(known)
-    close = difflib.get_close_matches(name, names, n=1)
-    if close:
-        return f"did you mean {close[0]!r}?"
-    return "there is " + ", ".join(names) if names else "there is none"
+    return close(name, names) or ("there is " + ", ".join(names) if names else "there is none")
+
+
+def close(name: str, known: Iterable[str]) -> str | None:
+    """Return a hint at the known name that a misspelt one resembles, if there is one."""
+    found = difflib.get_close_matches(name, list(known), n=1)
+    return f"did you mean {found[0]!r}?" if found else None

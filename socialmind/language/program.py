@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import ModelError
 from socialmind.language import arithmetic
-from socialmind.language.nodes import nearest
+from socialmind.language.nodes import close, nearest
 from socialmind.language.shape import ModelShape, PhaseShape
-from socialmind.language.source import RuleSource, rule_source
+from socialmind.language.source import Names, RuleSource, rule_source
 from socialmind.language.statements import FunctionTyper
 from socialmind.language.syntax import compiled
-from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TextType
+from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TableType, TextType
 from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
 
 if TYPE_CHECKING:
@@ -87,6 +87,7 @@ class Program:
         self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
         self.plane: PlaneProgram | None = None
         self._sources: dict[Callable[..., Any], RuleSource] = {}
+        self._modules: dict[python_types.ModuleType, Names] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
         self._open: list[Callable[..., Any]] = []
         # The populations whose plans a function carries out, and those whose agents it changes
@@ -105,6 +106,17 @@ class Program:
         if function not in self._sources:
             self._sources[function] = rule_source(function)
         return self._sources[function]
+
+    def module_names(self, module: python_types.ModuleType) -> Names:
+        """Return the names of a module that a rule names."""
+        return self._modules.setdefault(module, Names(vars(module)))
+
+    @property
+    def outdated(self) -> bool:
+        """Whether typing the same rules again would read other constants or call other helpers."""
+        return any(source.outdated for source in self._sources.values()) or any(
+            names.outdated for names in self._modules.values()
+        )
 
     def _phases(self, shapes: tuple[PhaseShape, ...], first_tag: int) -> tuple[Phase, ...]:
         tags = phase_tags(first_tag, [self.source(shape.rule).name for shape in shapes])
@@ -131,10 +143,15 @@ class Program:
                 takes.append(name)
             else:
                 first = "" if population is None else "an agent, then "
+                misspelt = close(name, known)
+                if place == 1 and names[0] in known and population is not None:
+                    misspelt = f"write def {source.name}({name}, {names[0]})"
                 raise ModelError(
                     f"the parameter {name!r} of the rule {source.name!r}",
                     f"{first}`model` and `rng`, as far as it needs them",
-                    "values reach a rule through the fields of the agent and the model",
+                    misspelt
+                    or _INSTEAD.get(name)
+                    or "values reach a rule through the fields of the agent and the model",
                     source.file,
                     source.line,
                 )
@@ -182,6 +199,11 @@ class Program:
                 f"run_plan() of {population!r}, which has no plans",
                 "give the population plans: Population(…, plans={'GrowWheat': grow_wheat})",
             )
+
+    @property
+    def within_a_call(self) -> bool:
+        """Whether the function that is typed is one that another function calls."""
+        return len(self._open) > 1
 
     def bears(self, population: str) -> None:
         """Note that rules bring new agents into a population."""
@@ -234,7 +256,7 @@ class Program:
         names = [
             name
             for name, kind in zip(source.parameters, kinds, strict=True)
-            if not isinstance(kind, TextType)
+            if not isinstance(kind, TextType | TableType)
         ]
         arguments = ast.arguments([], [ast.arg(name) for name in names], None, [], [], None, [])
         tree = ast.FunctionDef(symbol, arguments, body, [], None, None)
@@ -329,6 +351,15 @@ RUNTIME: dict[str, Any] = {
     "_breakpoint": breakpoint,
 }
 """What the trees of both speeds call by name."""
+
+
+_INSTEAD = {
+    "world": "write model.world",
+    "self": "the agent comes first, under any name, and needs no `self`",
+    **dict.fromkeys(("random", "seed"), "the agent's random stream is called `rng`"),
+    **dict.fromkeys(("tick", "time", "step"), "write model.tick"),
+}
+"""What rules have in place of a parameter."""
 
 
 def _check_definition(source: RuleSource) -> None:

@@ -102,12 +102,21 @@ METHODS: dict[str, str] = {
     "sort": "keep the best so far in a for loop",
     "items": "rules hold no dictionaries",
     "keys": "rules hold no dictionaries",
-    "choice": "write `model.population.one_of(rng)`, or index with `rng.integers(n)`",
-    "shuffle": "agents come in a fresh random order by themselves",
+    "choices": "write `rng.choice(values, p=weights)`",
+    "expovariate": "write `rng.exponential(mean)`",
+    "gammavariate": "write `rng.gamma(shape, scale)`",
+    "standard_normal": "write `rng.normal(0, 1)`",
+    "permuted": "write `for k in rng.permutation(n):`, or `rng.shuffle(array)`",
+    "binomial": "count in a for loop: `if rng.random() < p:`",
     "randint": "write `rng.integers(low, high + 1)`",
     "gauss": "write `rng.normal(mean, deviation)`",
     "rand": "write `rng.random()`",
     "format": "rules hold no texts",
+    "sum": "write `sum(array)`",
+    "mean": "write `sum(array) / len(array)`",
+    "max": "write `max(array)`",
+    "min": "write `min(array)`",
+    "copy": "copy the places of the array one by one",
 }
 
 MATH_REMEDIES: dict[str, str] = {

@@ -23,6 +23,7 @@ class PopulationShape:
         plans: the function of each plan.
         hierarchy: whether its agents have hierarchies of skills.
         weighed: whether these weigh the plans of its cogniton minds.
+        own: the fields that a hatched agent does not take from its parent: they are as at birth.
     """
 
     name: str
@@ -31,6 +32,7 @@ class PopulationShape:
     plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
     hierarchy: bool = False
     weighed: bool = False
+    own: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -89,8 +89,25 @@ RNG: dict[str, tuple[Signature, ...]] = {
     "integers": (Signature((INT,), INT), Signature((INT, INT), INT)),
     "normal": (Signature((FLOAT, FLOAT), FLOAT),),
     "exponential": (Signature((FLOAT,), FLOAT),),
+    "gamma": (Signature((FLOAT, FLOAT), FLOAT),),
+    "poisson": (Signature((FLOAT,), INT),),
 }
 """The draws of a random stream, spelled as NumPy's Generator spells them."""
+OF_SEVERAL = ("choice", "permutation", "shuffle")
+"""Draws among several values, which `draws` types."""
+
+WRITTEN = {
+    "rng.random": "",
+    "rng.uniform": "low, high",
+    "rng.integers": "low, high",
+    "rng.normal": "mean, deviation",
+    "rng.exponential": "mean",
+    "rng.gamma": "shape, scale",
+    "rng.poisson": "mean",
+    "math.atan2": "y, x",
+    "math.hypot": "x, y",
+}
+"""How the arguments of a call are called, where errors show them."""
 
 MATH: dict[str, Signature] = {
     **{

@@ -4,14 +4,62 @@ from __future__ import annotations
 
 import ast
 import inspect
+import linecache
+import os
 import textwrap
-import types as python_types
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
+from types import CodeType
 from typing import Any
 
 from socialmind.errors import ModelError
 from socialmind.language.syntax import compiled, parsed
+
+_ABSENT = object()
+
+
+class Names(Mapping[str, Any]):
+    """The names that a function sees in its file, or a rule in another module; it notes the read.
+
+    What a rule reads is written into its program. So a program stands for the values that were
+    read, and no longer for the file once one of them is another (a notebook's next cell).
+
+    Args:
+        namespace: the names, as they are.
+    """
+
+    def __init__(self, namespace: Mapping[str, Any]) -> None:
+        self._namespace = namespace
+        self._read: dict[str, Any] = {}
+
+    def __getitem__(self, name: str) -> Any:
+        value = self._read[name] = self._namespace.get(name, _ABSENT)
+        if value is _ABSENT:
+            raise KeyError(name)
+        return value
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._namespace)
+
+    def __len__(self) -> int:
+        return len(self._namespace)
+
+    @property
+    def outdated(self) -> bool:
+        """Whether a name that was read means something else by now."""
+        return any(
+            not _same(value, self._namespace.get(name, _ABSENT))
+            for name, value in self._read.items()
+        )
+
+
+def _same(one: Any, other: Any) -> bool:
+    # 1 == 1.0 == True, yet rules tell them apart.
+    return one is other or (isinstance(one, _PLAIN) and repr(one) == repr(other))
+
+
+_PLAIN = int | float | bool | str | tuple
 
 
 @dataclass(frozen=True)
@@ -24,7 +72,8 @@ class RuleSource:
         file: the file it stands in.
         line: the line of its `def`.
         tree: its syntax tree, with line numbers of the file.
-        names: the module names it can see.
+        names: the names of its file that it can see.
+        state: its code and its parameters' defaults when it was read.
     """
 
     function: Callable[..., Any]
@@ -32,7 +81,17 @@ class RuleSource:
     file: str
     line: int
     tree: ast.FunctionDef
-    names: Mapping[str, Any]
+    names: Names
+    state: tuple[CodeType, tuple[Any, ...] | None]
+
+    @property
+    def outdated(self) -> bool:
+        """Whether the function, or something that it reads, is another by now."""
+        function = self.function
+        now = (function.__code__, function.__defaults__)
+        return self.names.outdated or any(
+            one is not other for one, other in zip(self.state, now, strict=True)
+        )
 
     @property
     def defaults(self) -> dict[str, Any]:
@@ -49,6 +108,22 @@ class RuleSource:
     def parameters(self) -> list[str]:
         """The names of its parameters, in order."""
         return [argument.arg for argument in self.tree.args.args]
+
+
+def hold_text(file: str) -> None:
+    """Keep the text of a file that has just been loaded, whatever becomes of the file.
+
+    Rules are read when they are first needed, which may be long after.
+
+    Args:
+        file: its path; what is no file, such as a notebook's cell, is known to Python already.
+    """
+    if not os.path.isfile(file):  # noqa: PTH113  # of each model that is defined
+        return
+    linecache.cache.pop(file, None)
+    lines = linecache.getlines(file)
+    # Without a time of change Python does not look whether the file has another one by now.
+    linecache.cache[file] = (sum(map(len, lines)), None, lines, file)
 
 
 def rule_source(function: Any) -> RuleSource:
@@ -77,6 +152,7 @@ def rule_source(function: Any) -> RuleSource:
             line,
         )
     try:
+        whole, _ = inspect.findsource(function)
         lines, start = inspect.getsourcelines(function)
         tree = parsed(textwrap.dedent("".join(lines))).body[0]
     except (OSError, TypeError, SyntaxError):
@@ -92,7 +168,7 @@ def rule_source(function: Any) -> RuleSource:
         raise ModelError("an async rule", "a plain function", "write `def`", file, tree.lineno)
     if not isinstance(tree, ast.FunctionDef):
         raise ModelError(f"{function!r}", "a plain function", "write `def`", file, line)
-    if not _is_source_of(tree, function):
+    if not _is_as_loaded("".join(whole), code):
         raise ModelError(
             f"another text where the rule {function.__name__!r} stood",
             "the file as it was loaded",
@@ -100,18 +176,47 @@ def rule_source(function: Any) -> RuleSource:
             file,
             line,
         )
-    return RuleSource(function, function.__name__, file, tree.lineno, tree, function.__globals__)
+    names = Names(function.__globals__)
+    state = (code, function.__defaults__)
+    return RuleSource(function, function.__name__, file, tree.lineno, tree, names, state)
 
 
-def _is_source_of(tree: ast.FunctionDef, function: python_types.FunctionType) -> bool:
-    """Say whether a syntax tree can be a function's; its file may have changed since."""
-    module = compiled(ast.Module([tree], []), function.__code__.co_filename)
-    codes = [one for one in module.co_consts if isinstance(one, python_types.CodeType)]
-    found = [one for one in codes if one.co_name == function.__code__.co_name]
-    return any(
-        (one.co_varnames, one.co_names)
-        == (function.__code__.co_varnames, function.__code__.co_names)
-        for one in found
+def _is_as_loaded(text: str, code: CodeType) -> bool:
+    """Say whether a function was loaded from a file of this text, which may have changed since."""
+    return any(_does(one) == _does(code) for one in _functions(text, code.co_filename))
+
+
+@lru_cache(maxsize=16)
+def _functions(text: str, file: str) -> tuple[CodeType, ...]:
+    """Return the code of all functions of a file.
+
+    The whole file is compiled: what a call compiles to depends on the file's imports as well.
+    """
+    try:
+        waiting = [compiled(parsed(text), file)]
+    except (SyntaxError, ValueError):
+        return ()
+    found = []
+    while waiting:
+        inner = [one for one in waiting.pop().co_consts if isinstance(one, CodeType)]
+        found += inner
+        waiting += inner
+    return tuple(found)
+
+
+def _does(code: CodeType) -> tuple[Any, ...]:
+    """Return what a code object does and where it stands."""
+    constants = [
+        _does(one) if isinstance(one, CodeType) else (type(one), repr(one))
+        for one in code.co_consts
+    ]
+    return (
+        code.co_name,
+        code.co_firstlineno,
+        code.co_code,
+        constants,
+        code.co_names,
+        code.co_varnames,
     )
 
 

@@ -21,6 +21,7 @@ from socialmind.language.types import (
     OptionalType,
     PlanType,
     RowType,
+    TableType,
     TextType,
     TupleType,
     unified,
@@ -115,6 +116,8 @@ class FunctionTyper:
             self.returned(NONE, node)
             return ast.copy_location(ast.Return(None), node)
         value, kind = self.typer.there(written)
+        if isinstance(kind, TableType):
+            self.typer.refuse(node, f"{kind} returned", "use the constant where it is needed")
         if isinstance(kind, TextType) or (
             isinstance(kind, TupleType) and any(isinstance(item, TextType) for item in kind.items)
         ):
@@ -211,11 +214,13 @@ class FunctionTyper:
             self.typer.refuse(
                 node, f"{name!r} from a call that returns nothing", "call it on its own line"
             )
-        if isinstance(kind, TextType | TupleType | ArrayType):
+        if isinstance(kind, TextType | TupleType | ArrayType | TableType):
             self.typer.refuse(
                 node,
                 f"{kind} as the variable {name!r}",
-                "write it where it is used, or use a field",
+                "take it apart: `x, y = …`"
+                if isinstance(kind, TupleType)
+                else "write it where it is used, or use a field",
             )
         if name.startswith("_") and name != "_":
             self.typer.refuse(node, f"the variable {name!r}", "leave the leading underscore out")
@@ -260,6 +265,11 @@ class FunctionTyper:
         """Return where a field or an element is stored, its type and what to call it."""
         if not isinstance(target, ast.Attribute | ast.Subscript):
             self.typer.refuse_syntax(target)
+        if isinstance(target, ast.Subscript):
+            _, held = self.typer.several(target.value)
+            if isinstance(held, TableType | TupleType):
+                advice = "constants stay as they are; declare an array field for what changes"
+                self.typer.refuse(target, f"a new value for a place of {held}", advice)
         reading, kind = self.typer.expression(target)
         if isinstance(reading, ast.Attribute):
             mark: tuple[str, ...] = getattr(reading, "mark", ("other",))

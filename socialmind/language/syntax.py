@@ -22,13 +22,16 @@ def parsed(text: str | bytes, mode: str = "exec") -> Any:
         mode: `exec` for statements, `eval` for an expression.
 
     Raises:
-        SyntaxError: the text is no Python.
+        SyntaxError: the text is no Python, or is nested too deep for it.
 
     >>> parsed("1 + 2", "eval").body.left.value
     1
     """
     with _ONE_AT_A_TIME:
-        return ast.parse(text, mode=mode)
+        try:
+            return ast.parse(text, mode=mode)
+        except (RecursionError, MemoryError):
+            raise SyntaxError("brackets or blocks nested too deep") from None
 
 
 def compiled(tree: ast.Module, file: str) -> CodeType:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -147,6 +148,22 @@ class TupleType:
         return f"{len(self.items)} values"
 
 
+@dataclass(frozen=True)
+class TableType:
+    """A tuple of constants, as `((0, 1), (1, 0))`; its values are part of what it is.
+
+    Attributes:
+        values: numbers, truth values or texts, or tuples of equal length of these.
+        item: the type of one; None among texts, which have no type in common.
+    """
+
+    values: tuple[Any, ...]
+    item: Type | TupleType | None
+
+    def __str__(self) -> str:
+        return f"a tuple of {len(self.values)}"
+
+
 AnyType = (
     Type
     | OptionalType
@@ -161,6 +178,7 @@ AnyType = (
     | ChoiceType
     | TextType
     | TupleType
+    | TableType
 )
 
 

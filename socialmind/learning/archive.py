@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import json
 import os
-import zipfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from coglogo_py.errors import CogLogoError, one_line
 from socialmind.errors import SocialmindError
+from socialmind.experiments.arrays_file import load_arrays, make_room
 
 _RECORD = "record"
 
@@ -27,13 +29,17 @@ def save(
         arrays: by name; numbers and texts, no Python objects.
         compressed: smaller, and slower to write; it is read all the same.
     """
-    unfinished = path.with_name(path.name + ".partial")
+    unfinished = make_room(path.with_name(path.name + ".partial"))
     whole: dict[str, Any] = {**arrays, _RECORD: np.array(json.dumps(record))}
-    with unfinished.open("wb") as file:
-        (np.savez_compressed if compressed else np.savez)(file, **whole)
-        file.flush()
-        os.fsync(file.fileno())
-    unfinished.replace(path)
+    try:
+        with unfinished.open("xb") as file:
+            (np.savez_compressed if compressed else np.savez)(file, **whole)
+            file.flush()
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+    except OSError:
+        unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
+        raise
 
 
 def load(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
@@ -43,12 +49,28 @@ def load(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
         SocialmindError: the file is no such file, or cut off.
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
-            record = json.loads(str(file[_RECORD]))
-            return record, {name: file[name] for name in file.files if name != _RECORD}
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        return load_arrays(path, _RECORD)
+    except (OSError, ValueError) as error:
         raise SocialmindError(
             f"{path}: not a whole file of a training ({error}); take it from a copy of the folder"
+        ) from error
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[None]:
+    """Use what a file held; what does not fit there is the file's fault.
+
+    Raises:
+        SocialmindError: something is missing, or not of the kind that a training writes.
+    """
+    try:
+        yield
+    except (LookupError, TypeError, ValueError, AttributeError, OverflowError) as error:
+        if isinstance(error, CogLogoError):
+            raise
+        raise SocialmindError(
+            f"{path}: not what a training wrote ({one_line(str(error)) or type(error).__name__}); "
+            "take it from a copy of the folder"
         ) from error
 
 

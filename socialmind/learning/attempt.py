@@ -17,6 +17,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from socialmind.experiments.record import (
+    NUMBER,
+    TEXT,
+    Each,
+    Fields,
+    Kind,
+    Many,
+    check_record,
+    optional,
+    whole,
+)
 from socialmind.learning import archive
 from socialmind.learning.course import Course
 from socialmind.learning.curriculum import Position
@@ -77,8 +88,9 @@ class Attempt:
         self._item_ticks = 0
         self._at: Position | None = Position()
         self._teaching: Teaching | None = None
-        if (folder / CHECKPOINT).is_file():
-            self._restore()
+        if (folder / CHECKPOINT).exists():
+            with archive.reading(folder / CHECKPOINT):
+                self._restore()
 
     @property
     def finished(self) -> bool:
@@ -194,7 +206,7 @@ class Attempt:
         archive.save(self.folder / CHECKPOINT, record, arrays)
 
     def _restore(self) -> None:
-        record, arrays = archive.load(self.folder / CHECKPOINT)
+        record, arrays = load_checkpoint(self.folder)
         skills = []
         for name, genome in archive.part(arrays, "learned/").items():
             skill = self.mind.skill(name)
@@ -223,6 +235,58 @@ class Attempt:
             self.number, teaching.lesson, position, teaching.generation, best, mean,
             int(ticks - before), seconds, population,
         )  # fmt: skip
+
+
+_CHECKPOINT = Fields(
+    {
+        "position": Kind(
+            "a position in the curriculum, or null", lambda one: one is None or _at(one)
+        ),
+        "done": whole(0, 10**6),
+        "item_ticks": whole(),
+        "seconds": NUMBER,
+        "in_hand": optional(TEXT),
+        "graphs": Each(Many(TEXT)),
+    },
+    {"last": Kind("a position in the curriculum, or null", lambda one: one is None or _at(one))},
+)
+_RESULT = Fields(
+    {
+        "lesson": TEXT,
+        "cycle": whole(),
+        "skills": Many(TEXT),
+        "ticks": whole(),
+    },
+    {},
+)
+
+
+def _at(value: Any) -> bool:
+    length = len(Position._fields)
+    return isinstance(value, list) and len(value) == length and all(map(whole().holds, value))
+
+
+def load_checkpoint(folder: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the record and the arrays that an attempt goes on from.
+
+    Raises:
+        SocialmindError: the file is not what a training wrote.
+    """
+    record, arrays = archive.load(folder / CHECKPOINT)
+    check_record(record, _CHECKPOINT, str(folder / CHECKPOINT))
+    return record, arrays
+
+
+def load_result(folder: Path, number: int) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return what came of an attempt's lesson, counted from 1.
+
+    Raises:
+        SocialmindError: the file is not what a training wrote.
+    """
+    path = result_file(folder, number)
+    record, arrays = archive.load(path)
+    check_record(record, _RESULT, str(path))
+    return record, arrays
 
 
 def write_result(

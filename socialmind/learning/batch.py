@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from socialmind.connection import connect, connected_arrays
 from socialmind.errors import SocialmindError
-from socialmind.learning.outcome import Outcome
+from socialmind.learning.outcome import Outcome, filled
 from socialmind.mind.minds import Minds
 from socialmind.worlds.plane.lockstep_text import LOCKSTEP
 
@@ -51,7 +51,6 @@ class Batch:
             )
             for _ in range(lanes)
         ]
-        self.founders = {name: len(table.rows) for name, table in self.models[0].tables.items()}
         for model in self.models:
             for name, slots in room.items():
                 while len(model.tables[name].rows) < slots:
@@ -117,9 +116,11 @@ class Batch:
         weights = np.array([n for s in episodes.skills for n in _places(minds, s)], np.int64)
         tables = [self.models[0].tables[name] for name in episodes.robots]
         rows: dict[str | None, NDArray[Any]] = {
-            name: np.zeros((jobs, len(table.rows)), table.dtype)
+            name: np.zeros((jobs, len(table.slot_of)), table.dtype)
             for name, table in zip(episodes.robots, tables, strict=True)
         }
+        for kept in rows.values():
+            kept["_id"] = -1  # nobody has lived yet
         wanted = any(population is None for population, _ in episodes.recorded.values())
         rows[None] = np.zeros((jobs, 1) if wanted else (jobs, 0), self.models[0].contexts.dtype)
         out = np.array([(_address(one), one.nbytes // jobs) for one in rows.values()], np.int64)
@@ -149,16 +150,22 @@ class Batch:
             )
         if status < 0:
             self._fail(genomes, individual, keys)
-        fields = {}
+        fields, lived = {}, {}
         for name, (population, field) in episodes.recorded.items():
             values = rows[population][field]
-            values = values[:, 0] if population is None else values[:, : self.founders[population]]
+            if population is None:
+                values = values[:, 0]
+            else:
+                there = rows[population]["_id"] >= 0
+                values = filled([one[who] for one, who in zip(values, there, strict=True)])
+                lived[name] = there.sum(axis=1).reshape(shape)
             fields[name] = values.reshape(*shape, *values.shape[1:])
         return Outcome(
             score.reshape(shape),
             words["ticks"].reshape(shape),
             words["ended"].reshape(shape),
             fields,
+            lived,
         )
 
     def _fail(

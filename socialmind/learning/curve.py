@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from socialmind.experiments.arrays_file import make_room
 from socialmind.learning import archive
-from socialmind.learning.attempt import CHECKPOINT, result_file
+from socialmind.learning.attempt import CHECKPOINT, load_checkpoint, load_result, result_file
 from socialmind.learning.teaching import COLUMNS, VALIDATED
 
 if TYPE_CHECKING:
@@ -51,14 +52,26 @@ def _lessons(folder: Path) -> list[tuple[int, str, np.ndarray]]:
     """Return cycle, name and rows of each lesson of an attempt that has a generation."""
     if not (folder / CHECKPOINT).is_file():
         return []
-    record, arrays = archive.load(folder / CHECKPOINT)
+    record, arrays = load_checkpoint(folder)
     found = []
     for number in range(1, record["done"] + 1):
-        told, own = archive.load(result_file(folder, number))
-        found.append((told["cycle"], told["lesson"], own["rows"]))
+        told, own = load_result(folder, number)
+        with archive.reading(result_file(folder, number)):
+            found.append((told["cycle"], told["lesson"], _rows(own["rows"])))
     if record["in_hand"] is not None:
-        found.append((record["position"][1], record["in_hand"], arrays["teaching/rows"]))
+        with archive.reading(folder / CHECKPOINT):
+            rows = _rows(arrays["teaching/rows"])
+            found.append((record["position"][1], record["in_hand"], rows))
     return [one for one in found if len(one[2])]
+
+
+def _rows(found: np.ndarray) -> np.ndarray:
+    columns = len(COLUMNS)
+    if found.ndim == 1 and not len(found):
+        return found
+    if found.ndim != 2 or found.shape[1] not in (columns, columns + 1) or found.dtype.kind != "f":
+        raise ValueError(f"rows of the shape {found.shape}")
+    return found
 
 
 def write_curve(curve: pd.DataFrame, path: Path) -> dict[str, Any]:
@@ -78,7 +91,7 @@ def write_curve(curve: pd.DataFrame, path: Path) -> dict[str, Any]:
     from socialmind.experiments.tables import ContentDigest
 
     table = pa.Table.from_pandas(curve, preserve_index=False).replace_schema_metadata(None)
-    unfinished = path.with_name(path.name + ".partial")
+    unfinished = make_room(path.with_name(path.name + ".partial"))
     pq.write_table(table, unfinished, compression="zstd")
     unfinished.replace(path)
     lasting = table.drop_columns(["seconds"])

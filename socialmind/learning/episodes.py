@@ -1,8 +1,9 @@
 """Episodes: genomes judged in worlds, many at once, on which all learning on a plane stands.
 
 An episode is a model from its setup to an interruption or the limit of ticks. Its score is the sum
-of its rewards. Worlds run in lockstep, a lane each, so that their minds are evaluated together;
-what comes out does not depend on how many lanes there are, or in what order episodes begin.
+of its rewards, the mean of all robots that have lived in it. Worlds run in lockstep, a lane each,
+so that their minds are evaluated together; what comes out does not depend on how many lanes there
+are, or in what order episodes begin.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.nodes import nearest
 from socialmind.learning.batch import LANES, Batch, Crowded
-from socialmind.learning.outcome import Outcome
+from socialmind.learning.lives import Lives
+from socialmind.learning.outcome import Outcome, filled
 from socialmind.learning.pupils import length_of, pupils_of
 from socialmind.mind.description import MindDescription
 
@@ -39,8 +41,8 @@ class Episodes:
         population: whose minds these are; the first one with a hierarchy by default.
         lanes: how many worlds run in lockstep.
         physics: "compiled", or "pymunk", which runs one world after another.
-        record: what to give back: fields of the robots that the minds steer, variables of the
-            model, or "population.field" for other robots.
+        record: what to give back: fields of the robots that the minds steer, of the dead as they
+            were at last; variables of the model; or "population.field" for other robots.
         without: names of interruptions that are not heeded.
 
     Raises:
@@ -166,19 +168,20 @@ class Episodes:
         fields: dict[str, list[Any]] = {name: [] for name in self.record}
         for job, (one, key) in enumerate(zip(individual.tolist(), keys.tolist(), strict=True)):
             model = self.model(key, rows[one] if len(rows) else None)
+            lives = Lives(model)
             while model.over is None and model.tick < self.ticks:
-                model.advance(1)
-            tables = [model.tables[name] for name in self.robots]
-            scores = [one for table in tables for one in table.rows["score"][table.alive].tolist()]
-            score[job] = sum(scores) / max(len(scores), 1)
+                lives.advance(last=model.tick + 1 == self.ticks)
+            score[job] = lives.score
             ticks[job], ended[job] = model.tick, int(model.context["_over"])
             for name, values in fields.items():
                 population, field = self.recorded[name]
-                if population is None:
-                    values.append(np.copy(model.context[field]))
-                    continue
-                founders = max(model._size(model.populations[population].size, 0), 1)
-                values.append(model.tables[population].rows[field][:founders].copy())
-        stacked = {name: np.array(values) for name, values in fields.items()}
-        found = {name: a.reshape(*shape, *a.shape[1:]) for name, a in stacked.items()}
-        return Outcome(score.reshape(shape), ticks.reshape(shape), ended.reshape(shape), found)
+                found_in = model.context if population is None else lives.rows(population)
+                values.append(np.copy(found_in[field]))
+        found, lived = {}, {}
+        for name, values in fields.items():
+            stacked = np.array(values) if self.recorded[name][0] is None else filled(values)
+            found[name] = stacked.reshape(*shape, *stacked.shape[1:])
+            if self.recorded[name][0] is not None:
+                lived[name] = np.array([len(one) for one in values]).reshape(shape)
+        ended = ended.reshape(shape)
+        return Outcome(score.reshape(shape), ticks.reshape(shape), ended, found, lived)

@@ -16,7 +16,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.signals import deferred_signals
 from socialmind.experiments.sources import model_source
-from socialmind.learning.attempt import Attempt, News
+from socialmind.learning.attempt import Attempt, News, load_result
 from socialmind.learning.course import SIMBATCH, Course, curriculum_of, mind_of
 from socialmind.learning.curriculum import Curriculum, Cycle
 from socialmind.learning.curve import draw_curve, read_curve, write_curve
@@ -28,6 +28,8 @@ from socialmind.learning.training_capsule import TrainingCapsule, TrainingManife
 from socialmind.learning.workers import Stopped, hired
 from socialmind.mind.description import MindDescription
 from socialmind.model import Model
+from socialmind.provenance import difference, sources_of
+from socialmind.trust import programs_in, remember, require
 
 OnGeneration = Callable[[News, float | None], None]
 OnLesson = Callable[[int, Lesson, Result], None]
@@ -103,8 +105,12 @@ def learn(
         SocialmindError: lessons and mind do not fit together, a folder in use, …
         TrainingInterrupted: Ctrl-C; all but the generation in hand is safe, `resume` goes on.
     """
-    _at_least_one(attempts=attempts, generations=generations, budget=budget, cycles=cycles)
-    seed = whole_number(seed, "seed", 0, 2**64 - 1, SocialmindError)
+    attempts = _whole("attempts", attempts)
+    generations, budget, cycles = (
+        None if value is None else _whole(name, value)
+        for name, value in (("generations", generations), ("budget", budget), ("cycles", cycles))
+    )
+    seed = _whole("seed", seed, 0, 2**64 - 1)
     if engine not in (COMPILED, PYMUNK):
         raise SocialmindError(f"engine {engine!r}; expected {COMPILED} or {PYMUNK}")
     target = None if out is None else Path(out)
@@ -119,6 +125,7 @@ def learn(
     curriculum = changed(curriculum, changes)
     Course(curriculum, begun, seed, engine)  # which refuses what does not fit together
     files = files_of(begun)
+    remember({path: content for path, content in files.items() if path.endswith(".py")})
     manifest = TrainingManifest(
         model=_source(model),
         lessons=_as_json(curriculum.record()),
@@ -147,6 +154,7 @@ def resume(
     cluster: str | None = None,
     on_generation: OnGeneration | None = None,
     on_lesson: OnLesson | None = None,
+    trust: bool = False,
 ) -> Path:
     """Go on with a training that was stopped, or add attempts or cycles to it.
 
@@ -161,6 +169,7 @@ def resume(
         cluster: likewise.
         on_generation: likewise.
         on_lesson: likewise.
+        trust: run programs that this user has neither named nor run before.
 
     Returns:
         The training's folder.
@@ -169,7 +178,8 @@ def resume(
         SocialmindError: no training's folder, in use, or its model or lessons were changed since.
         TrainingInterrupted: Ctrl-C; all but the generation in hand is safe.
     """
-    _at_least_one(attempts=attempts, cycles=cycles)
+    attempts = None if attempts is None else _whole("attempts", attempts)
+    cycles = None if cycles is None else _whole("cycles", cycles)
     capsule = TrainingCapsule(folder)
     with capsule.locked():
         manifest = capsule.manifest
@@ -178,11 +188,13 @@ def resume(
                 f"{capsule.folder}: {manifest.attempts} attempts were asked for before, "
                 f"{attempts} now; attempts can be added, not taken away"
             )
-        curriculum = _recorded(capsule, lessons)
+        require(programs_in(capsule.mind), trust, f"{capsule.folder}: its copy of a mind")
+        curriculum = _recorded(capsule, lessons, trust)
         changes = dict(manifest.changes)
         if cycles is not None:
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
+        _check(capsule, curriculum)
         machine = capsules.fingerprint()
         known = manifest.platforms
         capsule.update(
@@ -193,6 +205,31 @@ def resume(
         )
         _go(capsule, curriculum, workers, cluster, on_generation, on_lesson)
     return capsule.folder
+
+
+def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
+    """Look at all that a training goes on from, before anything is written.
+
+    Raises:
+        SocialmindError: a file is missing, cut off or changed.
+    """
+    manifest = capsule.manifest
+    files = {
+        path.relative_to(capsule.mind).as_posix(): path.read_bytes()
+        for path in capsule.mind.rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    if _hash(files) != manifest.mind["sha256"]:
+        raise SocialmindError(
+            f"{capsule.mind}: the training's copy of the mind that it began from is missing or was "
+            "changed; take it from a copy of the folder"
+        )
+    course = Course(curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine)
+    for number in range(1, manifest.attempts + 1):
+        if capsule.attempt(number).exists():
+            attempt = Attempt(capsule.attempt(number), number, course)
+            for lesson in range(1, attempt.done + 1):
+                load_result(attempt.folder, lesson)
 
 
 def changed(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:
@@ -308,7 +345,7 @@ def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
         attempt.mind.save(capsule.learned(attempt.number))
 
 
-def _recorded(capsule: TrainingCapsule, lessons: Any) -> Curriculum:
+def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum:
     """Return the lessons of a training, as they were.
 
     Raises:
@@ -327,11 +364,10 @@ def _recorded(capsule: TrainingCapsule, lessons: Any) -> Curriculum:
             "go on with socialmind.learning.resume(folder, lessons=...)"
         )
     model = None if manifest.model["path"] is None else _recorded_model(capsule)
-    if model is not None and source_hash(model) != manifest.model["source_sha256"]:
-        raise SocialmindError(
-            f"{model}: the model's source is not the one the training was begun with; "
-            "put the old file back, or start another training"
-        )
+    if model is not None:
+        require(programs_in(model), trust, f"{capsule.folder}: its model at {model}")
+        if other := _changes(manifest, model):
+            raise SocialmindError(f"{other}; put the old file back, or start another training")
     given = manifest.chosen if lessons is None else lessons
     named = model if model is not None and (model / MODEL_FILE).is_file() else None
     curriculum, _ = curriculum_of(named, given)
@@ -357,9 +393,18 @@ def _recorded_model(capsule: TrainingCapsule) -> Path:
     return shipped
 
 
-def _source(model: str | Path | type[Model] | None) -> dict[str, str | None]:
+def _changes(manifest: TrainingManifest, model: Path) -> str | None:
+    """Return what differs between a training's model and the files as they are, or None."""
+    if manifest.model.get("sources") is not None:
+        return difference(manifest.model["sources"], sources_of(load_model(model)))
+    if source_hash(model) != manifest.model["source_sha256"]:
+        return f"{model}: the model's source is not the one the training was begun with"
+    return None
+
+
+def _source(model: str | Path | type[Model] | None) -> dict[str, Any]:
     if model is None:
-        return {"name": None, "path": None, "source_sha256": None}
+        return {"name": None, "path": None, "source_sha256": None, "sources": None}
     return model_source(model if isinstance(model, type) else load_model(model))
 
 
@@ -392,7 +437,6 @@ def _hash(files: Mapping[str, bytes]) -> str:
     return total.hexdigest()
 
 
-def _at_least_one(**values: int | None) -> None:
-    for name, value in values.items():
-        if value is not None:
-            whole_number(value, name, 1, error=SocialmindError)
+def _whole(name: str, value: Any, low: int = 1, high: int | None = None) -> int:
+    """Return a whole number as Python's, which a manifest can hold."""
+    return whole_number(value, name, low, high, SocialmindError)

@@ -19,6 +19,7 @@ from socialmind.learning.controllers import Recorder, controller_of
 from socialmind.learning.course import curriculum_of, mind_of
 from socialmind.learning.episodes import Episodes
 from socialmind.learning.lesson import Lesson
+from socialmind.learning.lives import Lives
 from socialmind.learning.recording import Recording, of_episodes
 from socialmind.mind.description import MindDescription
 from socialmind.mind.functions.programmed import Programmed
@@ -193,6 +194,7 @@ class PlaneWorld:
                 "which the demonstrator steers"
             )
         slot = table.slots[0]
+        robot, lives = int(table.rows["_id"][slot]), Lives(model)
         self._asked = controller
         self._hierarchy.seed = seed
         self._hierarchy.reset()
@@ -200,17 +202,18 @@ class PlaneWorld:
         if commands is not None:
             limit = min(limit, len(commands) + 1)
         model.steer(population, np.full(len(self._actuators), 0.5))
-        model.advance(1)
+        lives.advance(last=limit == 1)
         for tick in range(1, limit):
-            if model.over is not None:
+            if model.over is not None or not table.contains(robot):
                 break
             self._given = tick - 1
             told = self._think(table.rows["readings"][slot])
             if commands is not None:
                 told = commands[self._given]
             model.steer(population, told)
-            model.advance(1)
-        return float(table.rows["score"][slot])
+            lives.advance(last=tick + 1 == limit)
+        rows = lives.rows(population)
+        return float(rows["score"][rows["_id"] == robot][0])
 
     def _think(self, readings: NDArray[np.float64]) -> NDArray[np.float64]:
         """Evaluate the hierarchy; return what the actuators are told."""

@@ -18,7 +18,7 @@ from socialmind.catalogue import model_folder, source_hash
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import MANIFEST, replace_file
 from socialmind.learning import archive
-from socialmind.learning.attempt import result_file
+from socialmind.learning.attempt import load_result
 from socialmind.learning.finalists import individual_of
 from socialmind.learning.kept import LESSONS, differences
 from socialmind.learning.keys import FINAL, seeds_for
@@ -52,7 +52,8 @@ def recheck(kept: Path, plan: Plan) -> int:
         judged += _judge(training, attempt, plan)
     hashed = source_hash(model_folder(plan.model))
     manifest = training.manifest
-    changed = replace(manifest, model={**manifest.model, "source_sha256": hashed})
+    model = {key: one for key, one in manifest.model.items() if key != "sources"}
+    changed = replace(manifest, model={**model, "source_sha256": hashed})
     replace_file(training.folder / MANIFEST, changed.content())
     return judged
 
@@ -64,7 +65,7 @@ def _judge(training: Training, attempt: int, plan: Plan) -> int:
     done = len(training.lessons[training.lessons["attempt"] == attempt])
     for number, lesson in enumerate(lessons[:done], 1):
         folder = training.folder / "attempts" / str(attempt)
-        record, arrays = archive.load(result_file(folder, number))
+        record, arrays = load_result(folder, number)
         winner = individual_of(archive.part(arrays, "winner/"))
         found = _finals(lesson, mind, winner.genome, (training.manifest.seed, attempt), training)
         if found != record["score"]:

@@ -86,7 +86,8 @@ class Recording:
             skill: the skill whose inputs and outputs they are.
 
         Raises:
-            ModelError: a column is missing, or a value is no number in [0, 1], with file and line.
+            ModelError: a column is missing or there twice, a line has more cells than there are
+                columns, or a value is no number in [0, 1], with file and line.
         """
         path = Path(file)
         try:
@@ -105,10 +106,17 @@ class Recording:
                     file=path,
                     line=1,
                 )
+            if found.count(column) > 1:
+                raise ModelError(f"two columns {column!r}", "each once", file=path, line=1)
         values = np.zeros((len(rows), len(columns)))
         lengths: list[int] = []
         last: Any = None
         for place, (line, row) in enumerate(rows):
+            if None in row:  # where csv puts the cells beyond the last name
+                cells = len(found) + len(row[None])
+                raise ModelError(
+                    f"{cells} cells", f"{len(found)}, one for each column", file=path, line=line
+                )
             values[place] = [_share(row[column], column, path, line) for column in columns]
             if not lengths or row.get(EPISODE) != last:
                 lengths.append(0)

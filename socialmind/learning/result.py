@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import SocialmindError
 from socialmind.learning import archive
-from socialmind.learning.attempt import CHECKPOINT, result_file
+from socialmind.learning.attempt import CHECKPOINT, load_checkpoint, load_result, result_file
 from socialmind.learning.curve import read_curve
 from socialmind.learning.finalists import Individual, individual_of
 from socialmind.learning.training_capsule import TrainingCapsule, TrainingManifest
 from socialmind.mind.description import MindDescription
+from socialmind.trust import programs_in, require
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -31,8 +32,9 @@ class Training:
         SocialmindError: the folder is no training's.
     """
 
-    def __init__(self, folder: str | Path) -> None:
+    def __init__(self, folder: str | Path, trust: bool = False) -> None:
         self._capsule = TrainingCapsule(folder)
+        self._trust = trust
 
     @property
     def folder(self) -> Path:
@@ -53,9 +55,7 @@ class Training:
     @property
     def finished(self) -> list[int]:
         """The numbers of the attempts that have been through all their lessons."""
-        records = {
-            one: archive.load(self._capsule.attempt(one) / CHECKPOINT)[0] for one in self.attempts
-        }
+        records = {one: load_checkpoint(self._capsule.attempt(one))[0] for one in self.attempts}
         return [one for one, record in records.items() if record["position"] is None]
 
     @property
@@ -80,21 +80,22 @@ class Training:
 
         rows = []
         for attempt in self.attempts:
-            for record, arrays in self._results(attempt):
-                winner = individual_of(archive.part(arrays, "winner/"))
-                best = individual_of(archive.part(arrays, "best/"))
-                rows.append(
-                    {
-                        "attempt": attempt,
-                        "cycle": record["cycle"],
-                        "lesson": record["lesson"],
-                        "score": record["score"],
-                        "deviation": record["deviation"],
-                        "generation": winner.generation,
-                        "best": best.score,
-                        "ticks": record["ticks"],
-                    }
-                )
+            for number, (record, arrays) in enumerate(self._results(attempt), 1):
+                with archive.reading(result_file(self._capsule.attempt(attempt), number)):
+                    winner = individual_of(archive.part(arrays, "winner/"))
+                    best = individual_of(archive.part(arrays, "best/"))
+                    rows.append(
+                        {
+                            "attempt": attempt,
+                            "cycle": record["cycle"],
+                            "lesson": record["lesson"],
+                            "score": record["score"],
+                            "deviation": record["deviation"],
+                            "generation": winner.generation,
+                            "best": best.score,
+                            "ticks": record["ticks"],
+                        }
+                    )
         return pd.DataFrame(rows)
 
     def best(self, lesson: str, attempt: int = 1) -> Individual:
@@ -112,7 +113,8 @@ class Training:
         results = [one for one in self._results(attempt) if one[0]["lesson"] == lesson]
         if not results:
             raise SocialmindError(f"{self.folder}: attempt {attempt} has not finished {lesson}")
-        return individual_of(archive.part(results[-1][1], "best/"))
+        with archive.reading(self._capsule.attempt(attempt)):
+            return individual_of(archive.part(results[-1][1], "best/"))
 
     def mind(self, attempt: int = 1, after: str | None = None) -> MindDescription:
         """Return the mind that an attempt has learned.
@@ -131,16 +133,18 @@ class Training:
             what = "no lesson" if after is None else f"no lesson called {after}"
             raise SocialmindError(f"{self.folder}: attempt {attempt} has finished {what}")
         last = max(place for place, name in enumerate(names) if name == (after or names[-1]))
+        require(programs_in(self._capsule.mind), self._trust, f"{self.folder}: its copy of a mind")
         mind = MindDescription.load(self._capsule.mind)
-        for record, arrays in results[: last + 1]:
-            winner = individual_of(archive.part(arrays, "winner/"))
-            skills = [mind.skill(name) for name in record["skills"]]
-            mind = mind.with_modules(skills=winner.given_to(skills))
+        for number, (record, arrays) in enumerate(results[: last + 1], 1):
+            with archive.reading(result_file(self._capsule.attempt(attempt), number)):
+                winner = individual_of(archive.part(arrays, "winner/"))
+                skills = [mind.skill(name) for name in record["skills"]]
+                mind = mind.with_modules(skills=winner.given_to(skills))
         return mind
 
     def _results(self, attempt: int) -> list[tuple[dict[str, Any], dict[str, Any]]]:
         folder = self._capsule.attempt(attempt)
         if not (folder / CHECKPOINT).is_file():
             return []
-        record, _ = archive.load(folder / CHECKPOINT)
-        return [archive.load(result_file(folder, one)) for one in range(1, record["done"] + 1)]
+        record, _ = load_checkpoint(folder)
+        return [load_result(folder, one) for one in range(1, record["done"] + 1)]

@@ -13,13 +13,34 @@ from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
+from coglogo_py.errors import shown
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import (
+    FAILED,
+    FINISHED,
+    INTERRUPTED,
     MANIFEST,
     RUNNING,
     held,
     placed,
     replace_file,
+)
+from socialmind.experiments.record import (
+    NUMBER,
+    PATH,
+    SETTING,
+    SHA256,
+    TEXT,
+    Each,
+    Fields,
+    Kind,
+    Many,
+    check_record,
+    one_of,
+    optional,
+    read_record,
+    whole,
+    within,
 )
 
 FORMAT = 1
@@ -33,8 +54,8 @@ class TrainingManifest:
     """What a training is and how far it came; the content of its ``manifest.json``.
 
     Args:
-        model: ``name``, ``path`` and ``source_sha256`` of its Python files; all None where the
-            lessons were given without a model.
+        model: ``name``, ``path``, ``source_sha256`` and ``sources``, as for a run; all None where
+            the lessons were given without a model.
         lessons: of the curriculum: all that decides their results.
         chosen: the names or files of the lessons that were asked for; None for the model's whole
             curriculum; the empty list for lessons that were given in Python.
@@ -56,7 +77,7 @@ class TrainingManifest:
         format: of this file.
     """
 
-    model: dict[str, str | None]
+    model: dict[str, Any]
     lessons: list[dict[str, Any]]
     chosen: list[str] | None
     changes: dict[str, Any]
@@ -85,28 +106,58 @@ class TrainingManifest:
         if not path.is_file():
             what = f"not a training's folder, it holds no {path.name}"
             raise SocialmindError(f"{folder}: {what if folder.is_dir() else 'no such folder'}")
-        try:
-            content = json.loads(path.read_text(encoding="utf-8"))
-        except ValueError as error:
-            raise SocialmindError(f"{path}: not a manifest ({error})") from error
-        if not isinstance(content, dict) or content.get("kind") != KIND:
+        content = read_record(path, "a training's manifest")
+        if content.get("kind") != KIND:
             raise SocialmindError(
                 f"{folder}: not a training's folder; `socialmind run --resume` goes on with a run"
             )
         if content.get("format") != FORMAT:
             raise SocialmindError(
-                f"{path}: format {content.get('format')}; expected {FORMAT}; "
+                f"{path}: format {shown(content.get('format'))}; expected {FORMAT}; "
                 "use the version of socialmind that wrote it"
             )
+        check_record(content, _FIELDS, str(path))
         known = {one.name for one in fields(cls)}
-        try:
-            return cls(**{key: value for key, value in content.items() if key in known})
-        except TypeError as error:
-            raise SocialmindError(f"{path}: not a training's manifest ({error})") from error
+        return cls(**{key: value for key, value in content.items() if key in known})
 
     def content(self) -> bytes:
         """Return the file's content."""
         return (json.dumps(asdict(self), indent=2, ensure_ascii=False) + "\n").encode()
+
+
+_CHANGES = Fields(
+    dict.fromkeys(("generations", "budget", "cycles"), optional(whole(1))),
+    {"optimiser": optional(TEXT), "settings": Each(SETTING)},
+)
+_FIELDS = Fields(
+    {
+        "model": Fields(
+            {"name": optional(TEXT), "path": optional(PATH), "source_sha256": optional(SHA256)}, {}
+        ),
+        "lessons": Many(Each(Kind("anything", lambda value: True))),
+        "changes": _CHANGES,
+        "mind": Fields({"name": TEXT, "sha256": SHA256}, {}),
+        "seed": whole(0, 2**64 - 1),
+        "engine": one_of("compiled", "pymunk"),
+        "attempts": whole(1, 2**31),
+    },
+    {
+        "chosen": Kind(
+            "a list of names, or null",
+            lambda value: (
+                value is None
+                or (isinstance(value, list) and all(isinstance(one, str) for one in value))
+            ),
+        ),
+        "finished": whole(),
+        "status": one_of(RUNNING, INTERRUPTED, FAILED, FINISHED),
+        "error": optional(TEXT),
+        "timings": Fields({}, {"created": TEXT, "seconds": NUMBER}),
+        "versions": Each(TEXT),
+        "platforms": Many(Each(TEXT)),
+    },
+)
+"""What a manifest holds; fields that came later may be missing."""
 
 
 class TrainingCapsule:
@@ -145,7 +196,7 @@ class TrainingCapsule:
     @property
     def mind(self) -> Path:
         """The copy of the mind that learning began from."""
-        return self.folder / MIND
+        return within(self.folder, MIND)
 
     @property
     def curve(self) -> Path:
@@ -159,11 +210,11 @@ class TrainingCapsule:
 
     def attempt(self, number: int) -> Path:
         """The folder of an attempt's own files."""
-        return self.folder / "attempts" / str(number)
+        return within(self.folder, f"attempts/{number}")
 
     def learned(self, number: int) -> Path:
         """The folder of the mind that an attempt has learned."""
-        return self.folder / f"mind-attempt-{number}"
+        return within(self.folder, f"mind-attempt-{number}")
 
     def update(self, **changes: Any) -> None:
         """Change fields of the manifest, in memory and on disk."""

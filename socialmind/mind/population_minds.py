@@ -190,7 +190,15 @@ class PopulationMinds:
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Take the arrays of a checkpoint."""
-        self.state = restored(self.state, arrays)
+        state = restored(self.state, arrays)
+        wanted = len(state.fresh) if self.own_genomes else 1
+        if len(state.genome) != wanted:
+            raise ModelError(f"a state with {len(state.genome)} genomes", str(wanted))
+        for number in range(len(self.societies)):
+            minds = arrays.get(f"scheme_{number}.mind_id", ())
+            if len(minds) < len(state.fresh):
+                raise ModelError(f"a state with {len(minds)} minds", f"{len(state.fresh)} or more")
+        self.state = state
         for number, society in enumerate(self.societies):
             begin = f"scheme_{number}."
             society.restore(

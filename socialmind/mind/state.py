@@ -225,13 +225,21 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
         if name == "nodes":
             found[name] = state.nodes  # room for arithmetic, not state
             continue
-        array = np.ascontiguousarray(arrays[name], dtype=kind)
         own = getattr(state, name)
-        if array.shape[1:] != own.shape[1:]:
+        array = np.ascontiguousarray(arrays[name]) if name in arrays else np.zeros(0, kind)
+        rows = len(arrays["fresh"]) if name in layout.LIVES and "fresh" in arrays else len(own)
+        if name == "genome" and array.ndim:
+            rows = len(array)  # one for all, or one for each, as the minds know
+        if array.dtype != np.dtype(kind) or array.shape != (rows, *own.shape[1:]):
             raise ModelError(
                 f"a state with {name!r} of the shape {array.shape}",
                 f"{own.shape}, as the minds have it",
                 "restore a state of the same hierarchy",
             )
         found[name] = array.copy()
+    group, fresh = found["group"], found["fresh"]
+    if group.size and not -1 <= group.min() <= group.max() < len(found["instances"]):
+        raise ModelError("a state with members of a group's instance that there is not", "others")
+    if len(found["genome"]) not in (1, len(fresh)):
+        raise ModelError(f"a state with {len(found['genome'])} genomes", f"1 or {len(fresh)}")
     return State(**found)

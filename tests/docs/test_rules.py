@@ -11,7 +11,7 @@ from socialmind import ModelError, each
 from socialmind.catalogue import load_model
 from socialmind.language import refusals
 from socialmind.language.built_in import BUILT_IN
-from socialmind.language.signatures import MATH, MATH_CONSTANTS, MIND, RNG
+from socialmind.language.signatures import MATH, MATH_CONSTANTS, MIND, OF_SEVERAL, RNG
 from socialmind.worlds.torus import COMMANDS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "rules.md").read_text("utf-8")
@@ -99,5 +99,5 @@ def test_it_names_all_that_can_be_called():
     named = set(re.findall(r"`(\w+)`", PAGE))
     assert {*MATH, *MATH_CONSTANTS, *BUILT_IN} - {"range", "print", "breakpoint"} <= named
     assert all(f"model.world.{name}(" in PAGE or f"`{name}`" in PAGE for name in COMMANDS)
-    assert all(f"rng.{name}(" in PAGE for name in RNG)
+    assert all(f"rng.{name}(" in PAGE for name in (*RNG, *OF_SEVERAL))
     assert all(callable(getattr(Mind, name)) for name in MIND)

@@ -1,5 +1,8 @@
 """The environment of a robot: what it sees, does and is paid, and that it repeats itself."""
 
+import copy
+import pickle
+
 import gymnasium
 import numpy as np
 import pytest
@@ -19,6 +22,11 @@ def episode(env, seed, actions):
         if told[-1][2] or told[-1][3]:
             break
     return told
+
+
+def repacked(env):
+    """Return what is read from the bytes of an environment."""
+    return pickle.loads(pickle.dumps(env))
 
 
 def equal(first, other):
@@ -87,6 +95,75 @@ def test_who_acts_as_the_mind_does_lives_through_the_same_episode(rover, rovers)
 def test_a_world_can_be_chosen(rover, rovers):
     rover.reset(options={"world": 42})
     assert rover.model.tables["rovers"].angle.tolist() == rovers(seed=42).rovers.angle.tolist()
+
+
+@pytest.mark.parametrize("physics", ["compiled", "pymunk"])
+@pytest.mark.parametrize("copied", [copy.deepcopy, copy.copy, repacked])
+def test_copies_go_on_alike_and_on_their_own(copied, physics, rovers):
+    actions = np.random.default_rng(5).random((20, 2), np.float32)
+    env = PlaneEnv(rovers, physics=physics, render_mode="rgb_array")
+    assert copied(env).model is None
+    env.reset(seed=3)
+    env.step(FORWARD)
+    env.render()
+    other = copied(env)
+    theirs = [other.step(action) for action in actions]
+    before = env.model.rovers.x.tolist()
+    assert equal(theirs, [env.step(action) for action in actions])
+    assert before != env.model.rovers.x.tolist()
+    assert np.array_equal(other.render(), env.render())
+    assert other.reset()[1] == env.reset()[1]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"wrld": 3}, "the option 'wrld' of reset.*did you mean 'world'"),
+        ({"world": 1.7}, "the option 'world': found 1.7; expected a whole number, 0 … 2"),
+        ({"world": -1}, "the option 'world': found -1"),
+        ({"world": True}, "the option 'world': found True"),
+        ({"world": "7"}, "the option 'world': found '7'"),
+    ],
+)
+def test_options_that_there_are_not_are_refused(rover, options, message):
+    with pytest.raises(SocialmindError, match=message):
+        rover.reset(options=options)
+    rover.reset(options={"world": np.int64(7)})
+    assert rover.model.seed == 7
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"parameters": {"half_wdth": 9.0}}, "no parameter 'half_wdth'"),
+        ({"without": "colision"}, "no interruption 'colision'; did you mean 'collision'"),
+        ({"without": ["colision"]}, "no interruption 'colision'"),
+        ({"physics": "pymonk"}, "no engine 'pymonk'; did you mean 'pymunk'"),
+        ({"ticks": 50.5}, "ticks: found 50.5; expected a whole number"),
+    ],
+)
+def test_arguments_are_refused_at_once(rovers, arguments, message):
+    with pytest.raises(SocialmindError, match=message):
+        PlaneEnv(rovers, **arguments)
+    assert PlaneEnv(rovers, without="collision").reset(seed=1)[1]["over"] is None
+
+
+@pytest.mark.parametrize(
+    ("action", "message"),
+    [
+        ([0.5], r"an action of shape \(1,\); expected \(2,\): MotL, MotR"),
+        ([[0.5, 0.5]], r"an action of shape \(1, 2\)"),
+        (0.5, r"an action of shape \(\)"),
+        ([np.nan, 0.5], "an action: found .*nan.*; expected numbers, 0 … 1"),
+        (["a", "b"], "an action: found .*; expected numbers"),
+        (None, r"an action of shape \(\)|expected numbers"),
+    ],
+)
+def test_actions_that_are_none_are_refused(rover, action, message):
+    rover.reset(seed=1)
+    with pytest.raises(SocialmindError, match=message):
+        rover.step(action)
+    assert rover.model.tick == 1
 
 
 def test_an_interruption_terminates_and_the_limit_truncates(rovers):

@@ -1,6 +1,8 @@
 """The environment of several robots: what each sees, does and is paid, and that it repeats."""
 
+import copy
 import math
+import pickle
 import subprocess
 import sys
 import warnings
@@ -190,6 +192,20 @@ def test_an_interruption_terminates_for_all():
     assert len(told(going_on, 1)) == 50
 
 
+@pytest.mark.parametrize("physics", ["compiled", "pymunk"])
+def test_copies_go_on_alike_and_on_their_own(physics):
+    env = PlaneParallelEnv(Convoy, physics=physics)
+    env.reset(seed=3)
+    for _ in range(LIFE):  # beyond a death and a birth
+        env.step({"walkers_0": FORWARD})
+    others = copy.deepcopy(env), copy.copy(env), pickle.loads(pickle.dumps(env))
+    went = [[one.step({"walkers_0": FORWARD}) for _ in range(20)] for one in (*others, env)]
+    told = [[(len(step[0]), *step[1:]) for step in steps] for steps in went]
+    assert told[0] == told[1] == told[2] == told[3]
+    seen = [[step[0]["walkers_0"].tolist() for step in steps] for steps in went]
+    assert seen[0] == seen[1] == seen[2] == seen[3]
+
+
 def test_pictures_follow_all_robots():
     env = PlaneParallelEnv(Convoy, render_mode="rgb_array")
     assert env.render() is None
@@ -210,6 +226,10 @@ def test_what_is_wrong_is_said():
         env.step({"walker_0": FORWARD})
     with pytest.raises(SocialmindError, match=r"'walkers_0' of shape \(1,\); expected \(2,\)"):
         env.step({"walkers_0": np.ones(1)})
+    with pytest.raises(SocialmindError, match=r"'walkers_0': found .*nan"):
+        env.step({"walkers_0": [np.nan, 0.0]})
+    with pytest.raises(SocialmindError, match="the option 'wrld' of reset"):
+        env.reset(options={"wrld": 3})
     with pytest.raises(SocialmindError, match="render_mode 'human'"):
         PlaneParallelEnv(Convoy, render_mode="human")
     with pytest.raises(SocialmindError, match="the model boids has no plane"):

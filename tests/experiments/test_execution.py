@@ -33,6 +33,19 @@ def whole(drifters, tmp_path_factory):
     return run(drifters, ticks=1003, seed=3, every=4, agents_every=20, out=out)
 
 
+def test_a_wrong_record_names_the_models_line(drifters, tmp_path):
+    class Listing(drifters):
+        def series(self):
+            return {"prices": [1.0, 2.0]}
+
+    line = Listing.series.__code__.co_firstlineno
+    with pytest.raises(SocialmindError) as caught:
+        run(Listing, 5, out=tmp_path / "run")
+    assert str(caught.value).startswith(
+        f"{__file__}:{line}: series() at tick 0: column prices: values of type list; expected"
+    )
+
+
 def test_rows_are_recorded_on_the_grid_and_at_the_last_tick(whole):
     done = Run(whole)
     assert list(done.series["tick"]) == [*range(0, 1001, 4), 1003]
@@ -78,7 +91,8 @@ def test_the_manifest_tells_what_the_run_is(whole):
 
 def test_a_finished_folder_holds_no_leftovers(whole):
     names = {path.name for path in whole.iterdir()} - {".lock"}
-    assert names == {"manifest.json", "series.parquet", "agents.parquet", "checkpoint.npz"}
+    tables = {"series.parquet", "agents.parquet"}
+    assert names == {"manifest.json", "checkpoint.npz", "source"} | tables
     assert [p.name for p in whole.parent.iterdir()] == [whole.name]
 
 
@@ -311,9 +325,9 @@ def test_stopped_then_given_a_shorter_length(drifters, tmp_path, frequent_progre
 
 def test_going_on_with_a_finished_run_changes_nothing(drifters, tmp_path):
     folder = run(drifters, 20, out=tmp_path / "run")
-    before = {p: p.read_bytes() for p in folder.iterdir()}
+    before = {p: p.read_bytes() for p in folder.rglob("*") if p.is_file()}
     assert resume(folder) == folder
-    assert {p: p.read_bytes() for p in folder.iterdir()} == before
+    assert {p: p.read_bytes() for p in folder.rglob("*") if p.is_file()} == before
 
 
 def test_a_run_is_never_made_shorter(drifters, tmp_path):
@@ -342,7 +356,7 @@ def test_a_broken_checkpoint_is_named(drifters, tmp_path):
 def test_a_changed_model_is_not_gone_on_with(drifters, tmp_path):
     folder = run(drifters, 20, out=tmp_path / "run")
     Capsule(folder).update(model={"name": "Drifters", "path": None, "source_sha256": "0" * 64})
-    with pytest.raises(SocialmindError, match="source is not the one the run was made with"):
+    with pytest.raises(SocialmindError, match="is not the source the run was made with"):
         resume(folder, ticks=30, model_class=drifters)
 
 

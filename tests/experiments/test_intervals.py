@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy import stats
 
 from socialmind.experiments import intervals
 from socialmind.experiments.intervals import Interval, interval_of
@@ -110,3 +111,45 @@ def test_of_twenty_episodes_it_holds_the_mean_as_often_as_it_says(monkeypatch, d
     ]
     # 95 % give or take 2.2 for 400 samples, and a little less for so skewed small ones.
     assert 0.915 <= np.mean(held) <= 0.985
+
+
+@pytest.mark.parametrize("size", [15, 40])
+@pytest.mark.parametrize("ratio", [False, True], ids=["mean", "ratio of means"])
+def test_it_is_the_bootstrap_of_scipy_at_the_widened_level(size, ratio):
+    rng = np.random.default_rng(11)
+    whole = 1.0 + rng.exponential(2.0, size)
+    part = whole * rng.random(size) ** 3
+
+    def share(a, b, axis=-1):
+        return a.mean(axis=axis) / b.mean(axis=axis)
+
+    if ratio:
+        own = interval_of(np.stack([part, whole], axis=1), combine=lambda a, b: a / b)
+        samples, statistic = (part, whole), share
+    else:
+        own = interval_of(part)
+        samples, statistic = (part,), np.mean
+    # Student's quantile of n - 1 and the factor √(n / (n − 1)), from scipy's own distributions.
+    wide = stats.t.ppf(0.975, size - 1) * math.sqrt(size / (size - 1))
+    theirs = stats.bootstrap(
+        samples,
+        statistic,
+        paired=ratio,
+        n_resamples=20_000,
+        confidence_level=2 * stats.norm.cdf(wide) - 1,
+        method="BCa",
+        rng=np.random.default_rng(12),
+    ).confidence_interval
+    width = theirs.high - theirs.low
+    assert own.low == pytest.approx(theirs.low, abs=0.04 * width)
+    assert own.high == pytest.approx(theirs.high, abs=0.04 * width)
+
+
+def test_a_sample_too_large_for_one_draw_is_drawn_in_parts(monkeypatch):
+    values = np.random.default_rng(4).random(50)
+    monkeypatch.setattr(intervals, "RESAMPLES", 1000)
+    at_once = interval_of(values)
+    monkeypatch.setattr(intervals, "_AT_ONCE", 50 * 300)  # 300, 300, 300 and 100 draws
+    drawn = intervals._means_of_resamples(values[:, None])
+    assert drawn.shape == (1000, 1)
+    assert interval_of(values) == at_once

@@ -150,7 +150,7 @@ def test_every_column_has_one_of_five_types(tmp_path, values, kind):
 )
 def test_values_no_column_can_hold_are_named(tmp_path, values, message):
     table = GrowingTable("series", tmp_path)
-    with pytest.raises(SocialmindError, match=f"series: {message}"):
+    with pytest.raises(SocialmindError, match=f"series at tick 0: {message}"):
         table.add(0, {"x": values})
         table.flush()
 
@@ -171,6 +171,46 @@ def test_columns_of_unequal_length_or_other_names_are_named(tmp_path):
     table.add(5, {"x": [1, 2]})
     with pytest.raises(SocialmindError, match="same columns at every tick"):
         table.add(6, {"y": [1, 2]})
+
+
+class TwoColumnsAlike:
+    """As a pandas table can be."""
+
+    def items(self):
+        return [("x", [1]), ("x", [2])]
+
+
+@pytest.mark.parametrize(
+    ("columns", "message"),
+    [
+        ([1, 2], "found [1, 2]; expected a dictionary of columns by name"),
+        (None, "found None; expected a dictionary of columns by name"),
+        (TwoColumnsAlike(), "two columns 'x'; give each a name"),
+        ({3: [1]}, "a column called 3; expected a name"),
+        ({"x\n": [1]}, "a column called 'x\\n'; expected a name"),
+        ({"x": 3.5}, "column x: found 3.5; expected a sequence with one value for each row"),
+        ({"x": "abc"}, "column x: found 'abc'; expected a sequence with one value for each row"),
+        ({"x": {1, 2}}, "column x: found {1, 2}; expected a sequence with one value for each row"),
+        ({"x": np.zeros(())}, "column x: an array of 0 dimensions; expected one value for each row"),
+        ({"x": [1, 2], "y": [1]}, "column y has 1 values, x has 2; give every column one value a row"),
+        ({"tick": [6], "x": [1]}, "a column tick of other values than the tick; the run adds its own, so "
+         "give it another name"),
+        ({"x": ["\ud800"]}, "column x: a text with half a character, which UTF-8 does not hold"),
+    ],
+)  # fmt: skip
+def test_what_is_no_row_is_named_with_the_method_that_gave_it(tmp_path, columns, message):
+    table = GrowingTable("agents", tmp_path, source="farm/model.py:12: agents()")
+    with pytest.raises(SocialmindError) as caught:
+        table.add(7, columns)
+        table.flush()
+    assert str(caught.value) == f"farm/model.py:12: agents() at tick 7: {message}"
+
+
+def test_a_model_may_give_the_tick_as_well(tmp_path):
+    table = GrowingTable("agents", tmp_path)
+    table.add(7, {"tick": [7, 7], "x": [1, 2]})
+    table.flush()
+    assert read([tmp_path / table.parts[0]], "agents").to_pydict() == {"tick": [7, 7], "x": [1, 2]}
 
 
 def test_what_is_no_table_is_named(tmp_path):

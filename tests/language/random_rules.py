@@ -7,6 +7,15 @@ ODD_FLOATS = ("math.inf", "-math.inf", "math.nan", "1e308", "5e-324", "900719925
 INTS = ("0", "1", "2", "3", "-1", "-7", "10", "255", "1_000_003")
 ODD_INTS = ("2 ** 53", "9_223_372_036_854_775_807", "-9_223_372_036_854_775_807", "2 ** 31")
 TAMED = ("math.sin", "math.cos", "math.atan", "math.tanh", "abs", "math.radians", "math.fabs")
+PLANS = ('"grow"', '"trade"', '"rest"')
+COGNITONS = ('"Hunger"', '"Greed"', '"Sloth"', '"Means"')
+TABLES = """\
+PAIRS = ((0, 1), (1, 0), (0, -1), (-1, 0))
+ROWS = ((1, 0.5, True), (2, 1.5, False), (-3, 2, True))
+NUMBERS = (0.5, -1.25, 3.0, 1e16, 0.1)
+COUNTS = (3, 0, 1, 7)
+WEIGHTS = (1, 0, 2.5)
+"""
 
 
 class Author:
@@ -68,6 +77,20 @@ class Author:
             lambda: "rng.random()",
             lambda: f"rng.uniform({f()}, {f()})",
             lambda: "rng.normal(0, 1)",
+            lambda: f"rng.exponential(abs({i()}) % 9)",
+            lambda: f"rng.gamma(0.1 + abs({i()}) % 9, {self.pick('1.5', '0', '0.25')})",
+            lambda: f"rng.choice({self.pick('NUMBERS', '(0.5, 1, 2)', 'person.vf')})",
+            lambda: f"rng.choice({self.agent()}.vf)",
+            lambda: f"rng.choice((0.5, 1, 2), p={self.pick('WEIGHTS', '(0, 0, 1)', 'person.vb')})",
+            lambda: f"NUMBERS[{self.place(5)}]",
+            lambda: f"ROWS[{self.place(3)}][1]",
+            lambda: f"{self.pick('min', 'max', 'sum')}(NUMBERS)",
+            lambda: f"float(m in COUNTS) * {f()}",
+            lambda: f"weighed_{self.number}(rng, {self.pick('NUMBERS', '(1.5, 2)')})",
+            lambda: f"model.world.distance(person, {f()} % 9, {f()} % 9)",
+            lambda: f"model.world.towards(person, {f()} % 9, {f()} % 9)",
+            lambda: f"model.world.patch({f()} % 9, {f()} % 9).grass",
+            lambda: f"{self.agent()}.mind.get_cogniton_value({self.pick(*COGNITONS)})",
         )
 
     def float_atom(self):
@@ -101,6 +124,15 @@ class Author:
             lambda: f"half_{self.number}({i()})",
             lambda: f"rng.integers({self.pick('6', '-3, 4', '100')})",
             lambda: f"int({b()})",
+            lambda: f"rng.poisson(abs({i()}) % {self.pick('9', '60')})",
+            lambda: f"rng.choice({self.pick('COUNTS', '(1, 2)', '7', 'person.vi')})",
+            lambda: f"rng.choice(COUNTS, p={self.pick('COUNTS', '(1, 2.5, 0, 1)', 'person.vf')})",
+            lambda: f"rng.choice(3, p={self.pick('WEIGHTS', 'person.vb')})",
+            lambda: f"COUNTS[{self.place(4)}]",
+            lambda: f"PAIRS[{self.place(4)}][{self.pick('0', '1', '-1')}]",
+            lambda: f"{self.pick('min', 'max', 'sum', 'len')}(COUNTS)",
+            lambda: f"best_{self.number}({i()}, {self.pick('PAIRS', '((1, 5), (2, 3))')})",
+            lambda: "model.world.patch(person.x, person.y).visits",
         )
 
     def int_atom(self):
@@ -134,6 +166,15 @@ class Author:
             lambda: f"math.isnan({f()})",
             lambda: f"math.isfinite({f()})",
             lambda: f"model.persons.contains({i()})",
+            lambda: (
+                f"({self.pick('m', 'n')} {self.pick('in', 'not in')} "
+                f"{self.pick('COUNTS', '(1, 2, 3)')})"
+            ),
+            lambda: f"rng.choice({self.pick('(True, False)', 'person.vb')})",
+            lambda: f"({self.agent()}.plan {self.pick('==', '!=')} {self.pick(*PLANS)})",
+            lambda: f"({self.agent()} {self.pick('is', 'is not', '==', '!=')} {self.agent()})",
+            lambda: f"model.world.is_on(person, {f()} % 9, {f()} % 9)",
+            lambda: f"({self.agent()}.of is {self.pick('None', 'not None')})",
         )
 
     def divisor(self, text):
@@ -193,6 +234,38 @@ class Author:
             lambda: [f"{pad}model.persons.one_of(rng).f += {self.float(2)}"],
             lambda: [f"{pad}model.world.patch(person.x, person.y).grass += {self.float()}"],
             lambda: [f"{pad}model.world.forward(person, {self.float(2)} % 5)"],
+            lambda: [
+                f"{pad}model.world.{self.pick('right', 'left')}(person, {self.float(2)} % 99)"
+            ],
+            lambda: [f"{pad}model.world.face(person, {self.float(2)} % 9, {self.float(2)} % 9)"],
+            lambda: [f"{pad}model.world.move_to(person, {self.float(2)} % 9, {self.float(2)} % 9)"],
+            lambda: [f"{pad}model.world.walk_to(person, {self.float(2)} % 9, b % 9, 0.5)"],
+            lambda: [f"{pad}rng.shuffle({self.agent()}.{self.pick('vf', 'vi', 'vb')})"],
+            lambda: [f"{pad}rng.shuffle(model.board)"],
+            lambda: [f"{pad}model.board[{self.place(3)}] {self.pick('=', '+=')} {self.float(2)}"],
+            lambda: [f"{pad}model.last = {self.pick('None', self.int(2))}"],
+            lambda: [f"{pad}if model.last is not None:", f"{pad}    n += model.last % 100"],
+            lambda: [f"{pad}person.of = {self.pick('None', self.float(2))}"],
+            lambda: [f"{pad}if person.of is not None:", f"{pad}    a += person.of"],
+            lambda: [f"{pad}person.tiny = ({self.int(2)}) % 120"],
+            lambda: [f"{pad}n, m = {self.pick('PAIRS', '((5, 6), (7, 8))')}[{self.place(2)}]"],
+            lambda: [f"{pad}n, b, p = ROWS[{self.place(3)}]"],
+            lambda: [f"{pad}n, m = rng.choice(PAIRS{self.pick('', ', p=COUNTS')})"],
+            lambda: [f"{pad}person.plan = person.mind.choose_next_plan()"],
+            lambda: [f"{pad}person.plan = {self.pick(*PLANS, 'None')}"],
+            lambda: [
+                f"{pad}person.mind.{self.pick('set_cogniton_value', 'add_to_cogniton_value')}"
+                f"({self.pick(*COGNITONS)}, {self.float(2)} % 10)"
+            ],
+            lambda: [
+                f"{pad}if person.plan is not None:",
+                f"{pad}    person.mind.feed_back_from_plan(person.plan, {self.float(2)} % 2)",
+            ],
+            lambda: [f"{pad}model.houses[{self.place(3)} % 3].rent += {self.float(2)}"],
+            lambda: [
+                f"{pad}if len(model.persons) > 4 and {self.bool(2)}:",
+                f"{pad}    model.persons.one_of(rng).die()",
+            ],
         )
         loops = (
             ()
@@ -202,6 +275,8 @@ class Author:
                 lambda: self.count(indent),
                 lambda: self.search(indent),
                 lambda: self.visit(indent),
+                lambda: self.table(indent),
+                lambda: self.around(indent),
             )
         )
         ends = (
@@ -256,6 +331,37 @@ class Author:
         self.agents.remove(other)
         return [f"{pad}for {other} in model.persons:", *body]
 
+    def table(self, indent):
+        """Return a loop over a table or in a random order."""
+        pad = "    " * indent
+        self.loops += 1
+        k, y, z = (f"{name}{self.loops}" for name in "kyz")
+        head, counters = self.pick(
+            (f"for {k} in rng.permutation({self.pick('4', f'{self.pick(*self.ints)} % 6')}):", [k]),
+            (f"for {k} in {self.pick('COUNTS', '(4, 2, 2)')}:", [k]),
+            (f"for {k}, {y} in PAIRS:", [k, y]),
+            (f"for {k}, {y}, {z} in ROWS:", [k]),
+        )
+        self.counters += counters
+        body = self.nested(indent, inside_loop=True)
+        for name in counters:
+            self.counters.remove(name)
+        return [pad + head, f"{pad}    n += {k}", *body]
+
+    def around(self, indent):
+        pad = "    " * indent
+        self.loops += 1
+        p = f"patch{self.loops}"
+        return [
+            f"{pad}for {p} in model.world.in_radius({self.agent()}, {self.pick('1', '2.5')}):",
+            f"{pad}    {p}.grass {self.pick('+=', '*=', '=')} {self.float(2)}",
+            f"{pad}    {p}.visits = ({self.int(2)}) % 100",
+            f"{pad}    {p}.owner = {self.pick('None', self.int(2))}",
+            f"{pad}    if {p}.taken or {self.bool(2)}:",
+            f"{pad}        {p}.taken = {self.bool(2)}",
+            f"{pad}        {self.pick('break', 'continue')}",
+        ]
+
     def rule(self):
         number = self.number
         body = []
@@ -269,6 +375,16 @@ class Author:
             "",
             f"def half_{number}(k):",
             f"    return {self.pick('k // 2', 'k % 10', 'k - k // 3')}",
+            "",
+            f"def weighed_{number}(rng, values):",
+            f"    return rng.choice(values) {self.pick('+', '*')} sum(values)",
+            "",
+            f"def best_{number}(k, pairs):",
+            "    found = -1",
+            "    for x, y in pairs:",
+            f"        if {self.pick('x < y', 'x == k', 'y * k > 2')}:",
+            "            found = x - y",
+            f"    return found + pairs[k % len(pairs)][{self.pick('0', '1')}]",
             "",
             f"def rule_{number}(person, model, rng):",
             "    a = person.f",
@@ -286,7 +402,7 @@ class Author:
 
 def module_text(seed, count):
     """Return the text of a module with so many random rules."""
-    lines = ["import math", "", ""]
+    lines = ["import math", "", TABLES, ""]
     for number in range(count):
         lines += [*Author(seed, number).rule(), ""]
     lines += ["def at(person, model, rng):"]

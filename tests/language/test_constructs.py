@@ -27,7 +27,7 @@ def compared(society, walk, speeds, stem):
     assert compiled._met == []
 
 
-@pytest.mark.parametrize("stem", ["numbers", "control", "helpers", "bodies"])
+@pytest.mark.parametrize("stem", ["numbers", "control", "helpers", "bodies", "tables_and_draws"])
 def test_constructs_run_alike(society, walk, speeds, stem):
     compared(society, walk, speeds, stem)
 
@@ -44,5 +44,5 @@ def test_commands_run_alike(society, walk, speeds):
 
 
 def test_more_than_a_hundred_constructs(walk):
-    stems = ("numbers", "control", "helpers", "bodies", "worlds_and_minds")
+    stems = ("numbers", "control", "helpers", "bodies", "tables_and_draws", "worlds_and_minds")
     assert sum(len(walk(stem)[1]) for stem in stems) > 150

@@ -19,6 +19,10 @@ from socialmind import Agent
 PRICES = {"wheat": 3.0}
 TABLE = [1, 2, 3]
 NOTHING = None
+PAIRS = ((0, 1), (1, 0))
+NAMES = ("grow", "rest")
+RAGGED = ((1, 2), (3,))
+BIG = tuple(range(1001))
 NAME = "Hunger"
 
 
@@ -49,13 +53,13 @@ STATEMENTS = {
     "x = {1, 2}": ("a set", "array field"),
     "x = [1, 2]": ("a list", "array field"),
     "x = []": ("a list", "array field"),
-    "x = (1, 2)": ("2 values as the variable", "where it is used"),
+    "x = (1, 2)": ("2 values as the variable", "x, y ="),
     "x = [k for k in range(3)]": ("a list comprehension", "for loop"),
     "x = {k for k in range(3)}": ("a set comprehension", "for loop"),
     "x = {k: k for k in range(3)}": ("a dictionary comprehension", "for loop"),
     "person.i = sum(k for k in range(3))": ("a generator expression", "for loop"),
-    "person.i = PRICES['wheat']": ("'PRICES', which is of the type dict", "array fields"),
-    "person.i = TABLE[0]": ("'TABLE', which is of the type list", "array fields"),
+    "person.i = PRICES['wheat']": ("'PRICES', which is of the type dict", "a tuple"),
+    "person.i = TABLE[0]": ("'TABLE', which is of the type list", "a tuple"),
     "person.f = NOTHING": ("'NOTHING', which is None", "a number"),
     "try:\n        person.f = 1\n    except ValueError:\n        pass": ("try", "if price > 0"),
     "raise ValueError('no')": ("raise", "count the case"),
@@ -87,11 +91,11 @@ STATEMENTS = {
     "input()": ("input()", "parameter"),
     "open('x')": ("open()", "no files"),
     "x = sorted(person.vf)": ("sorted()", "for loop"),
-    "for k, v in enumerate(person.vf):\n        pass": ("several variables", "loop over one"),
+    "for k, v in enumerate(person.vf):\n        pass": ("several variables", "range(len("),
     "for k in enumerate(person.vf):\n        pass": ("enumerate()", "range(len("),
     "for k in reversed(range(3)):\n        pass": ("reversed()", "range(n - 1"),
     "for k in zip(person.vf, person.vi):\n        pass": ("zip()", "range(len("),
-    "for k in (1, 2):\n        pass": ("a for loop over 2 values", "range("),
+    "for k in (person.i, 2):\n        pass": ("a for loop over 2 values", "range("),
     "for k in 5:\n        pass": ("a for loop over a whole number", "range("),
     "person.i = any(person.vb)": ("any()", "flag"),
     "x = list(range(3))": ("list()", "array field"),
@@ -123,7 +127,7 @@ STATEMENTS = {
     "person.f = abs()": ("abs() of 0 values", "abs(x)"),
     "person.f = max()": ("no values", "two or more"),
     "person.f = max(person.f)": ("largest of a number", "two or more"),
-    "person.f = max(1, 2, key=abs)": ("max() with key=", "without"),
+    "person.f = max(1, 2, key=abs)": ("max() with key=", "best so far"),
     "person.f = sum(person.f)": ("the sum of a number", "for loop"),
     "person.f = abs": ("the function 'abs' as a value", "call it"),
     "person.f = helper": ("the function 'helper' as a value", "call it"),
@@ -140,7 +144,7 @@ STATEMENTS = {
     "x = Wolf()": ("Wolf(), which makes an object", "create()"),
     "person.f = helper(1)(2)": ("a call of something without a name", "by its name"),
     "person.f = wheat": ("the unknown name 'wheat'", "there is"),
-    "person.wheat = 3": ("the unknown field 'wheat'", "there is"),
+    "person.wheat = 3": ("the unknown field 'wheat'", "`wheat: float = 0.0`"),
     "person.ff = 3": ("the unknown field 'ff'", "did you mean 'f'?"),
     "person.f = model.pric": ("the model's 'pric'", "did you mean 'price'?"),
     "model.price = 3": ("a new value for the parameter 'price'", "declare a variable"),
@@ -200,13 +204,13 @@ STATEMENTS = {
     "person.b = person < model.persons[0]": ("a comparison of size", "compare their fields"),
     "person.b = person == model.houses[0]": ("compared with an agent of 'houses'", "their fields"),
     "person.b = person == 3": ("compared with a whole number", "their fields"),
-    "person.b = 'a' == 'b'": ("the text 'a' compared", "a plan's name"),
+    "person.b = 'a' == 'b'": ("the text 'a' compared", "`RED = 0`"),
     "person.b = person.plan < 'grow'": ("plans in a comparison of size", "=="),
     "person.b = person.plan == 3": ("a plan compared with a whole number", "a plan's name"),
     "person.plan = 3": ("a whole number for the field 'plan'", "a plan's name"),
-    "person.live()": ("live() of an agent", "die, hatch"),
+    "person.live()": ("live() of an agent", "as a function"),
     "person.f()": ("a call of the field 'f'", "without ()"),
-    "model.step()": ("step() of the model", "docs/rules.md"),
+    "model.step()": ("step() of the model", "step(model)"),
     "model.persons.append(3)": ("append() of the population", "create"),
     "model.persons.one_of()": ("one_of() without the random stream", "one_of(rng)"),
     "model.persons.create(f=3)": ("create() with f=", "without"),
@@ -219,13 +223,40 @@ STATEMENTS = {
     "person.mind.get_cogniton_value(3)": ("as the name of a cogniton", "as a text"),
     "person.mind.get_cogniton_value()": ("0 arguments", "docs/"),
     "person.mind.set_cogniton_value('Hunger', 'x')": ("the text 'x'", "a number"),
-    "rng.choice(3)": ("rng.choice()", "one_of(rng)"),
+    "x = rng.choice(model.persons)": ("rng.choice() of the population", "one_of(rng)"),
+    "x = rng.choice(TABLE)": ("'TABLE', which is of the type list", "a tuple"),
+    "x = rng.choice(PAIRS)": ("2 values as the variable", "x, y ="),
+    "x = rng.choice(NAMES)": ("rng.choice() of texts", "draw a number"),
+    "x = rng.choice((1, 2), (1, 2))": ("rng.choice() like this", "p=weights"),
+    "x = rng.choice((1, 2), p=(1, 2, 3))": ("3 weights for 2 values", "each value"),
+    "x = rng.choice(person.i, p=(1, 2))": ("another number", "len(weights)"),
+    "x = rng.choice((1, 2), p=PAIRS)": ("a tuple of 2 as the weights", "numbers"),
+    "x = rng.permutation(3)": ("as a value", "for k in rng.permutation(n)"),
+    "rng.shuffle(PAIRS)": ("rng.shuffle() of a tuple of 2", "an array field"),
+    "rng.shuffle(model.persons)": ("rng.shuffle() of the population", "by themselves"),
+    "person.i = rng.poisson(lam=3)": ("rng.poisson() with lam=", "rng.poisson(mean)"),
+    "person.f = rng.gamma(2)": ("1 arguments for rng.gamma()", "rng.gamma(shape, scale)"),
+    "x = PAIRS": ("a tuple of 2 as the variable", "where it is used"),
+    "x = PAIRS[0]": ("2 values as the variable", "x, y ="),
+    "for x in PAIRS:\n        pass": ("2 values for one variable", "`for x, y in …:`"),
+    "for x, y, z in PAIRS:\n        pass": ("2 values for 3 variables", "2 variables"),
+    "for x, y in model.persons:\n        pass": ("an agent of 'persons' for 2", "loop over one"),
+    "for x in NAMES:\n        pass": ("a for loop over texts", "rules hold no texts"),
+    "person.i = NAMES[0]": ("a place in a tuple of texts", "elif"),
+    "PAIRS[0] = 3": ("a new value for a place of a tuple", "an array field"),
+    "PAIRS[0][1] = 3": ("a new value for a place of 2 values", "an array field"),
+    "person.i = PAIRS[2][0]": ("the place 2 of a tuple of 2", "0 … 1"),
+    "person.i = PAIRS[0][person.i]": ("a place of 2 values that depends", "take them apart"),
+    "person.i = RAGGED[0]": ("its tuples differ in length", "equal length"),
+    "person.i = BIG[0]": ("more than 1000 numbers", "array fields"),
+    "for x in (1, True):\n        pass": ("not of one kind", "one kind"),
+    "x = sum(PAIRS)": ("the sum of a tuple of 2", "for loop"),
     "rng.randint(1, 6)": ("rng.randint()", "rng.integers("),
     "rng.gauss(0, 1)": ("rng.gauss()", "rng.normal("),
     "rng.randm()": ("rng.randm()", "did you mean 'random'?"),
     "person.i = rng.integers(0.5)": ("a fraction for rng.integers()", "int("),
     "person.f = rng.uniform(low=0, high=1)": ("rng.uniform() with low=", "without"),
-    "person.f = rng.uniform(0, 1, 2)": ("3 arguments for rng.uniform()", "docs/rules.md"),
+    "person.f = rng.uniform(0, 1, 2)": ("3 arguments for rng.uniform()", "rng.uniform(low, high)"),
     "person.f = model.world.wide": ("the world's 'wide'", "size"),
     "model.world.jump(person)": ("the world's jump()", "there is"),
     "x = model.world.patches": ("the world's 'patches' as a value", "for patch in"),
@@ -241,6 +272,48 @@ STATEMENTS = {
     "return person.f": ("which returns a number", "into a field"),
     "while person.b:\n        x = 1\n    person.f = x": ("not every way", "the loop"),
     "await person.f": ("await", "run to their end"),
+    # what one misses who comes from NetLogo, Mesa or NumPy
+    "self.f = 3": ("the unknown name 'self'", "write person.…"),
+    "agent.f = 3": ("the unknown name 'agent'", "write person.…"),
+    "person.f = price": ("the unknown name 'price'", "write model.price"),
+    "person.f = heading": ("the unknown name 'heading'", "write person.heading"),
+    "person.plan = grow": ("the unknown name 'grow'", "as a text: 'grow'"),
+    "person.b = true": ("the unknown name 'true'", "write True"),
+    "person.f = pi": ("the unknown name 'pi'", "math.pi"),
+    "person.f = sqrt(2)": ("the unknown function 'sqrt'", "math.sqrt"),
+    "forward(1)": ("the unknown function 'forward'", "model.world.forward(person"),
+    "ask(model.persons)": ("the unknown function 'ask'", "for other in model.persons:"),
+    "walk(person)": ("the unknown function 'walk'", "`def walk(…):`"),
+    "person.f = person.pos[0]": ("the unknown field 'pos'", "person.x and person.y"),
+    "person.f = person.model.price": ("the unknown field 'model'", "write model.…"),
+    "person.f = person.random.random()": ("the unknown field 'random'", "rng.random()"),
+    "person.i = person.unique_id": ("the unknown field 'unique_id'", "person.id"),
+    "person.name = 'anna'": ("the unknown field 'name'", "fields hold numbers"),
+    "person.rich = True": ("the unknown field 'rich'", "`rich: bool = False`"),
+    "person.move_to(1, 2)": ("move_to() of an agent", "model.world.move_to(person"),
+    "person.remove()": ("remove() of an agent", "person.die()"),
+    "model.warmth = 1": ("the model's 'warmth'", "class of the model: `warmth: float = 0.0`"),
+    "model.warmht += 0.5": ("which it does not declare", "`warmht: float = 0.0`"),
+    "person.f = model.wra": ("the model's 'wra'", "did you mean 'war'? If not, declare"),
+    "model.schedule.add(person)": ("the model's 'schedule'", "for other in model.persons:"),
+    "model.grid.move_agent(person, 1)": ("the model's 'grid'", "model.world"),
+    "person.f = model.random.random()": ("the model's 'random'", "rng.random()"),
+    "person.f = model.steps": ("the model's 'steps'", "model.tick"),
+    "person.f = model.patches": ("the model's 'patches'", "model.world.patches"),
+    "model.persons.remove(person)": ("remove() of the population", "agent.die()"),
+    "person.i = model.persons.count()": ("count() of the population", "len(model.persons)"),
+    "model.persons.f += 1": ("'f' of the population", "for other in model.persons:"),
+    "if model.persons:\n        pass": ("the population 'persons' as", "len(model.persons) > 0"),
+    "person.f = model.world.width": ("the world's 'width'", "model.world.size"),
+    "for p in model.world.neighbors(person):\n        pass": (
+        "the world's neighbors()",
+        "in_radius(person, 1.5)",
+    ),
+    "model.world.patch(0, 0).sugar = 1": ("the unknown field 'sugar'", "class of the patches"),
+    "person.i = model.persons[0]": ("an agent of 'persons' for", "its identity"),
+    "person['f'] = 3": ("[…] on an agent", "after a dot"),
+    "person.f = person.vf.sum()": (".sum()", "sum(array)"),
+    "person.f = rng.normal()": ("0 arguments for rng.normal()", "rng.normal(mean, deviation)"),
 }
 
 
@@ -320,6 +393,32 @@ def test_definitions_refused_with_advice(text, refusal):
     error, _ = refusal(text + "\n")
     assert DEFINITIONS[text] in error.found
     assert error.remedy
+
+
+PARAMETERS = {
+    "def rule(person):\n    person.f = model.price": "`def rule(person, model)`",
+    "def rule(person):\n    model.total += 1": "`def rule(person, model)`",
+    "def rule(person):\n    person.f = rng.random()": "`def rule(person, rng)`",
+    "def rule(person):\n    model.total += rng.random()": "`def rule(person, model, rng)`",
+    "def rule(person, rng):\n    for p in model.persons:\n        p.f = 1": (
+        "`def rule(person, rng, model)`"
+    ),
+    "def rule(person):\n    person.f = person.model.price": "`def rule(person, model)`",
+    "def rule(person):\n    person.f = price": "`def rule(person, model)`",
+    "def rule(person):\n    part(person)\ndef part(person, k=1):\n    person.f = model.price": (
+        "`def part(person, model, k=…)`, and give it model where it is called"
+    ),
+    "def rule(model):\n    model.total = 1": "`def rule(agent, model)`, or schedule it by once(…)",
+    "def rule(model, person):\n    person.f = 1": "def rule(person, model)",
+    "def rule(person, modl):\n    pass": "did you mean 'model'?",
+    "def rule(person, world):\n    pass": "write model.world",
+}
+
+
+@pytest.mark.parametrize("text", PARAMETERS)
+def test_parameters_that_a_rule_lacks(text, refusal):
+    error, _ = refusal(text + "\n")
+    assert PARAMETERS[text] in error.remedy
 
 
 def test_a_decorator_that_hides_the_rule(refusal):

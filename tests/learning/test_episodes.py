@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from socialmind import Model, ModelError, Population, RuleError, SocialmindError, each
+from socialmind.bookkeeping import NEXT_ID
 from socialmind.catalogue import load_file
 from socialmind.learning.episodes import Episodes
 from socialmind.learning.pupils import with_genomes
@@ -61,9 +62,19 @@ def test_each_is_what_its_world_comes_to_alone(genomes, outcome):
     for place, genome in enumerate(genomes):
         for number, seed in enumerate(SEEDS):
             alone = one.model(seed, genome)
+            lived = {"scouts": {}, "collectors": {}}
             while alone.over is None and alone.tick < alone.ticks:
                 alone.advance(1)
-            scores = [*alone.scouts.score, *alone.collectors.score]
+                for name, robots in lived.items():
+                    # The rows of the dead stay as they are until others take them.
+                    rows = alone.tables[name].rows
+                    used = rows["_slot"] == np.arange(len(rows))
+                    robots.update((int(row["_id"]), row.copy()) for row in rows[used])
+            assert len(lived["scouts"]) == alone.scouts.counters[NEXT_ID]
+            alone.arena.settle()
+            for robot in alone.collectors:
+                lived["collectors"][robot.id]["score"] = robot.score
+            scores = [row["score"] for robots in lived.values() for row in robots.values()]
             assert outcome.score[place, number] == pytest.approx(np.mean(scores), rel=1e-12)
             assert outcome.ticks[place, number] == alone.tick
             ended = [None, "crowded"][outcome.ended[place, number]]
@@ -71,8 +82,11 @@ def test_each_is_what_its_world_comes_to_alone(genomes, outcome):
             found = {name: values[place, number] for name, values in outcome.fields.items()}
             assert found["clock"] == alone.clock and found["born"] == alone.born
             assert found["brought"].tolist() == alone.collectors.brought.tolist()
-            first = alone.scouts.rows["generation"][:3]
-            assert found["scouts.generation"].tolist() == first.tolist()
+            # Of all scouts that have lived, the dead as well, whose places others have taken.
+            count = outcome.lived["scouts.generation"][place, number]
+            generations = [lived["scouts"][one]["generation"] for one in sorted(lived["scouts"])]
+            assert found["scouts.generation"][:count].tolist() == generations
+            assert not found["scouts.generation"][count:].any()
 
 
 def test_worlds_differ_and_so_do_individuals(outcome):

@@ -17,6 +17,13 @@ def test_finalists_are_distinct_and_half_of_them_the_last():
     assert chosen == {(2.0, 2), (1.0, 1), (5.0, 7), (4.0, 6)}
 
 
+def test_of_five_finalists_three_are_the_highest_and_two_the_last():
+    finalists = Finalists(5)
+    for generation, score in enumerate([9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0], start=1):
+        finalists.add(Individual(np.array([score]), None, score, generation))
+    assert [one.generation for one in finalists.chosen()] == [1, 2, 3, 6, 7]
+
+
 def test_one_finalist_is_the_highest():
     finalists = Finalists(1)
     for generation, score in enumerate([1.0, 7.0, 3.0], start=1):

@@ -77,6 +77,14 @@ def test_a_table_in_another_order_without_episodes(tmp_path):
             "SE:Left,SH:Left:5,MO:Motor\n0.5,0.5\n",
             "driven.csv:2: found None for MO:Motor; expected a number, 0 … 1",
         ),
+        (
+            "SE:Left,SH:Left:5,MO:Motor\n0.5,0.5,1\n0.5,0.5,1,0.25\n",
+            "driven.csv:3: found 4 cells; expected 3, one for each column",
+        ),
+        (
+            "SE:Left,SH:Left:5,MO:Motor,SE:Left\n0.5,0.5,1,0.5\n",
+            "driven.csv:1: found two columns 'SE:Left'; expected each once",
+        ),
     ],
 )
 def test_broken_tables_name_their_line(text, expected, tmp_path, monkeypatch):

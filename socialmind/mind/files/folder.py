@@ -8,6 +8,7 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.files import yaml_form, yaml_writer
 from socialmind.mind.files.folder_reader import BOTDESC, load_tasks, read_folder
 from socialmind.mind.files.folder_writer import save_tasks, write_folder
+from socialmind.trust import programs_in, remember
 
 __all__ = ["load_description", "load_tasks", "save_description", "save_tasks"]
 
@@ -15,7 +16,7 @@ YAML = (".yaml", ".yml")
 
 
 def load_description(path: str | Path) -> MindDescription:
-    """Read a mind.
+    """Read a mind; its programs are remembered as named by this user (`socialmind.trust`).
 
     Args:
         path: its folder, its `.botdesc` file, or its YAML file.
@@ -28,7 +29,9 @@ def load_description(path: str | Path) -> MindDescription:
         return yaml_form.load(path)
     if path.suffix == BOTDESC and path.is_file():
         path = path.parent
-    return read_folder(path)
+    description = read_folder(path)
+    remember(programs_in(path))
+    return description
 
 
 def save_description(description: MindDescription, path: str | Path) -> None:

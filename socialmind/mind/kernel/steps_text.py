@@ -14,14 +14,14 @@ def steps_text() -> str:
     return "\n\n\n".join(parts) + "\n"
 
 
-_STEPS = """@njit(cache=True)
+_STEPS = """@_kept(__name__)
 def restart(address, block):
     \"\"\"Put an agent back to before its first evaluation.\"\"\"
     mind = _at(address)
     _flow.start_lane(_structure_NAME(mind), _state_NAME(mind), block, 0)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def begin(address, block):
     \"\"\"Steps 1 and 2 but for the modeller's regulations.\"\"\"
     mind = _at(address)
@@ -30,40 +30,40 @@ def begin(address, block):
     _variables.vary(_structure_NAME(mind), _state_NAME(mind), block, 1)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def command_of(address, block, variable):
     \"\"\"Take the command that a variable received in the last cycle, NaN for none.\"\"\"
     mind = _at(address)
     return _variables.take_commands(_structure_NAME(mind), _state_NAME(mind), block, 1, variable)[0]
 
 
-@njit(cache=True)
+@_kept(__name__)
 def show_variables(address, block):
     \"\"\"End step 2.\"\"\"
     mind = _at(address)
     _signals.present_variables(_structure_NAME(mind), _state_NAME(mind), block, 1)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def override(address, block, variable, value):
     \"\"\"Give a variable a value at once.\"\"\"
     mind = _at(address)
     _reach.override(_structure_NAME(mind), _state_NAME(mind), block, 0, variable, value)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def set_sensor(address, block, sensor, value):
     \"\"\"Set a sensor.\"\"\"
     _reach.set_sensor(_state_NAME(_at(address)), block, 0, sensor, value)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def add_influence(address, block, skill, value):
     \"\"\"Let the drive influence a skill.\"\"\"
     _reach.add_influence(_state_NAME(_at(address)), block, 0, skill, value)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def command(address, block, actuator, place, value, weight):
     \"\"\"Let the drive command an actuator or a variable.\"\"\"
     mind = _at(address)
@@ -72,21 +72,21 @@ def command(address, block, actuator, place, value, weight):
     )
 
 
-@njit(cache=True)
+@_kept(__name__)
 def join(address, block, group, instance, part):
     \"\"\"Make an agent a member of a group's instance.\"\"\"
     mind = _at(address)
     _reach.join(_structure_NAME(mind), _state_NAME(mind), block, 0, group, instance, part)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def set_variable(address, block, variable, value):
     \"\"\"Set a variable; skills see it in the next evaluation.\"\"\"
     mind = _at(address)
     _reach.set_variable(_structure_NAME(mind), _state_NAME(mind), block, 0, variable, value)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def receive(address, block, skill):
     \"\"\"Add up a skill's influence, take its inputs and evaluate a network; False: skip it.\"\"\"
     mind = _at(address)
@@ -97,14 +97,14 @@ def receive(address, block, skill):
     return needed
 
 
-@njit(cache=True)
+@_kept(__name__)
 def transmit(address, block, skill):
     \"\"\"Send a skill's outputs.\"\"\"
     mind = _at(address)
     _flow.transmit(_structure_NAME(mind), _state_NAME(mind), block, 1, skill)
 
 
-@njit(cache=True)
+@_kept(__name__)
 def end(address, block):
     \"\"\"Step 4.\"\"\"
     mind = _at(address)

@@ -21,7 +21,7 @@ from socialmind.mind.kernel import flow as _flow
 from socialmind.mind.kernel import reach as _reach
 from socialmind.mind.kernel import signals as _signals
 from socialmind.mind.kernel import variables as _variables
-from numba import cfunc
+from coglogo_py.machine_code import kept_callback as _kept_callback
 from socialmind.language.memory import call_at as _call
 from socialmind.mind.kernel.layout import NETWORK as _NETWORK
 from socialmind.mind.kernel.layout import PROGRAM as _PROGRAM
@@ -82,7 +82,7 @@ def _evaluate_NAME(address, first, end):
         _flow.act(structure, state, block, lanes)
 
 
-@cfunc("int64(int64, int64, int64)", cache=True)
+@_kept_callback(__name__, "int64(int64, int64, int64)")
 def evaluate(address, first, end):
     \"\"\"Evaluate blocks of agents; return 0, or 1 when it failed.\"\"\"
     # One call alone: numba for Python 3.12 loses errors out of loops inside a `try`.
@@ -92,7 +92,7 @@ def evaluate(address, first, end):
         return 1
     return 0"""
 
-_RENEW = """@cfunc("int64(int64, int64, int64)", cache=True)
+_RENEW = """@_kept_callback(__name__, "int64(int64, int64, int64)")
 def renew(address, agent, parent):
     \"\"\"Put an agent back, or let a new one begin.\"\"\"
     mind = _at(address)

@@ -58,6 +58,11 @@ class Robot(Body):
     restarted: bool = True
 
 
+OWN = ("carrying", "closed", "collisions", "reward", "score", "earned", "restarted")
+"""What a robot that is hatched does not take from its parent: what the parent holds, and how it
+fared."""
+
+
 class Obstacle(Agent):
     """What stands in the way and never moves.
 

@@ -284,9 +284,12 @@ class Reward(Device):
 
     Attributes:
         robots: the population that it judges; by default the first one with sensors.
+        settles: whether it pays what rules have done since the last time, as `paid` does, and takes
+            what it pays. It is asked once more when a robot has died, and when an episode ends.
     """
 
     robots: str | None = None
+    settles: bool = False
     word: ClassVar[str] = "reward"
     further: ClassVar[tuple[str, ...]] = ("restarted",)
     results: ClassVar[tuple[AnyType, ...]] = (FLOAT, INT)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from socialmind.bookkeeping import ENTRIES, GONE, GONE_SCORE
 from socialmind.errors import RuleError
 from socialmind.rows import ArrayField
 from socialmind.schedule import place_of
@@ -31,11 +32,23 @@ def before_minds(model: Model, functions: Functions) -> None:
     for name in ("rewards", "interruptions"):
         for stages in plan.stages.values():
             _run(model, functions, stages[name])
-    if model.context["_over"]:
-        return
     for name in ("actuators", "sensors"):
-        for stages in plan.stages.values():
-            _run(model, functions, stages[name])
+        if name == "sensors" or not model.context["_over"]:
+            for stages in plan.stages.values():
+                _run(model, functions, stages[name])
+
+
+def settle_rewards(model: Model, functions: Functions, ended: bool) -> None:
+    """Pay what is due to the robots that died in this tick, or to all where an episode ended."""
+    plan = model.program.plane
+    for name, stage in (plan.settling if plan is not None else {}).items():
+        table = model.tables[name]
+        for slot in table.order[: int(table.counters[ENTRIES])].tolist():
+            if ended or not table.alive[slot]:
+                _robot(model, functions, stage, table, slot)
+            if not table.alive[slot]:
+                table.counters[GONE] += 1
+                table.counters.view(np.float64)[GONE_SCORE] += table.rows["score"][slot]
 
 
 def think(model: Model) -> None:
@@ -106,8 +119,12 @@ def _robot(model: Model, functions: Functions, stage: Stage, table: Any, slot: i
     if stage.name == "actuators":
         robot.push_x = robot.push_y = robot.torque = 0.0
     seen = [_sought(model, stage, seek, robot, slot, cos, sin) for seek in stage.seeks]
+    due = 0.0
     for call in stage.calls:
-        _call(model, functions, stage, call, robot, slot, seen, (cos, sin))
+        due += _call(model, functions, stage, call, robot, slot, seen, (cos, sin))
+    if stage.name == "settling":
+        robot.reward += due
+        robot.score += due
     if stage.name == "rewards":
         robot.score += robot.reward
         robot.restarted = False
@@ -150,7 +167,8 @@ def _call(
     slot: int,
     seen: list[tuple[Any, bool, float, float]],
     turned: tuple[float, float],
-) -> None:
+) -> float:
+    """Call a device; return what it pays beside the rewards of the tick."""
     device = call.device
     settings: Any = model.arena.settings  # type: ignore[union-attr]  # it has a plane
     _, _, angle, reach, *numbers = settings[
@@ -193,6 +211,8 @@ def _call(
             robot.readings[call.number] = bounded(result)
         elif stage.name == "rewards":
             robot.reward += counted(result)
+        elif stage.name == "settling":
+            return counted(result)
         elif stage.name == "interruptions" and result and _heeded(model, call):
             model.context["_over"] = call.number + 1
     except Exception as error:
@@ -200,3 +220,4 @@ def _call(
         place = place_of(error, f"{code.co_filename}:{code.co_firstlineno}")
         who = f"the {device.word} {call.name!r} of agent {robot.id} of {stage.robots.name!r}"
         raise RuleError(f"{type(error).__name__}: {error}", place, model.tick, who) from error
+    return 0.0

@@ -81,6 +81,8 @@ FASTEST = 60.0
 """Units a second that no body exceeds (Box2D's limit, two units a step of 1/30 s)."""
 SETTLING = 1.0
 """Units a second: slower impacts do not bounce (Box2D's velocity threshold)."""
+FARTHEST = 1e9
+"""Units: what is farther away, or larger, is nowhere; its distances are no numbers any more."""
 TOUCHING = 1e-9
 """Units: bodies overlap that are deeper in each other, so that what rests against something does
 not overlap it by rounding."""

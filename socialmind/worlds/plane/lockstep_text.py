@@ -31,8 +31,9 @@ models' records, `job` (lanes) the episode that each lane runs or -1, `individua
 `ended` (jobs), `weights` (genome_size) places in the genome of a mind, `out` (tables, 2) where the
 rows of each population of robots go and the bytes of an episode's. Of float64: `score` (jobs),
 `genomes` (individuals, genome_size). `next` is the next job to begin, `learner` the number of the
-population that learns, `failed` the job that failed or -1. Behind the tables in `out` stands where
-the models' records go."""
+population that learns, `failed` the job that failed or -1. In `out` the rows of a population are
+those of all robots that have lived, by identity. Behind the tables stands where the models' records
+go."""
 
 _TEXT = """LOCKSTEP = DTYPE
 
@@ -88,7 +89,7 @@ def _learn_weights(work, state, first, count, individual):
             state.genome[number // lanes, weights[place], number % lanes] = genome[place]
 
 
-@_inner
+KEPT@_inner
 def _end_episode(work, lane, job):
     _model = _world(work, lane)
     total = 0.0
@@ -130,9 +131,12 @@ def _run_lanes(work, rounds):
                 _model = _world(work, lane)
                 if _model._over == 0:
                     _after_minds(_model, _stream(_model))
+                ended = _model._over != 0 or _model._tick + 1 >= work.limit
+                _settle_rewards(_model, _stream(_model), ended)
+KEEP
                 _end_tick(_model)
                 _model._tick += 1
-                if _model._over != 0 or _model._tick >= work.limit:
+                if ended:
                     _end_episode(work, lane, job)
                     lane_job[lane] = -1
     work.failed = -1
@@ -146,7 +150,7 @@ THINK
     return
 
 
-@_cfunc("int64(int64, int64, int64)", cache=True)
+@_kept_callback(__name__, "int64(int64, int64, int64)")
 def run_lanes(address, rounds, nothing):
     \"\"\"Run all lanes for so many ticks; return 1 while there is more to do, 0, -1: failed.\"\"\"
     # One call alone: numba for Python 3.12 loses errors out of loops inside a `try`.
@@ -172,13 +176,37 @@ _RENEW = """    mind = _record_NAME(_model)
             work, _state_NAME(mind), first, count, individual
         )"""
 
-_SCORE = """    rows = _rows_NAME(_model)
-    alive = _alive_NAME(_model)
-    for slot in range(len(rows)):
-        if alive[slot]:
-            total += rows[slot].score
-            robots += 1
-    _copy_bytes(_model._NAME_rows, out[NUMBER, 0] + job * out[NUMBER, 1], out[NUMBER, 1])"""
+_SCORE = """    _keep_NAME(work, _model, job)
+    kept = _kept_NAME(work, _model, job)
+    for identity in range(len(kept)):
+        if kept[identity]._id >= 0:
+            total += kept[identity].score
+            robots += 1"""
+
+_KEPT = """@_inner
+def _kept_NAME(work, _model, job):
+    out = carray(_as_pointer(work.out), (TABLES + 1, 2), np.int64)
+    place = out[NUMBER, 0] + job * out[NUMBER, 1]
+    return carray(_as_pointer(place), (len(_slot_of_NAME(_model)),), NAME_ROW)
+
+
+@_inner
+def _keep_NAME(work, _model, job):
+    kept = _kept_NAME(work, _model, job)
+    rows = _rows_NAME(_model)
+    order = _order_NAME(_model)
+    for place in range(_counters_NAME(_model)[_bookkeeping.ENTRIES]):
+        agent = rows[order[place]]
+        kept[agent._id] = agent
+
+
+"""
+"""The rows of all robots that have lived in an episode, by identity: of the dead as they were at
+last, as others take their slots."""
+
+_KEEP = """                counters = _counters_NAME(_model)
+                if counters[_bookkeeping.ALIVE] != counters[_bookkeeping.ENTRIES]:
+                    _keep_NAME(work, _model, job)"""
 
 _THINK = """    mind = _record_NAME(_model)
     state = _state_NAME(mind)
@@ -198,12 +226,12 @@ def lockstep_text(plane: PlaneProgram, setup: str, deciding: Sequence[str]) -> s
     robots = dict(enumerate(plane.shape.robots))
     minded = {n: name for n, name in robots.items() if plane.shape.robots[name].hierarchy}
 
-    def each(text: str, names: Mapping[int, str]) -> str:
+    def each(text: str, names: Mapping[int, str], nothing: str = "    pass") -> str:
         parts = [
             text.replace("NAME", name).replace("NUMBER", str(number))
             for number, name in names.items()
         ]
-        return "\n".join(parts) or "    pass"
+        return "\n".join(parts) or nothing
 
     fills = {
         "DTYPE": dtype_text(LOCKSTEP),
@@ -211,8 +239,10 @@ def lockstep_text(plane: PlaneProgram, setup: str, deciding: Sequence[str]) -> s
         "SEEDS": each(_SEED, dict(enumerate(deciding))),
         "RENEW": each(_RENEW, minded),
         "SETUP": setup or "    pass",
+        "KEPT": "".join(each(_KEPT, {n: name}) for n, name in robots.items()),
         "TABLES": str(len(robots)),
         "SCORES": each(_SCORE, robots),
+        "KEEP": each(_KEEP, robots, "                pass"),
         "THINK": each(_THINK, minded),
     }
     text = _TEXT

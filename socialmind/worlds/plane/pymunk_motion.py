@@ -25,10 +25,13 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 import pymunk
 from numpy.typing import NDArray
+from pymunk.contact_point_set import ContactPoint, ContactPointSet
 
 from socialmind.errors import ModelError
 from socialmind.worlds.plane.bodies import Disc
-from socialmind.worlds.plane.layout import FASTEST, SETTLING, TOUCHING
+from socialmind.worlds.plane.kernel.arrays import STANDING
+from socialmind.worlds.plane.kernel.motion import heading_of, turned
+from socialmind.worlds.plane.layout import FARTHEST, FASTEST, SETTLING, TOUCHING
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -39,7 +42,6 @@ ITERATIONS = 20
 """How often pymunk goes over all contacts of a step."""
 
 _STILL = 1 << MOST_KINDS
-_FULL_TURN = 2.0 * math.pi
 
 
 class Slots(Protocol):
@@ -117,7 +119,8 @@ class PymunkMotion:
         self._filters = _filters(self.kinds)
         self._space = pymunk.Space()
         self._placed: list[dict[int, Placed]] = []
-        self._owner: dict[pymunk.Shape, tuple[pymunk.Body, float]] = {}
+        self._owner: dict[pymunk.Shape, tuple[pymunk.Body, float, tuple[int, int]]] = {}
+        self._squares: dict[pymunk.Shape, tuple[float, float, float, float, float]] = {}
         self._touching: dict[pymunk.Shape, int] = {}
 
     def build(self) -> None:
@@ -133,6 +136,7 @@ class PymunkMotion:
         space.on_collision(pre_solve=self._meet)
         self._placed = [{} for _ in self.kinds]
         self._owner = {}
+        self._squares = {}
         for shape in self._borders() + self._stones():
             shape.filter = pymunk.ShapeFilter(categories=_STILL)
             space.add(shape)
@@ -179,9 +183,13 @@ class PymunkMotion:
                         continue
                     rows["carrier_kind"][slot] = rows["carrier"][slot] = -1
                 if slot not in placed:
-                    placed[slot] = self._place(number)
+                    placed[slot] = self._place(number, slot)
                 body, shape = placed[slot]
                 x, y, vx, vy = _accelerate(kind, slot, self.dt)
+                if self.half_width > 0:
+                    # The walls are not endless: what is far outside is brought to them.
+                    far = self.half_width + FASTEST
+                    x, y = min(max(x, -far), far), min(max(y, -far), far)
                 body.position = (x, y)
                 body.velocity = (vx, vy)
                 moving.append((kind, slot, body, shape))
@@ -195,18 +203,19 @@ class PymunkMotion:
         alive = self.kinds[number].table.alive
         return 0 <= carrier < len(alive) and bool(alive[carrier])
 
-    def _place(self, number: int) -> Placed:
+    def _place(self, number: int, slot: int) -> Placed:
         """A body of a kind in pymunk. It does not turn there: without friction nothing turns it."""
         disc = self.kinds[number].disc
         body = pymunk.Body(disc.mass, math.inf)
         shape = pymunk.Circle(body, disc.radius)
         shape.filter = self._filters[number]
         self._space.add(body)
-        self._owner[shape] = body, disc.restitution
+        self._owner[shape] = body, disc.restitution, (number, slot)
         return body, shape
 
     def _meet(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: object) -> None:
         """Note who touches, and say how much of this impact bounces."""
+        self._settle_tie(arbiter)
         if arbiter.contact_point_set.points[0].distance > -TOUCHING:
             arbiter.process_collision = False
             return
@@ -214,13 +223,44 @@ class PymunkMotion:
         contact = 2 if all(shape in self._owner for shape in arbiter.shapes) else 1
         for shape, toward in zip(arbiter.shapes, (1.0, -1.0), strict=True):
             if shape in self._owner:
-                body, restitution = self._owner[shape]
+                body, restitution, _ = self._owner[shape]
                 self._touching[shape] = min(contact, self._touching.get(shape, contact))
                 approach += toward * normal.dot(body.velocity)
                 share = max(share, restitution)
             else:
                 most = 1.0
         arbiter.restitution = min(share, most) if approach > SETTLING else 0.0
+
+    def _settle_tie(self, arbiter: pymunk.Arbiter) -> None:
+        """Say which way is out where pymunk knows none, or two: the one that the kernel takes.
+
+        So it is in the middle of a square, on its diagonals, and where two bodies stand at one
+        place.
+        """
+        one: Any
+        other: Any
+        one, other = arbiter.shapes
+        moves = one in self._owner
+        if moves and other in self._owner:
+            away = other.body.position - one.body.position
+            if away.dot(away) > 0.0:
+                return
+            # Who comes first is pushed to the left.
+            normal = pymunk.Vec2d(1.0 if self._owner[one][2] < self._owner[other][2] else -1.0, 0.0)
+            depth = one.radius + other.radius
+        else:
+            circle, stone = (one, other) if moves else (other, one)
+            square = self._squares.get(stone)
+            out = None if square is None else _tied(square, *circle.body.position)
+            if out is None:
+                return
+            normal = pymunk.Vec2d(*out[1:]) * (-1.0 if moves else 1.0)
+            depth = circle.radius - out[0]
+        # Where the first one's rim is, and that of the other.
+        rim = one.radius if moves else depth - other.radius
+        begin = (one if moves else other).body.position + normal * rim
+        point = ContactPoint(begin, begin - normal * depth, -depth)
+        arbiter.contact_point_set = ContactPointSet(normal, (point,))
 
     def _borders(self) -> list[pymunk.Shape]:
         """Thick walls around the arena, so that what ran far into one is pushed back inside."""
@@ -248,17 +288,20 @@ class PymunkMotion:
         for slot in np.flatnonzero(self.obstacles.alive).tolist():
             row = rows[slot]
             x, y, angle, half = (float(row[name]) for name in ("x", "y", "angle", "half_width"))
-            if not math.isfinite(x + y + angle + half):
+            if not (abs(x) + abs(y) + abs(angle) + half < FARTHEST and half >= 0.0):
                 raise ModelError(
-                    f"obstacle {slot} at ({x}, {y}), angle {angle}, half-width {half}",
-                    "finite numbers",
+                    f"obstacle {slot} at ({x:g}, {y:g}), angle {angle:g}, half-width {half:g}",
+                    STANDING,
                 )
-            if row["round"] or half == 0.0:
+            if half == 0.0:
+                continue  # there is nothing
+            if row["round"]:
                 stones.append(pymunk.Circle(ground, half, (x, y)))
                 continue
             a, b = half * math.cos(angle), half * math.sin(angle)
             corners = [(a - b, b + a), (-a - b, -b + a), (-a + b, -b - a), (a + b, b - a)]
             stones.append(pymunk.Poly(ground, [(x + dx, y + dy) for dx, dy in corners]))
+            self._squares[stones[-1]] = x, y, math.cos(angle), math.sin(angle), half
         return stones
 
     def _carry(self) -> None:
@@ -310,6 +353,27 @@ def _filters(kinds: Sequence[Kind]) -> list[pymunk.ShapeFilter]:
     ]
 
 
+def _tied(
+    square: tuple[float, float, float, float, float], x: float, y: float
+) -> tuple[float, float, float] | None:
+    """Return the way out of a square from where two sides are equally near; None from elsewhere.
+
+    Returns:
+        How far it is to the side, negative, and the direction.
+    """
+    at_x, at_y, cos, sin, half = square
+    dx, dy = x - at_x, y - at_y
+    ahead, left = cos * dx + sin * dy, cos * dy - sin * dx
+    out_ahead, out_left = abs(ahead) - half, abs(left) - half
+    if max(out_ahead, out_left) > 0.0 or abs(out_ahead - out_left) > TOUCHING:
+        return None
+    if out_ahead >= out_left:
+        way = math.copysign(1.0, ahead)
+        return out_ahead, way * cos, way * sin
+    way = math.copysign(1.0, left)
+    return out_left, -way * sin, way * cos
+
+
 def _accelerate(kind: Kind, slot: int, dt: float) -> tuple[float, float, float, float]:
     """Turn a body, and work out the velocity with which it moves.
 
@@ -325,19 +389,21 @@ def _accelerate(kind: Kind, slot: int, dt: float) -> tuple[float, float, float, 
     spin += dt * rows["torque"].item(slot) / disc.moment
     spin /= 1.0 + dt * disc.angular_damping
     if (speed := math.sqrt(vx * vx + vy * vy)) > FASTEST:
+        if speed == math.inf:  # a square is beyond all numbers before its root is
+            vx, vy = vx * 1e-160, vy * 1e-160
+            speed = math.hypot(vx, vy)
         vx, vy = vx * FASTEST / speed, vy * FASTEST / speed
     angle += dt * spin
-    if not math.isfinite(x + y + vx + vy + angle):
+    if not abs(x + dt * vx) + abs(y + dt * vy) + abs(angle) < FARTHEST:
         # Pymunk ends the whole process at a number that is none.
+        who = rows["_id"].item(slot) if "_id" in (rows.dtype.names or ()) else slot
         raise ModelError(
-            f"a body of {kind.name!r} at ({x}, {y}), angle {angle}, velocity ({vx}, {vy})",
-            "finite numbers",
+            f"agent {who} of {kind.name!r}, whose motion is not finite: x={x}, y={y}, "
+            f"angle={angle}, vx={vx}, vy={vy}",
+            "numbers up to a thousand million",
         )
-    if not -math.pi <= angle < math.pi:
-        angle -= _FULL_TURN * math.floor((angle + math.pi) / _FULL_TURN)
-        if not -math.pi <= angle < math.pi:  # a hair off, by rounding
-            angle = -math.pi
+    angle = turned(angle)
     rows["vx"][slot], rows["vy"][slot], rows["spin"][slot] = vx, vy, spin
     rows["angle"][slot] = angle
-    rows["heading"][slot] = (90.0 - math.degrees(angle)) % 360.0
+    rows["heading"][slot] = heading_of(angle)
     return x, y, vx, vy

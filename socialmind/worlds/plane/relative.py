@@ -26,9 +26,13 @@ def bearing_of(dx: float, dy: float, cos: float, sin: float, angle: float) -> fl
     """
     bearing = math.atan2(cos * dy - sin * dx, cos * dx + sin * dy) - angle
     if bearing > math.pi:
-        return bearing - 2 * math.pi
+        bearing -= 2 * math.pi
+        if bearing > math.pi:
+            bearing -= 2 * math.pi * math.ceil((bearing - math.pi) / (2 * math.pi))
     if bearing <= -math.pi:
-        return bearing + 2 * math.pi
+        bearing += 2 * math.pi
+        if bearing <= -math.pi:  # a device whose angle is beyond a full turn
+            bearing += 2 * math.pi * math.floor((math.pi - bearing) / (2 * math.pi))
     return bearing
 
 

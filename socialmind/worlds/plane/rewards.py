@@ -163,9 +163,10 @@ def kept_away(readings: Any, threshold: float, gain: float) -> float:
 def paid(amount: float = 1.0) -> Reward:
     """`amount` for each unit that the model's rules have added to `robot.earned` since last time.
 
-    A rule that sees an object brought home writes `robot.earned += 1`; the reward takes it.
+    A rule that sees an object brought home writes `robot.earned += 1`; the reward takes it, in the
+    next tick, or at once if the robot dies or its episode ends in this one.
     """
-    return Reward(take, settings={"amount": amount})
+    return Reward(take, settings={"amount": amount}, settles=True)
 
 
 def take(robot: Any, amount: float) -> float:

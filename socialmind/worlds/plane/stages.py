@@ -92,6 +92,8 @@ class PlaneProgram:
     Attributes:
         shape: the plane.
         stages: by the robots' population, then the stage's name.
+        settling: by the robots' population, the rewards that are asked once more when a robot has
+            died or an episode ends.
         settings: the numbers of all devices; NaN where a parameter of the model gives it.
         named: of those, the places, and the devices and parameters that they belong to.
         shifting: whether obstacles may change in a tick, so that they are looked at anew.
@@ -99,6 +101,7 @@ class PlaneProgram:
 
     shape: PlaneShape
     stages: Mapping[str, Mapping[str, Stage]]
+    settling: Mapping[str, Stage]
     settings: NDArray[np.float64]
     named: Mapping[int, tuple[str, str]]
     shifting: bool
@@ -176,7 +179,12 @@ def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
     shifting = obstacles is not None and any(
         program.changed_by(symbol, obstacles) for symbol in symbols
     )
-    return PlaneProgram(shape, stages, np.array([*settings, 0.0]), named, shifting)
+    settling = {}
+    for robots, of_robots in stages.items():
+        rewards = of_robots["rewards"]
+        due = tuple(call for call in rewards.calls if getattr(call.device, "settles", False))
+        settling[robots] = Stage(rewards.robots, "settling", rewards.seeks if due else (), due)
+    return PlaneProgram(shape, stages, settling, np.array([*settings, 0.0]), named, shifting)
 
 
 def _check_parameter(program: Program, device: Device, found: str, name: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from socialmind.worlds.plane.stages import PLACED, Call, PlaneProgram, Seek, Stage
 
 HEAD = """import math as _math
-from numba import cfunc as _cfunc
+from coglogo_py.machine_code import kept_callback as _kept_callback
 from socialmind.language.memory import call_at as _call
 from socialmind.worlds.plane import relative as _relative
 
@@ -112,7 +112,7 @@ OBEYPHASESBUILD    return"""
 
 
 BUILD = """    if _call(_model._build, _model._plane, 0, 0) < 0:
-        raise ValueError("an obstacle with a place, angle or half-width that is no number")
+        raise ValueError("an obstacle with a place, angle or half-width out of range")
 """
 """The look at where the obstacles are. More of them than the table has room for are found without
 it, slowly."""
@@ -139,12 +139,16 @@ def plane_text(plane: PlaneProgram, phases: str) -> str:
             parts.append(_array_view(name, "senses"))
             parts.append(_array_view(name, "motors"))
             parts.append(_MINDS.replace("NAME", name))
+    parts += [_settling_text(stage) for stage in plane.settling.values()]
+    settling = [f"    _settling_{name}(_model, rng, ended)" for name in plane.settling]
+    parts.append("\n".join(["@_inner\ndef _settle_rewards(_model, rng, ended):", *settling, _END]))
     names = list(plane.stages)
     lines += [f"    _rewards_{name}(_model, rng)" for name in names]
     lines += [f"    _interruptions_{name}(_model, rng)" for name in names]
-    lines += ["    if _model._over != 0:", "        return"]
-    lines += [f"    _actuators_{name}(_model, rng)" for name in names]
+    for name in names:
+        lines += ["    if _model._over == 0:", f"        _actuators_{name}(_model, rng)"]
     lines += [f"    _sensors_{name}(_model, rng)" for name in names]
+    lines += ["    if _model._over != 0:", "        return"]
     inform = "\n".join(
         f"    if not _model._{one}_steered:\n        _inform_{one}(_model)" for one in minded
     )
@@ -159,11 +163,15 @@ def plane_text(plane: PlaneProgram, phases: str) -> str:
     return "\n\n\n".join(parts)
 
 
-TICK = """    if _model._over == 0:
+_END = "    return"
+
+TICK = """    over = _model._over
+    if over == 0:
         _before_minds(_model, rng)
         if _model._over == 0:
             _think(_model)
             _after_minds(_model, rng)
+    _settle_rewards(_model, rng, _model._over != over)
 """
 """The body of a tick on a plane, in place of the phases of the schedule."""
 
@@ -203,6 +211,45 @@ def _stage_text(stage: Stage) -> str:
         lines += [f"        {line}" for line in _call_lines(stage, call)]
     lines += [f"        {line}" for line in _coda(stage)]
     return "\n".join(lines)
+
+
+def _settling_text(stage: Stage) -> str:
+    """Return as a function what the robots that died in a tick are still paid, or all at the end.
+
+    Where nothing is due, 0 is added, which leaves reward and score as they are. What the dead have
+    scored is added up.
+    """
+    name = stage.robots.name
+    lines = [
+        f"@_inner\ndef _settling_{name}(_model, rng, ended):",
+        f"    counters = _counters_{name}(_model)",
+        "    entries = counters[_bookkeeping.ENTRIES]",
+        "    if not ended and counters[_bookkeeping.ALIVE] == entries:",
+        "        return",
+        f"    rows = _rows_{name}(_model)",
+        f"    alive = _alive_{name}(_model)",
+        f"    order = _order_{name}(_model)",
+        "    settings = _settings(_model)",
+        "    for place in range(entries):",
+        "        slot = order[place]",
+        "        if not ended and alive[slot]:",
+        "            continue",
+        "        agent = rows[slot]",
+        "        due = 0.0",
+    ]
+    body = _prelude(stage)
+    for number, seek in enumerate(stage.seeks):
+        body += _seek_lines(stage, number, seek)
+    for call in stage.calls:
+        body += _call_lines(stage, call)
+    body += [
+        "agent.reward += due",
+        "agent.score += due",
+        "if not alive[slot]:",
+        "    counters[_bookkeeping.GONE] += 1",
+        "    counters.view(np.float64)[_bookkeeping.GONE_SCORE] += agent.score",
+    ]
+    return "\n".join(lines + [f"        {line}" for line in body])
 
 
 def _prelude(stage: Stage) -> list[str]:
@@ -303,6 +350,8 @@ def _call_lines(stage: Stage, call: Call) -> list[str]:
         lines.append(f"agent.readings[{call.number}] = _bounded({called})")
     elif stage.name == "rewards":
         lines.append(f"agent.reward += _counted({called})")
+    elif stage.name == "settling":
+        lines.append(f"due += _counted({called})")
     elif stage.name == "interruptions":
         heeded = f"(_model._ignored >> {call.number}) & 1 == 0"
         lines += [

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from socialmind.agent_columns import OWN, one_table
 from socialmind.fields import class_fields
 from socialmind.worlds.plane.bodies import Robot
 
@@ -29,12 +30,10 @@ def trajectories(model: Model) -> dict[str, Any]:
     plane = model.shape.plane
     names = [] if plane is None else list(plane.robots)
     engines = set(class_fields(Robot))
-    parts: list[dict[str, Any]] = []
+    parts: dict[str, dict[str, Any]] = {}
     for name in names:
         table: Any = model.tables[name]
         part: dict[str, Any] = {"agent": table.id}
-        if len(names) > 1:
-            part["population"] = [name] * len(table)
         if table.shape.minded:
             part["plan"] = model.plans(table)
         for column in RECORDED:
@@ -43,20 +42,9 @@ def trajectories(model: Model) -> dict[str, Any]:
             )
         for field in model.populations[name].shape.fields.values():
             if field.name not in engines and field.size is None:
-                part[field.name] = getattr(table, field.name)
-        parts.append(part)
-    if len(parts) == 1:
-        return parts[0]
-    columns = list(dict.fromkeys(column for part in parts for column in part))
-    return {
-        column: [
-            value
-            for part in parts
-            for value in (
-                np.asarray(part[column], object).tolist()
-                if column in part
-                else [None] * len(part["agent"])
-            )
-        ]
-        for column in columns
-    }
+                alone = len(names) == 1 or field.name not in OWN
+                part[field.name if alone else f"{name}.{field.name}"] = getattr(table, field.name)
+        parts[name] = part
+    columns = one_table(parts)
+    # On planes the identity has always come before the population.
+    return {"agent": columns.pop("agent"), **columns}

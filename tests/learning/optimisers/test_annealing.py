@@ -20,6 +20,12 @@ def test_the_best_neighbour_is_taken_where_it_is_no_worse(seed):
     assert stands_after([1.0, 0.0, 1.0, 0.5], seed, temperature=1e-6) == 2
 
 
+@pytest.mark.parametrize("seed", range(5))
+def test_the_smallest_advantage_and_even_a_tie_are_enough(seed):
+    assert stands_after([1.0, 1.0 + 1e-12], seed, temperature=1e-15) == 1
+    assert stands_after([1.0, 1.0], seed, temperature=1e-15) == 1
+
+
 def test_a_worse_one_is_taken_by_the_law_of_metropolis():
     taken = [stands_after([1.0, -9.0, 0.5], seed, temperature=0.5) for seed in range(2000)]
     assert set(taken) == {0, 2}
@@ -35,6 +41,8 @@ def test_temperature_and_steps_fall_by_their_factors():
     for generation in range(4):
         genomes = search.ask()
         moved = (genomes[1:] - genomes[0])[genomes[1:] != genomes[0]]
+        assert len(genomes) == 5
+        assert moved.mean() == pytest.approx(0.0, abs=0.3 * 0.5**generation)
         assert moved.std() == pytest.approx(2.0 * 0.5**generation, rel=0.15)
         search.tell(np.zeros(5))
     assert search.temperature == 0.5

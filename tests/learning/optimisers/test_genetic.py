@@ -74,11 +74,19 @@ def test_winners_of_tournaments_have_the_distribution_of_the_best_of_several():
     # The greatest of three uniform numbers has mean 3/4 and exceeds 1/2 in 7 of 8 cases.
     assert ranks.mean() == pytest.approx(0.75, abs=0.02)
     assert (ranks > 0.5).mean() == pytest.approx(0.875, abs=0.02)
+    assert ranks.max() == 2999 / 3000  # the best of all competes as well
 
 
 @pytest.mark.parametrize(
     "settings",
-    [{"population": 1}, {"population": 2.5}, {"elite": 200}, {"mutation": 1.1}, {"tournament": 1}],
+    [
+        {"population": 1},
+        {"population": 2.5},
+        {"elite": 200},
+        {"elite": 1.5},
+        {"mutation": 1.1},
+        {"tournament": 1},
+    ],
 )
 def test_settings_outside_their_range_are_refused(settings):
     with pytest.raises(ModelError, match=next(iter(settings))):

@@ -1,7 +1,6 @@
 """Motion of the compiled kernel: closed forms, impacts, contacts, carried bodies."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -356,12 +355,3 @@ def test_what_is_laid_out_otherwise_is_refused():
         PlaneArrays(0.0, DT, 5.0, [Bodies("robots", ROBOT, rows, alive, 8)])
     with pytest.raises(ModelError, match="half_width=-1"):
         PlaneArrays(-1, DT, 5.0, [])
-
-
-def test_compiled_modules_know_the_files_of_the_kernel():
-    from socialmind.language import compiled
-
-    folder = Path(str(kernel.__globals__["__file__"])).parent
-    for name in ("motion", "rays", "stones"):
-        assert (folder / f"{name}.py").is_file()
-        assert f"socialmind/worlds/plane/kernel/{name}.py" in compiled._FILES

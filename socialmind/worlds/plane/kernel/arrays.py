@@ -61,6 +61,10 @@ class Obstacles:
     offset: int
 
 
+STANDING = "numbers up to a thousand million, and a half-width of 0 (for nothing) or more"
+"""What the place, angle and half-width of an obstacle are."""
+
+
 class Eyes:
     """The range finders of a kind of bodies; any number of planes may share them.
 
@@ -144,6 +148,13 @@ class PlaneArrays:
     ) -> None:
         if not 0 <= half_width < math.inf:
             raise ModelError(f"half_width={half_width!r} of a plane", "a number, 0 or more")
+        for one in kinds:
+            if 0 < half_width <= one.disc.radius:
+                raise ModelError(
+                    f"a half-width of {half_width:g}, in which {one.name!r} of radius "
+                    f"{one.disc.radius:g} find no room",
+                    "more than the radius, or 0 for a plane without borders",
+                )
         for name, number in (("dt", dt), ("cell", cell)):
             if not 0 < number < math.inf:
                 raise ModelError(f"{name}={number!r} of a plane", "a number above 0")
@@ -224,17 +235,20 @@ class PlaneArrays:
         """Work out what stands where, after obstacles were placed.
 
         Raises:
-            ModelError: an obstacle's place, angle or half-width is not finite.
+            ModelError: an obstacle's place, angle or half-width is not finite, or that is below 0.
         """
         found = self._kernel.build.ctypes(self.address, 0, 0)
         if found > 0:
             self.make_room(found)
             found = self._kernel.build.ctypes(self.address, 0, 0)
         if found < 0:
-            raise ModelError(
-                f"obstacle {-1 - found} with a place, angle or half-width that is no number",
-                "finite numbers",
-            )
+            raise ModelError(f"obstacle {-1 - found} at {self._obstacle(-1 - found)}", STANDING)
+
+    def _obstacle(self, slot: int) -> str:
+        """Return the numbers of an obstacle in words."""
+        row = self._attached[None][0][slot]
+        x, y, angle, half = (float(row[name]) for name in ("x", "y", "angle", "half_width"))
+        return f"({x:g}, {y:g}), angle {angle:g}, half-width {half:g}"
 
     @property
     def stones(self) -> NDArray[np.float64]:

@@ -9,7 +9,7 @@ from socialmind.language.compiled import compiled_module
 # No error can pass a call by address; the functions raise none, and say what is wrong by a number.
 _TEXT = '''"""The kernel of the plane; see socialmind/worlds/plane/kernel."""
 
-from numba import cfunc
+from coglogo_py.machine_code import kept_callback as _kept_callback
 
 from socialmind.worlds.plane.kernel import motion as _motion
 from socialmind.worlds.plane.kernel import rays as _rays
@@ -18,17 +18,17 @@ from socialmind.worlds.plane.kernel import stones as _stones
 _SIGNATURE = "int64(int64, int64, int64)"
 
 
-@cfunc(_SIGNATURE, cache=True, error_model="numpy")
+@_kept_callback(__name__, _SIGNATURE, error_model="numpy")
 def build(plane, _, __):
     return _stones.build(plane)
 
 
-@cfunc(_SIGNATURE, cache=True, error_model="numpy")
+@_kept_callback(__name__, _SIGNATURE, error_model="numpy")
 def move(plane, _, __):
     return _motion.move(plane)
 
 
-@cfunc(_SIGNATURE, cache=True, error_model="numpy")
+@_kept_callback(__name__, _SIGNATURE, error_model="numpy")
 def look(plane, eyes, _):
     return _rays.look(plane, eyes)
 '''

@@ -14,7 +14,7 @@ from numba.extending import register_jitable
 from socialmind.worlds.plane.kernel.bodies import alive_of, body_at, kinds_of
 from socialmind.worlds.plane.kernel.contacts import find_contacts, resolve
 from socialmind.worlds.plane.kernel.stones import plane_at
-from socialmind.worlds.plane.layout import FASTEST
+from socialmind.worlds.plane.layout import FARTHEST, FASTEST
 
 TURN = 2.0 * math.pi
 DEGREES = 180.0 / math.pi
@@ -29,7 +29,7 @@ def move(address: int) -> int:
 
     Returns:
         0, or 1 + the number of a body, counted over the slots of all kinds, whose motion is not
-        finite: it stands where it stood, at rest.
+        finite, or who is farther away than `FARTHEST`: it stands where it stood, at rest.
     """
     plane = plane_at(address)
     kinds = kinds_of(plane)
@@ -116,7 +116,7 @@ def _advance(body: Any, kind: Any, dt: float) -> bool:
         vy *= excess
     x, y, angle = body.x + dt * vx, body.y + dt * vy, body.angle + dt * spin
     # One sum for all three: what is not finite in one of them is not in the sum.
-    if not abs(x) + abs(y) + abs(angle) < math.inf:
+    if not abs(x) + abs(y) + abs(angle) < FARTHEST:
         body.vx = 0.0
         body.vy = 0.0
         body.spin = 0.0

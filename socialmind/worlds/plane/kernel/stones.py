@@ -10,6 +10,7 @@ from numba.extending import register_jitable
 
 from socialmind.language.memory import as_pointer
 from socialmind.worlds.plane.layout import (
+    FARTHEST,
     OBSTACLE,
     PLANE,
     STONE_COLUMNS,
@@ -23,8 +24,6 @@ from socialmind.worlds.plane.layout import (
 )
 
 SQRT_2 = math.sqrt(2.0)
-FARTHEST = 1e100
-"""Units: what stands farther away stands nowhere; its distances are no numbers."""
 
 
 @register_jitable(error_model="numpy")
@@ -73,7 +72,7 @@ def build(address: int) -> int:
     Returns:
         0; or how many entries the table needs when they are more than `cell_room`: the plane can be
         used all the same, but slowly; or −1 − slot of an obstacle that stands nowhere, as one of
-        its numbers is not finite, or is enormous.
+        its numbers is not finite, or is enormous, or its half-width is below 0.
     """
     plane = plane_at(address)
     fault = _take_stones(plane)
@@ -118,10 +117,10 @@ def _take_stones(plane: Any) -> int:
         place = plane.obstacles + slot * plane.obstacle_stride
         obstacle = carray(as_pointer(place), (1,), OBSTACLE)[0]
         x, y, angle, half_width = obstacle.x, obstacle.y, obstacle.angle, obstacle.half_width
-        if not abs(x) + abs(y) + abs(angle) + abs(half_width) < FARTHEST:
+        if not (abs(x) + abs(y) + abs(angle) + half_width < FARTHEST and half_width >= 0.0):
             return -1 - slot
-        if half_width <= 0.0:
-            continue
+        if half_width == 0.0:
+            continue  # there is nothing
         first = count * STONE_COLUMNS
         stones[first + STONE_X] = x
         stones[first + STONE_Y] = y

@@ -1,0 +1,138 @@
+"""What compiled code stands on beside its own text: files that it imports, values that it reads.
+
+numba writes both into machine code, and its cache on disk notices neither when it changes.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import sys
+import sysconfig
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+from pathlib import Path
+from types import CodeType, FunctionType, ModuleType
+from typing import Any
+
+import numpy as np
+
+_ROOT = Path(__file__).resolve().parent.parent.parent
+_OURS = ("socialmind", "coglogo_py")
+# Syntax trees would say the same, ten times as slowly, in each start of a run.
+_IMPORT = re.compile(
+    r"^(?:from|import)\s+([\w.]+)(?:\s+import\s+(\([^)]*\)|[^\n#]*))?", re.MULTILINE
+)
+
+
+def reached_files(text: str) -> tuple[Path, ...]:
+    """Return the files of this program that a module's text imports, and those that these import.
+
+    Imports within functions, and those for annotations alone, are left out: compiled code has none.
+
+    >>> [one.name for one in reached_files("from socialmind import bookkeeping")]
+    ['bookkeeping.py']
+    """
+    found: dict[Path, None] = {}
+    waiting = list(_imported(text))
+    while waiting:
+        file = waiting.pop()
+        if file not in found:
+            found[file] = None
+            waiting += _imported_by(file, file.stat().st_mtime_ns)
+    return tuple(sorted(found))
+
+
+@lru_cache(maxsize=256)
+def _imported_by(file: Path, changed: int) -> tuple[Path, ...]:
+    return tuple(_imported(file.read_text(encoding="utf-8")))
+
+
+def _imported(text: str) -> Iterator[Path]:
+    """Yield the files of modules that the statements at the left margin of a text import."""
+    for module, names in _IMPORT.findall(text):
+        for name in names.strip("()").split(",") or [""]:
+            words = name.split()
+            yield from (_files_of(f"{module}.{words[0]}") if words else []) or _files_of(module)
+
+
+def _files_of(module: str) -> list[Path]:
+    """Return the file of a module of ours; none for a package, whose names come from elsewhere."""
+    file = _ROOT.joinpath(*module.split(".")).with_suffix(".py")
+    return [file] if module.split(".")[0] in _OURS and file.is_file() else []
+
+
+def fingerprint(function: Callable[..., Any]) -> str:
+    """Return a hash of what a function does: its code, and all constants and helpers it reads.
+
+    Args:
+        function: a plain function that numba is to compile.
+
+    Returns:
+        64 hexadecimal digits, the same in any process of this Python.
+    """
+    digest = hashlib.sha256()
+    for part in _parts(function, set()):
+        digest.update(f"{len(part)}:{part}".encode())
+    return digest.hexdigest()
+
+
+def _parts(value: Any, seen: set[int]) -> Iterator[str]:
+    """Yield what tells a value from others, as texts."""
+    value = getattr(value, "py_func", value)  # what numba has compiled already
+    yield type(value).__qualname__
+    if isinstance(value, FunctionType):
+        yield f"{value.__module__}.{value.__qualname__}"
+        if id(value) not in seen and not is_of_a_package(value.__code__.co_filename):
+            seen.add(id(value))
+            yield from _parts_of_function(value, seen)
+    elif isinstance(value, tuple | list):
+        yield str(len(value))
+        for one in value:
+            yield from _parts(one, seen)
+    elif isinstance(value, np.ndarray):
+        yield f"{value.dtype} {value.shape} {hashlib.sha256(value.tobytes()).hexdigest()}"
+    elif isinstance(value, type | ModuleType):
+        yield value.__name__
+    elif isinstance(value, CodeType):
+        yield value.co_code.hex()
+        yield from _parts((value.co_names, value.co_varnames, value.co_consts), seen)
+    elif " at 0x" not in (text := repr(value)):
+        yield text
+
+
+def _parts_of_function(function: FunctionType, seen: set[int]) -> Iterator[str]:
+    yield from _parts(function.__code__, seen)
+    yield from _parts(function.__defaults__ or (), seen)
+    for cell in function.__closure__ or ():
+        yield from _parts(cell.cell_contents, seen)
+    names = sorted(_names(function.__code__))
+    for name in names:
+        if name not in function.__globals__:
+            continue
+        value = function.__globals__[name]
+        yield name
+        yield from _parts(value, seen)
+        if isinstance(value, ModuleType):
+            for attribute in names:
+                if attribute in vars(value):
+                    yield from _parts(vars(value)[attribute], seen)
+
+
+def _names(code: CodeType) -> set[str]:
+    """Return the names that a function and those within it read, attributes among them."""
+    inner = [one for one in code.co_consts if isinstance(one, CodeType)]
+    return set(code.co_names).union(*(_names(one) for one in inner))
+
+
+@lru_cache(maxsize=1024)
+def is_of_a_package(file: str) -> bool:
+    """Return whether a file is Python's or of an installed package; their versions stand for it."""
+    homes = {sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")}
+    return file.startswith("<frozen") or any(
+        Path(file).is_relative_to(home) for home in [*homes, *_shared_homes()] if home
+    )
+
+
+def _shared_homes() -> list[str]:
+    return [one for one in sys.path if one.endswith(("site-packages", "dist-packages"))]
