@@ -107,10 +107,8 @@ def print_decision(folder: Path, agent: int, tick: int, trust: bool = False) -> 
     capsule = Capsule(folder)
     done = capsule.manifest.ticks_done
     if not 1 <= tick <= done:
-        there = (
-            f"expected 1 … {done}, the ticks that the run has done"
-            if done
-            else ("the run has done no tick yet, so there is no decision to explain")
-        )
+        there = f"expected 1 … {done}, the ticks that the run has done"
+        if not done:
+            there = "the run has done no tick yet, so there is no decision to explain"
         raise SocialmindError(f"tick {tick}: {there}")
     typer.echo(str(model_of(capsule, trust=trust).explain(agent, tick)))
