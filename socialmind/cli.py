@@ -423,11 +423,14 @@ def check(
             metavar="FILE", help="A scheme's file, a mind's folder or YAML, or a model's folder."
         ),
     ],
+    trust: Annotated[
+        bool, typer.Option("--trust", help="Check rules and programs as well, which runs them.")
+    ] = False,
 ) -> None:
     """Check a scheme, a mind or a model: exit code 0 when nothing is odd, 1 when something is."""
     from socialmind.commands.checking import print_findings
 
-    if print_findings(file):
+    if print_findings(file, trust):
         raise typer.Exit(1)
 
 

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
 
-from coglogo_py import CognitiveScheme
-from socialmind.catalogue import load_model
-from socialmind.commands.checking_minds import is_mind, print_mind
-from socialmind.errors import SocialmindError
+from coglogo_py import CognitiveScheme, SchemeError
+from socialmind.catalogue import MODEL_FILE, load_model, model_folder
+from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments.capsule import Capsule
 from socialmind.experiments.sources import model_of
+from socialmind.language.syntax import parsed
 from socialmind.mind.code import check_program
+from socialmind.mind.files.text_file import inside
 from socialmind.mind.lint import findings
+from socialmind.trust import programs_in
 
 if TYPE_CHECKING:
     from coglogo_py import Finding
@@ -24,11 +28,12 @@ if TYPE_CHECKING:
 SCHEME_SUFFIXES = (".cogscheme", ".yaml", ".yml")
 
 
-def print_findings(file: str) -> bool:
+def print_findings(file: str, trust: bool = False) -> bool:
     """Check a scheme, a mind or a model and print what is odd; True when something is.
 
     Args:
         file: a scheme's file, a mind's folder or YAML file, a model's folder, or a model's name.
+        trust: run programs, to check the rules as well; else nothing is run.
 
     Raises:
         SocialmindError: there is no such file.
@@ -37,19 +42,69 @@ def print_findings(file: str) -> bool:
     """
     path = Path(file)
     if is_mind(path):
-        return print_mind(path)
+        return print_mind(path, trust)
     # CogLogo knows its files by their first line, whatever they are called.
     if path.suffix in SCHEME_SUFFIXES or (path.is_file() and path.suffix != ".py"):
         if not path.is_file():
             raise SocialmindError(f"{path}: no such file")
         odd = [f"{path}: {found}" for found in CognitiveScheme.load(path).check()]
     else:
-        odd = findings_of_model(load_model(file))
+        odd = findings_of_model(load_model(file)) if trust else findings_of_folder(file)
     for line in odd:
         typer.echo(line)
     if not odd:
         typer.echo(f"{file}: nothing odd found")
     return bool(odd)
+
+
+def findings_of_folder(file: str) -> list[str]:
+    """Check what can be known of a model without running it: its Python, schemes and plans.
+
+    Raises:
+        SocialmindError: there is no such model.
+        ModelError: a file of it is no Python.
+    """
+    folder = model_folder(file)
+    declared: dict[Path, list[str] | None] = {}
+    for name, content in programs_in(folder).items():
+        if name.endswith(".py"):
+            declared |= _declared_schemes(Path(name), content)
+    tell_programs(folder)
+    odd = []
+    for path, plans in declared.items():
+        if not path.is_file():
+            raise SocialmindError(f"{path}: no such file; a population takes its minds from it")
+        inside(folder, path.relative_to(folder).as_posix(), "the scheme", folder / MODEL_FILE)
+        try:
+            odd += [f"{path}: {one}" for one in CognitiveScheme.load(path).check(plans=plans)]
+        except SchemeError as error:
+            if "decision maker" not in error.found:  # it may be one of the model's own
+                raise
+    return odd
+
+
+def _declared_schemes(file: Path, content: bytes) -> dict[Path, list[str] | None]:
+    """Return the schemes and plans that a file's `Population(…, mind="…", plans={…})` write out."""
+    try:
+        tree = parsed(content)
+    except SyntaxError as error:
+        raise ModelError(f"not valid Python ({error.msg})", file=file, line=error.lineno) from None
+    except ValueError as error:  # null bytes
+        raise ModelError(f"not a Python file ({error})", file=file) from None
+    found: dict[Path, list[str] | None] = {}
+    for call in ast.walk(tree):
+        if not (isinstance(call, ast.Call) and getattr(call.func, "id", "") == "Population"):
+            continue
+        given = {one.arg: one.value for one in call.keywords}
+        mind, plans = given.get("mind"), given.get("plans")
+        if isinstance(mind, ast.Constant) and isinstance(mind.value, str):
+            keys = plans.keys if isinstance(plans, ast.Dict) else []
+            names = [one.value for one in keys if isinstance(one, ast.Constant)]
+            whole = isinstance(plans, ast.Dict) and len(names) == len(keys)
+            path = file.parent / mind.value
+            if path.resolve().is_relative_to(file.parent.resolve()):
+                found[path] = [str(one) for one in names] if whole else None
+    return found
 
 
 def findings_of_model(model_class: type[Model]) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import nullcontext
 from pathlib import Path
 
 import typer
@@ -23,9 +24,12 @@ from socialmind.mind.files.folder_reader import (
     files_in,
     load_tasks,
 )
+from socialmind.mind.files.python_file import programs_unrun
 from socialmind.mind.files.simbatch import Task
 from socialmind.mind.files.yaml_form import ACTUATORS, SENSORS, SKILLS, VARIABLES
 from socialmind.mind.lint import Finding, findings, genome_sizes
+from socialmind.mind.modules import Skill
+from socialmind.trust import programs_in
 
 SUFFIXES = (BOTDESC, VARDESC, ADES, GENOME, SIMBATCH)
 _SECTIONS = (SENSORS, ACTUATORS, VARIABLES, SKILLS)
@@ -57,25 +61,47 @@ def is_mind(path: Path) -> bool:
     return any(key.value in _SECTIONS for key, _ in keys)
 
 
-def print_mind(path: Path) -> bool:
+def print_mind(path: Path, trust: bool = False) -> bool:
     """Print what is odd about a mind and how many weights it has; True when something is odd.
 
     Args:
         path: the mind's folder or YAML file.
+        trust: run its programs, to check that they can be compiled; else they are only listed.
 
     Raises:
         ModelError: one of its files is wrong.
     """
-    description = MindDescription.load(path)
+    with nullcontext() if trust else programs_unrun():
+        description = MindDescription.load(path)
+    if not trust:
+        tell_programs(path)
     tasks = load_tasks(path) if path.is_dir() else {}
     odd, masters = _of_tasks(tasks, description)
-    odd += findings(description, masters or None, check_program)
+    odd += findings(description, masters or None, check_program if trust else _unchecked)
     for finding in odd:
         typer.echo(f"{path}: {finding}")
     if not odd:
         typer.echo(f"{path}: nothing odd found")
     typer.echo("\n".join(table(description)))
     return bool(odd)
+
+
+def _unchecked(_: Skill) -> None:
+    """Check no program: nothing is run."""
+
+
+def tell_programs(path: Path) -> None:
+    """Say on stderr which programs there are, which were not run."""
+    found = (
+        programs_in(path) if path.is_dir() else programs_in(path.parent / f"{path.stem}.functions")
+    )
+    if found:
+        typer.echo(
+            f"{path}: programs, which can do whatever you can and were not run: "
+            f"{', '.join(one if one.isprintable() else repr(one) for one in found)}; "
+            "--trust checks their rules as well, which runs them",
+            err=True,
+        )
 
 
 def _of_tasks(

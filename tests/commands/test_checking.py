@@ -79,7 +79,9 @@ def test_check_of_a_model_whose_rule_is_outside_the_language(refused, grazers, t
     text = model.read_text().replace("    grazer.energy -= 0.2\n", "    del grazer.energy\n")
     model.write_text(text)
     line = text.splitlines().index("    del grazer.energy") + 1
-    assert f"{model}:{line}: del in the rule 'live'" in refused("check", tmp_path / "bad")
+    assert f"{model}:{line}: del in the rule 'live'" in refused(
+        "check", tmp_path / "bad", "--trust"
+    )
 
 
 def test_check_of_a_model_knows_its_plans(socialmind, grazers, tmp_path):
@@ -108,3 +110,20 @@ def test_explain_prints_the_receipt(socialmind, done):
 )
 def test_explain_of_nothing(refused, done, agent, tick, message):
     assert message in refused("explain", done, "--agent", agent, "--tick", tick)
+
+
+def test_check_runs_nothing_and_lists_programs(socialmind, grazers, tmp_path):
+    shutil.copytree(grazers, tmp_path / "bad")
+    model = tmp_path / "bad" / "model.py"
+    model.write_text(model.read_text() + "raise SystemExit(7)\n")
+    result = socialmind("check", tmp_path / "bad")
+    assert result.exit_code == 0
+    assert str(model) in result.stderr
+    mind = tmp_path / "M"
+    mind.mkdir()
+    (mind / "M.botdesc").write_text("SENSORS\nACTUATORS\nA:motor\n")
+    (mind / "M.vardesc").write_text("V:RegulatedVariableModule::f.py:f\n")
+    (mind / "f.py").write_text("raise SystemExit(7)\ndef f(value):\n    return value\n")
+    result = socialmind("check", mind)
+    assert "f.py" in result.stderr
+    assert result.exit_code != 7

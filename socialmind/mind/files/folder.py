@@ -8,6 +8,7 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.files import yaml_form, yaml_writer
 from socialmind.mind.files.folder_reader import BOTDESC, load_tasks, read_folder
 from socialmind.mind.files.folder_writer import save_tasks, write_folder
+from socialmind.mind.files.python_file import runs_programs
 from socialmind.trust import programs_in, remember
 
 __all__ = ["load_description", "load_tasks", "save_description", "save_tasks"]
@@ -30,7 +31,8 @@ def load_description(path: str | Path) -> MindDescription:
     if path.suffix == BOTDESC and path.is_file():
         path = path.parent
     description = read_folder(path)
-    remember(programs_in(path))
+    if runs_programs():
+        remember(programs_in(path))
     return description
 
 

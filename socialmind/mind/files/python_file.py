@@ -13,7 +13,9 @@ import inspect
 import math
 import re
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
@@ -50,12 +52,7 @@ def load_function(
     Raises:
         ModelError: the file cannot be loaded, or has no such function.
     """
-    module = load_file(path)
-    own = {
-        key: value
-        for key, value in vars(module).items()
-        if isinstance(value, FunctionType) and value.__module__ == module.__name__
-    }
+    own = _outlines(path) if _unrun.get() else _functions(path)
     for wanted in (name, snake_case(name)):
         if wanted in own:
             return own[wanted]
@@ -71,6 +68,66 @@ def load_function(
         named_in,
         line,
     )
+
+
+def _functions(path: Path) -> dict[str, FunctionType]:
+    module = load_file(path)
+    return {
+        key: value
+        for key, value in vars(module).items()
+        if isinstance(value, FunctionType) and value.__module__ == module.__name__
+    }
+
+
+_unrun: ContextVar[bool] = ContextVar("unrun", default=False)
+
+
+@contextmanager
+def programs_unrun() -> Iterator[None]:
+    """Read minds without running their programs, whose functions then do nothing."""
+    token = _unrun.set(True)
+    try:
+        yield
+    finally:
+        _unrun.reset(token)
+
+
+def runs_programs() -> bool:
+    """Whether the programs of a mind that is read are run."""
+    return not _unrun.get()
+
+
+def _outlines(path: Path) -> dict[str, FunctionType]:
+    """Return the functions that a file defines, by their heads alone; nothing of it is run."""
+    try:
+        tree = parsed(text_of(path))
+    except SyntaxError as error:
+        raise ModelError(f"not valid Python ({error.msg})", file=path, line=error.lineno) from None
+    except ValueError as error:  # null bytes
+        raise ModelError(f"not a Python file ({error})", file=path) from None
+    heads: dict[str, FunctionType] = {}
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef):
+            given = node.args
+            for one in (*given.posonlyargs, *given.args, *given.kwonlyargs):
+                one.annotation = None
+            given.vararg = given.vararg and ast.arg(given.vararg.arg)
+            given.kwarg = given.kwarg and ast.arg(given.kwarg.arg)
+            given.defaults = [ast.Constant(0.0) for _ in given.defaults]
+            given.kw_defaults = [one and ast.Constant(0.0) for one in given.kw_defaults]
+            # At its own line, for messages.
+            head = "\n" * (node.lineno - 1) + f"def {node.name}({ast.unparse(given)}): pass"
+            made: dict[str, Any] = {}
+            exec(compile(head, str(path), "exec"), made)
+            heads[node.name] = made[node.name]
+        elif isinstance(node, ast.Assign) and isinstance(node.value, ast.Name):
+            # Another name for a function, as the writer of minds gives one.
+            heads |= {
+                one.id: heads[node.value.id]
+                for one in node.targets
+                if isinstance(one, ast.Name) and node.value.id in heads
+            }
+    return heads
 
 
 def load_beside(
