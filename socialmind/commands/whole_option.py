@@ -7,9 +7,6 @@ from decimal import Decimal, InvalidOperation
 
 import typer
 
-from coglogo_py.errors import shortened
-from coglogo_py.numbers import whole_number
-
 LARGEST = 2**63 - 1
 LARGEST_SEED = 2**64 - 1
 NUMBER = "the number"
@@ -27,6 +24,10 @@ def whole(low: int, high: int = LARGEST) -> Callable[[str | int], int]:
     def read(text: str | int) -> int:
         if isinstance(text, int):  # a default
             return text
+        # Only here: `--help` needs no NumPy, which these import.
+        from coglogo_py.errors import shortened
+        from coglogo_py.numbers import whole_number
+
         found: object = shortened(text, LONGEST)
         try:
             number = Decimal(text.strip())
