@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numba.extending import register_jitable
 
+from coglogo_py.numbers import is_whole
 from coglogo_py.streams import LOW_32, philox, uniforms
 
 STREAM = np.dtype(
@@ -317,7 +318,7 @@ class Stream:
 
     def choice(self, values: Any, p: Sequence[float] | None = None) -> Any:
         """Draw one of several values, or of 0 … values − 1; p are weights of any sum."""
-        several = range(values) if isinstance(values, int) else values
+        several = range(int(values)) if is_whole(values) else values
         return several[self.integers(len(several)) if p is None else self.weighted(p)]
 
     def permutation(self, n: int) -> list[int]:

@@ -203,6 +203,8 @@ def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Type
         typer.refuse(node, f".{name}() in a rule", METHODS[name])
     if kind == MODEL:
         advice = f"write it as a function of the file, and call it: {name}(model)"
+        if name in hints.MODEL:
+            advice = hints.for_model(typer, name)
         typer.refuse(node, f"{name}() of the model", advice)
     return typer.refuse(node, f"{name}() of {kind}", "see docs/rules.md for what can be called")
 
@@ -276,7 +278,7 @@ def _agent(
                 )
             else:
                 keep = bool(keyword.value.value)
-        fitted(typer, node, "hatch", Signature((), NONE))
+        _alone(typer, node, "hatch", f"{ast.unparse(base)}.hatch()")
         typer.program.bears(population)
         made = _made(node, base, name, [constant(keep, node)], ("hatch", population, keep))
         return made, kind
@@ -301,15 +303,28 @@ def _agent(
     )
 
 
+def _alone(typer: ExpressionTyper, node: ast.Call, name: str, written: str) -> None:
+    """Refuse what is given to a birth: how many are born, or with what fields."""
+    fields = [one.arg for one in node.keywords if one.arg != "keep_groups"]
+    if node.args:
+        typer.refuse(
+            node,
+            f"{name}() of several",
+            f"each call is one birth: `for k in range({ast.unparse(node.args[0])}): {written}`",
+        )
+    if fields:
+        advice = f"write `{written}`, then `new.{fields[0]} = …`"
+        typer.refuse(node, f"{name}() with {fields[0]}=", advice)
+
+
 def _population(
     typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: PopulationType, name: str
 ) -> Typed:
     row = RowType(kind.population)
     if name == "create":
-        without_keywords(typer, node, "create")
+        _alone(typer, node, "create", f"new = model.{kind.population}.create()")
         typer.program.bears(kind.population)
         typer.program.changes(kind.population)
-        fitted(typer, node, "create", Signature((), NONE))
         return _made(node, base, name, [], ("create", kind.population)), row
     if name == "one_of":
         kinds = [typer.expression(argument) for argument in node.args]

@@ -95,6 +95,9 @@ def _one_of_several(typer: ExpressionTyper, node: ast.Compare, operator: ast.cmp
         kind = typer.expression(several)[1]
         if isinstance(kind, TableType) and not isinstance(kind.item, TupleType):
             several = tables.written(kind.values, several)
+        if isinstance(kind, TableType) and isinstance(kind.item, TupleType):
+            advice = "compare in a for loop: `for dx, dy in PAIRS:`"
+            typer.refuse(node, "`in` a tuple of pairs", advice)
     if not isinstance(several, ast.Tuple | ast.List | ast.Set) or not several.elts:
         typer.refuse(node, "`in` without written values", "write `x in (1, 2)`, or a for loop")
     assert isinstance(several, ast.Tuple | ast.List | ast.Set)  # refused above

@@ -428,6 +428,8 @@ class ExpressionTyper:
             return marked(new, ("element", kind.of == BOOL)), kind.of
         if isinstance(kind, RowType) or kind == MODEL:
             self.refuse(node, f"[…] on {kind}", "write the name of the field after a dot")
+        if isinstance(kind, WorldType):
+            self.refuse(node, f"[…] on {kind}", "write model.world.patch(x, y)")
         return self.refuse(node, f"[…] on {kind}", "only array fields and populations have places")
 
     def place_in_tuple(

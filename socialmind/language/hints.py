@@ -12,6 +12,7 @@ from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 from socialmind.language.nodes import close, nearest
+from socialmind.language.refusals import MODULES
 from socialmind.language.signatures import MATH, MATH_CONSTANTS
 from socialmind.language.types import RowType
 from socialmind.worlds.torus import COMMANDS
@@ -25,7 +26,10 @@ _HERE = "write model.world.patch({agent}.x, {agent}.y)"
 _AROUND = "write `for patch in model.world.in_radius({agent}, 1.5):`"
 _SIZE = "write model.world.size"
 
+_ADVANCE = "a society runs as long as `advance()` or the run says, or until `stop_when`"
+
 NAMES = {
+    **dict.fromkeys(("np", "numpy"), MODULES["numpy"]),
     **dict.fromkeys(("true", "TRUE"), "write True"),
     **dict.fromkeys(("false", "FALSE"), "write False"),
     **dict.fromkeys(("null", "none", "nobody", "NULL"), "write `is None` on a field"),
@@ -62,6 +66,8 @@ AGENT = {
     "model": "the model is a parameter of the rule: write model.…",
     **dict.fromkeys(("random", "rng"), _DRAW),
     "world": "write model.world",
+    **{name: f"write {{agent}}.{name}()" for name in ("die", "hatch")},
+    "run_plan": "write {agent}.run_plan(model, rng)",
     "alive": "ask model.{all}.contains(identity); the dead act no more",
     "breed": "give each kind of agents a population of its own",
     "patch_here": _HERE,
@@ -85,6 +91,9 @@ MODEL = {
     "patches": "write model.world.patches",
     "seed": _DRAW,
     "world": "the model has none; declare it as `world = Torus(33)`",
+    "next_id": "agents have an identity of their own: write {agent}.id",
+    "running": _ADVANCE,
+    **dict.fromkeys(("log", "history"), "report through `series()` and `agents()` of the model"),
     "datacollector": "report through `series()` and `agents()` of the model",
 }
 """What models have elsewhere."""

@@ -61,7 +61,7 @@ NAMES: dict[str, str] = {
     "open": "rules open no files; report through `series()` and `agents()`",
     "sorted": "keep the best so far in a for loop",
     "reversed": "write `for i in range(n - 1, -1, -1)`",
-    "enumerate": "write `for i in range(len(…))`",
+    "enumerate": "write `for i in range(len(…))`; over agents, count in a variable",
     "zip": "write `for i in range(len(…))`",
     "map": "write a for loop",
     "filter": "write a for loop with an if",
