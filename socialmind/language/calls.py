@@ -203,7 +203,7 @@ def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Type
         typer.refuse(node, f".{name}() in a rule", METHODS[name])
     if kind == MODEL:
         advice = f"write it as a function of the file, and call it: {name}(model)"
-        if name in hints.MODEL:
+        if name in hints.MODEL and name not in hints.AGENT:
             advice = hints.for_model(typer, name)
         typer.refuse(node, f"{name}() of the model", advice)
     return typer.refuse(node, f"{name}() of {kind}", "see docs/rules.md for what can be called")
