@@ -24,7 +24,8 @@ COUNT = int(os.environ.get("SOCIALMIND_FUZZ_COUNT", "60"))
 HOSTILE = [
     b"9" * 5000, b"-1", b"nan", b"1e999", b"\0", b"\xff\xfe", b"\xef\xbb\xbf", b"[" * 500,
     b"*a", b"&a [*a, *a]", b"\r", b"\r\n", b"..", b"/dev/zero", b"\x1b[31m", b"a" * 5000, b":",
-    "\N{ARABIC-INDIC DIGIT THREE}".encode(), "\N{SUPERSCRIPT TWO}".encode(), b"\xe9", b"{", b"- ", b"#",
+    "\N{ARABIC-INDIC DIGIT THREE}".encode(), "\N{SUPERSCRIPT TWO}".encode(), b"\xe9", b"{", b"- ",
+    b"#",
 ]  # fmt: skip
 FORMATS = (".cogscheme", ".yaml", ".botdesc", ".vardesc", ".ades", ".genome", ".simbatch", "mind")
 
