@@ -169,7 +169,9 @@ def _decision_maker(lines: _Lines, decision_makers: Iterable[type[DecisionMaker]
 
 
 def _cognitons(lines: _Lines, repeated: list[str]) -> tuple[Cogniton, ...]:
+    # Links gather in the first of a name, and are joined once: there may be many.
     found: dict[str, Cogniton] = {}
+    links: dict[str, tuple[dict[str, float], list[str], dict[str, float]]] = {}
     while lines.next == "COG":
         lines.take("COG")
         line = lines.taken
@@ -178,20 +180,19 @@ def _cognitons(lines: _Lines, repeated: list[str]) -> tuple[Cogniton, ...]:
         starting = _starting(lines, name)
         start_value, position = _value_and_position(lines)
         influence, conditional, reinforcement = _links(lines)
-        first = found.get(name)
-        if first is None:
-            found[name] = Cogniton(
-                name, starting, start_value, colour, position, influence, conditional, reinforcement
-            )
-            continue
-        repeated.append(f"cogniton {name!r} (line {line})")
-        found[name] = replace(
-            first,
-            influence={**first.influence, **influence},
-            conditional=first.conditional + conditional,
-            reinforcement={**first.reinforcement, **reinforcement},
-        )
-    return tuple(found.values())
+        if name in found:
+            repeated.append(f"cogniton {name!r} (line {line})")
+        else:
+            found[name] = Cogniton(name, starting, start_value, colour, position)
+            links[name] = {}, [], {}
+        links[name][0].update(influence)
+        links[name][1].extend(conditional)
+        links[name][2].update(reinforcement)
+    return tuple(
+        replace(one, influence=links[name][0], conditional=tuple(links[name][1]),
+                reinforcement=links[name][2])
+        for name, one in found.items()
+    )  # fmt: skip
 
 
 def _groups(lines: _Lines, repeated: list[str]) -> tuple[Group, ...]:
