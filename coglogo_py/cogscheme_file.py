@@ -23,7 +23,7 @@ from pathlib import Path
 
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
 from coglogo_py.errors import SchemeError, shown
-from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon, Group, Role
+from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon, Group, Role, one_culturon
 
 SECTIONS = ("INFLUENCE", "DEPENDENCY", "REINFORCEMENT")
 KEYWORDS = frozenset(("STARTCS", "PLANPOS", "BREEDS", "COG", "GRP", "ROL", *SECTIONS, "ENDCS"))
@@ -196,7 +196,7 @@ def _cognitons(lines: _Lines, repeated: list[str]) -> tuple[Cogniton, ...]:
 
 
 def _groups(lines: _Lines, repeated: list[str]) -> tuple[Group, ...]:
-    groups: dict[str, dict[str, dict[str, Culturon]]] = {}
+    groups: dict[str, dict[str, dict[str, list[Culturon]]]] = {}
     while lines.next == "GRP":
         lines.take("GRP")
         line = lines.taken
@@ -215,15 +215,18 @@ def _groups(lines: _Lines, repeated: list[str]) -> tuple[Group, ...]:
                 lines.take("COG")
                 line = lines.taken
                 culturon = _culturon(lines)
-                first = culturons.get(culturon.name)
-                if first is not None:
+                if culturon.name in culturons:
                     repeated.append(f"culturon {culturon.name!r} of role {role!r} (line {line})")
-                    culturon = first.joined(culturon)
-                culturons[culturon.name] = culturon
+                culturons.setdefault(culturon.name, []).append(culturon)
         if lines.next == "COG":
             raise lines.unexpected("ROL, GRP or ENDCS", "a culturon stands in a role of its group")
     return tuple(
-        Group(group, tuple(Role(role, tuple(held.values())) for role, held in roles.items()))
+        Group(
+            group,
+            tuple(
+                Role(role, tuple(map(one_culturon, held.values()))) for role, held in roles.items()
+            ),
+        )
         for group, roles in groups.items()
     )
 
