@@ -103,9 +103,10 @@ def _never_available(
     scheme: CognitiveScheme, available: set[str], model_plans: tuple[str, ...]
 ) -> list[Finding]:
     found = []
+    linked_plans = set(scheme.linked_plans)
     for plan in dict.fromkeys((*scheme.plans, *model_plans)):
         if plan not in available:
-            linked = plan in scheme.linked_plans
+            linked = plan in linked_plans
             message = (
                 "no conditional link leads to it; add one"
                 if linked
