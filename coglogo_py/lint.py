@@ -218,10 +218,11 @@ def _unknown_plans(
     else:
         return []
     found = []
+    listed = set(known)
     for where, holder in holders.items():
         for field in ("influence", "conditional", "reinforcement"):
             for plan in getattr(holder, field):
-                if plan not in known:
+                if plan not in listed:
                     advice = nearest(plan, known) or f"the plans are {', '.join(known) or 'none'}"
                     found.append(
                         Finding(
