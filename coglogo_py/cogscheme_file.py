@@ -23,7 +23,7 @@ from pathlib import Path
 
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
 from coglogo_py.errors import SchemeError, shown
-from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon, Group, Role
+from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon, Group, Role, one_culturon
 
 SECTIONS = ("INFLUENCE", "DEPENDENCY", "REINFORCEMENT")
 KEYWORDS = frozenset(("STARTCS", "PLANPOS", "BREEDS", "COG", "GRP", "ROL", *SECTIONS, "ENDCS"))
@@ -169,7 +169,9 @@ def _decision_maker(lines: _Lines, decision_makers: Iterable[type[DecisionMaker]
 
 
 def _cognitons(lines: _Lines, repeated: list[str]) -> tuple[Cogniton, ...]:
+    # Links gather in the first of a name, and are joined once: there may be many.
     found: dict[str, Cogniton] = {}
+    links: dict[str, tuple[dict[str, float], list[str], dict[str, float]]] = {}
     while lines.next == "COG":
         lines.take("COG")
         line = lines.taken
@@ -178,24 +180,23 @@ def _cognitons(lines: _Lines, repeated: list[str]) -> tuple[Cogniton, ...]:
         starting = _starting(lines, name)
         start_value, position = _value_and_position(lines)
         influence, conditional, reinforcement = _links(lines)
-        first = found.get(name)
-        if first is None:
-            found[name] = Cogniton(
-                name, starting, start_value, colour, position, influence, conditional, reinforcement
-            )
-            continue
-        repeated.append(f"cogniton {name!r} (line {line})")
-        found[name] = replace(
-            first,
-            influence={**first.influence, **influence},
-            conditional=first.conditional + conditional,
-            reinforcement={**first.reinforcement, **reinforcement},
-        )
-    return tuple(found.values())
+        if name in found:
+            repeated.append(f"cogniton {name!r} (line {line})")
+        else:
+            found[name] = Cogniton(name, starting, start_value, colour, position)
+            links[name] = {}, [], {}
+        links[name][0].update(influence)
+        links[name][1].extend(conditional)
+        links[name][2].update(reinforcement)
+    return tuple(
+        replace(one, influence=links[name][0], conditional=tuple(links[name][1]),
+                reinforcement=links[name][2])
+        for name, one in found.items()
+    )  # fmt: skip
 
 
 def _groups(lines: _Lines, repeated: list[str]) -> tuple[Group, ...]:
-    groups: dict[str, dict[str, dict[str, Culturon]]] = {}
+    groups: dict[str, dict[str, dict[str, list[Culturon]]]] = {}
     while lines.next == "GRP":
         lines.take("GRP")
         line = lines.taken
@@ -214,15 +215,18 @@ def _groups(lines: _Lines, repeated: list[str]) -> tuple[Group, ...]:
                 lines.take("COG")
                 line = lines.taken
                 culturon = _culturon(lines)
-                first = culturons.get(culturon.name)
-                if first is not None:
+                if culturon.name in culturons:
                     repeated.append(f"culturon {culturon.name!r} of role {role!r} (line {line})")
-                    culturon = first.joined(culturon)
-                culturons[culturon.name] = culturon
+                culturons.setdefault(culturon.name, []).append(culturon)
         if lines.next == "COG":
             raise lines.unexpected("ROL, GRP or ENDCS", "a culturon stands in a role of its group")
     return tuple(
-        Group(group, tuple(Role(role, tuple(held.values())) for role, held in roles.items()))
+        Group(
+            group,
+            tuple(
+                Role(role, tuple(map(one_culturon, held.values()))) for role, held in roles.items()
+            ),
+        )
         for group, roles in groups.items()
     )
 

@@ -72,11 +72,18 @@ def findings(scheme: CognitiveScheme, plans: Iterable[str] | None = None) -> lis
     found = _never_available(scheme, available, model_plans or ())
     found += _without_effect(holders, available)
     if isinstance(scheme.decision_maker, MaximumWeight):
-        found += _losers(scheme, holders)
+        pairs = sum(len(holder.conditional) ** 2 for holder in holders.values())
+        if len(holders) * (pairs + len(scheme.plans)) <= MOST_COMPARISONS:
+            found += _losers(scheme, holders)
+        else:
+            what = "too many to look for plans that always lose"
+            found.append(Finding("not looked at", f"{len(scheme.plans):,} plans", what))
     found += _unknown_plans(scheme, holders, model_plans)
     return found + _names(scheme, holders)
 
 
+MOST_COMPARISONS = 20_000_000
+"""Of plans with each other, cogniton by cogniton; beyond this a check would take minutes."""
 Holders = Mapping[str, Cogniton | Culturon]
 """What links lead from, by its description: cognitons, then each culturon of each group once."""
 
@@ -96,9 +103,10 @@ def _never_available(
     scheme: CognitiveScheme, available: set[str], model_plans: tuple[str, ...]
 ) -> list[Finding]:
     found = []
+    linked_plans = set(scheme.linked_plans)
     for plan in dict.fromkeys((*scheme.plans, *model_plans)):
         if plan not in available:
-            linked = plan in scheme.linked_plans
+            linked = plan in linked_plans
             message = (
                 "no conditional link leads to it; add one"
                 if linked
@@ -210,10 +218,11 @@ def _unknown_plans(
     else:
         return []
     found = []
+    listed = set(known)
     for where, holder in holders.items():
         for field in ("influence", "conditional", "reinforcement"):
             for plan in getattr(holder, field):
-                if plan not in known:
+                if plan not in listed:
                     advice = nearest(plan, known) or f"the plans are {', '.join(known) or 'none'}"
                     found.append(
                         Finding(
@@ -232,9 +241,10 @@ def _names(scheme: CognitiveScheme, holders: Holders) -> list[Finding]:
         for what in scheme.repeated
     ]
     cognitons = [cogniton.name for cogniton in scheme.cognitons]
+    known = set(cognitons)
     culturons = {where: c for where, c in holders.items() if isinstance(c, Culturon)}
     for where, culturon in culturons.items():
-        if culturon.name in cognitons:
+        if culturon.name in known:
             found.append(
                 Finding("duplicate name", where, "a cogniton has the same name; rename one of them")
             )

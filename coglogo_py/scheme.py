@@ -130,15 +130,34 @@ class Culturon:
         >>> both.start_value, dict(both.influence)
         (3.0, {'trade': 2.0, 'raid': -1.0})
         """
-        return Culturon(
-            self.name,
-            other.start_value,
-            other.colour,
-            self.position if other.position is None else other.position,
-            {**self.influence, **other.influence},
-            self.conditional + other.conditional,
-            {**self.reinforcement, **other.reinforcement},
-        )
+        return one_culturon([self, other])
+
+
+def one_culturon(described: list[Culturon]) -> Culturon:
+    """Return the one culturon that several descriptions stand for, as `Culturon.joined` does.
+
+    Their links are gathered first and joined once: there may be thousands.
+    """
+    first, last = described[0], described[-1]
+    if len(described) == 1:
+        return first
+    influence: dict[str, float] = {}
+    reinforcement: dict[str, float] = {}
+    conditional: list[str] = []
+    for one in described:
+        influence.update(one.influence)
+        conditional.extend(one.conditional)
+        reinforcement.update(one.reinforcement)
+    position = next((one.position for one in reversed(described) if one.position), None)
+    return Culturon(
+        first.name,
+        last.start_value,
+        last.colour,
+        position,
+        influence,
+        tuple(conditional),
+        reinforcement,
+    )
 
 
 @dataclass(frozen=True)
@@ -186,11 +205,11 @@ class Group:
     def __post_init__(self) -> None:
         checked_name(self.name, "a group")
         roles = _described(self.roles, Role, "role", f"group {self.name!r}")
-        shared: dict[str, Culturon] = {}
+        described: dict[str, list[Culturon]] = {}
         for role in roles:
             for culturon in role.culturons:
-                first = shared.get(culturon.name)
-                shared[culturon.name] = culturon if first is None else first.joined(culturon)
+                described.setdefault(culturon.name, []).append(culturon)
+        shared = {name: one_culturon(several) for name, several in described.items()}
         one_each = tuple(Role(r.name, tuple(shared[c.name] for c in r.culturons)) for r in roles)
         _set(self, "roles", one_each)
 
