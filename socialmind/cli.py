@@ -391,6 +391,7 @@ def render(
     width: Annotated[
         int | None, typer.Option(**FROM_1, help="Width in pixels; of SVG and PDF in millimetres.")
     ] = None,
+    source: Source = None,
     trust: Trust = False,
     quiet: Quiet = False,
 ) -> None:
@@ -399,7 +400,7 @@ def render(
 
     path = rendering.render(
         folder, out, tick or [], begin, end, every, fps, look, mind, agent, around, trail, width,
-        quiet, trust,
+        quiet, trust, _is_kept(source),
     )  # fmt: skip
     typer.echo(path)
 
@@ -441,12 +442,13 @@ def explain(
         int, typer.Option(**FROM_0, help="Identity of the agent.", show_default=False)
     ],
     tick: Annotated[int, typer.Option(**FROM_0, help="Tick of the decision.", show_default=False)],
+    source: Source = None,
     trust: Trust = False,
 ) -> None:
     """Say how an agent of a run came to a decision."""
     from socialmind.commands.checking import print_decision
 
-    print_decision(folder, agent, tick, trust)
+    print_decision(folder, agent, tick, trust, _is_kept(source))
 
 
 @command

@@ -147,7 +147,9 @@ def _findings_of_hierarchies(model_class: type[Model]) -> list[str]:
     ]
 
 
-def print_decision(folder: Path, agent: int, tick: int, trust: bool = False) -> None:
+def print_decision(
+    folder: Path, agent: int, tick: int, trust: bool = False, kept: bool = False
+) -> None:
     """Print how an agent of a run came to its decision.
 
     Args:
@@ -155,6 +157,7 @@ def print_decision(folder: Path, agent: int, tick: int, trust: bool = False) -> 
         agent: the agent's identity.
         tick: 1 … the ticks done; the decision explained is the one in force then.
         trust: run programs that this user has neither named nor run before.
+        kept: take the copies of the model's source that the run keeps.
 
     Raises:
         SocialmindError: no such run, tick, agent or decision.
@@ -166,4 +169,4 @@ def print_decision(folder: Path, agent: int, tick: int, trust: bool = False) -> 
         if not done:
             there = "the run has done no tick yet, so there is no decision to explain"
         raise SocialmindError(f"tick {tick}: {there}")
-    typer.echo(str(model_of(capsule, trust=trust).explain(agent, tick)))
+    typer.echo(str(model_of(capsule, kept=kept, trust=trust).explain(agent, tick)))

@@ -30,6 +30,7 @@ def render(
     width: int | None,
     quiet: bool,
     trust: bool = False,
+    kept: bool = False,
 ) -> Path:
     """Draw moments of a run, or film a stretch of it; the options of `socialmind render`.
 
@@ -57,8 +58,8 @@ def render(
     style = Style(look, mind, None if agent is None else robot_named(agent), around, trail, width)
     with progress_bar(quiet) as on_progress:
         if suffix in STILLS:
-            return draw_moments(folder, out, ticks, style, on_progress, trust=trust)
-        return film_run(folder, out, begin or 0, end, every, fps, style, on_progress, trust)
+            return draw_moments(folder, out, ticks, style, on_progress, trust=trust, kept=kept)
+        return film_run(folder, out, begin or 0, end, every, fps, style, on_progress, trust, kept)
 
 
 def robot_named(text: str) -> Name:

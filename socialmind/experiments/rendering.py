@@ -34,6 +34,7 @@ def draw_moments(
     on_progress: Progress | None = None,
     captions: Sequence[str] = (),
     trust: bool = False,
+    kept: bool = False,
 ) -> Path:
     """Draw moments of a run, one below the other, with the path up to each.
 
@@ -45,6 +46,7 @@ def draw_moments(
         on_progress: called with the ticks done and the length.
         captions: what is said above each moment; nothing by default.
         trust: run programs that this user has neither named nor run before.
+        kept: take the copies of the model's source that the run keeps.
 
     Returns:
         The file.
@@ -64,7 +66,7 @@ def draw_moments(
     captions = several(captions, "captions")
     if captions and len(captions) != len(wanted):
         raise SocialmindError(f"{len(captions)} captions; expected one for each of {len(wanted)}")
-    repeated = Repeated(capsule, style.robot, style.mind, trust)
+    repeated = Repeated(capsule, style.robot, style.mind, trust, kept)
     with paper.style():
         page = Page(repeated, style, path.suffix.lower(), len(wanted), captions)
         for _ in repeated.at(wanted, on_progress):
@@ -84,6 +86,7 @@ def film_run(
     style: Style = PLAIN,
     on_progress: Progress | None = None,
     trust: bool = False,
+    kept: bool = False,
 ) -> Path:
     """Make a film of a run.
 
@@ -99,6 +102,7 @@ def film_run(
         style: how.
         on_progress: called with the ticks done and the length.
         trust: run programs that this user has neither named nor run before.
+        kept: take the copies of the model's source that the run keeps.
 
     Returns:
         The file.
@@ -123,7 +127,7 @@ def film_run(
     written = film.Film(path, fps or FPS.get(suffix, 30.0))
     step = every or max(1, math.ceil((last - begin) / (FRAMES[suffix] - 1)))
     ticks = sorted({*range(begin, last, step), last})
-    repeated = Repeated(capsule, style.robot, style.mind, trust)
+    repeated = Repeated(capsule, style.robot, style.mind, trust, kept)
     with paper.style(), written:
         page = Page(repeated, style, suffix)
         page.draw()

@@ -35,6 +35,7 @@ class Repeated:
         robot: who is looked at; the first robot by default.
         mind: whether the robot's hierarchy is wanted.
         trust: run programs that this user has neither named nor run before.
+        kept: take the copies of the model's source that the run keeps.
 
     Attributes:
         scene: what stands where.
@@ -52,8 +53,9 @@ class Repeated:
         robot: Name | None = None,
         mind: bool = False,
         trust: bool = False,
+        kept: bool = False,
     ) -> None:
-        self._model: Model = model_of(capsule, trust=trust)
+        self._model: Model = model_of(capsule, kept=kept, trust=trust)
         self.scene: Scene = scene_of(self._model)
         self.robot = self._found(robot, mind)
         self.mind: AgentState | None = None
