@@ -3,6 +3,7 @@
 python -m analysis.collect.trainings hierarchy          # or all; gone on with if begun
 python -m analysis.collect.trainings keep hierarchy     # what it came to, into results/trainings/
 python -m analysis.collect.trainings recheck hierarchy  # after an edit of the model's files
+python -m analysis.collect.trainings rescore hierarchy  # after a fault of the scoring was mended
 
 They lie in `trainings/`, and begin with what `results/` holds of them.
 """

@@ -20,7 +20,7 @@ from socialmind.learning.curriculum import Curriculum
 from socialmind.learning.execution import learn, resume
 from socialmind.learning.kept import differences, keep, take_out
 from socialmind.learning.lesson import Lesson
-from socialmind.learning.rechecking import recheck
+from socialmind.learning.rechecking import recheck, rescore
 from socialmind.learning.result import Training
 from socialmind.mind import MindDescription
 from socialmind.studies import Way
@@ -208,13 +208,14 @@ class Plans(Mapping[str, Plan]):
         """Make trainings, keep what they came to, or judge what is kept again.
 
         Args:
-            words: of the command: names of plans, or `all`; before them `keep` or `recheck`, if it
-                is not about making them.
+            words: of the command: names of plans, or `all`; before them `keep`, `recheck` or
+                `rescore`, if it is not about making them.
 
         Raises:
             SystemExit: with a line on what is wrong: a name that no plan has, …
         """
-        act, *names = words if words[:1] in (["keep"], ["recheck"]) else ["make", *words]
+        acts = (["keep"], ["recheck"], ["rescore"])
+        act, *names = words if words[:1] in acts else ["make", *words]
         try:
             for name in self._chosen(names):
                 print(self._done(act, name), flush=True)
@@ -238,6 +239,12 @@ class Plans(Mapping[str, Plan]):
         if act == "recheck":
             count = recheck(self.kept / name, self[name])
             return f"{name}: {count} lessons come to the same scores"
+        if act == "rescore":
+            found = [
+                f"attempt {one.attempt} {one.lesson} {one.before:.5g} → {one.now:.5g}"
+                for one in rescore(self.kept / name, self[name])
+            ]
+            return f"{name}: {'; '.join(found) or 'all lessons come to the same scores'}"
         return f"{name} {self.made(name).folder}"
 
 

@@ -8,9 +8,10 @@ sees, and the kept training takes the hash of today's files.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from socialmind.catalogue import model_folder, source_hash
 from socialmind.errors import SocialmindError
 from socialmind.experiments.capsule import MANIFEST, replace_file
 from socialmind.learning import archive
-from socialmind.learning.attempt import load_result
+from socialmind.learning.attempt import load_result, result_file
 from socialmind.learning.finalists import individual_of
 from socialmind.learning.kept import LESSONS, differences
 from socialmind.learning.keys import FINAL, seeds_for
@@ -29,6 +30,24 @@ from socialmind.mind import MindDescription
 
 if TYPE_CHECKING:
     from socialmind.learning.plans import Plan
+
+
+class Judged(NamedTuple):
+    """A kept lesson whose winner was judged again.
+
+    Attributes:
+        attempt: of the training.
+        lesson: its name.
+        before: the score that is kept.
+        now: what the winner comes to today.
+        file: where the score is kept.
+    """
+
+    attempt: int
+    lesson: str
+    before: float
+    now: float
+    file: Path
 
 
 def recheck(kept: Path, plan: Plan) -> int:
@@ -44,12 +63,15 @@ def recheck(kept: Path, plan: Plan) -> int:
     Raises:
         SocialmindError: the lessons are others, or a winner comes to another score.
     """
-    training = Training(kept)
-    if LESSONS in differences(training, plan):
-        raise SocialmindError(f"{training.folder}: of other lessons than the plan has; train anew")
-    judged = 0
-    for attempt in training.attempts:
-        judged += _judge(training, attempt, plan)
+    training, judged = Training(kept), 0
+    for one in _judged(training, plan):
+        if one.now != one.before:
+            raise SocialmindError(
+                f"{training.folder}: attempt {one.attempt} comes to {one.now} in the finals of "
+                f"{one.lesson}, {one.before} when it was trained: the model or the engine "
+                "differs; train anew, or rescore where a fault of the scoring was mended"
+            )
+        judged += 1
     hashed = source_hash(model_folder(plan.model))
     manifest = training.manifest
     model = {key: one for key, one in manifest.model.items() if key != "sources"}
@@ -58,24 +80,46 @@ def recheck(kept: Path, plan: Plan) -> int:
     return judged
 
 
-def _judge(training: Training, attempt: int, plan: Plan) -> int:
-    """Judge the winners of an attempt's lessons; return how many there are."""
-    mind = MindDescription.load(training.folder / "mind")
+def rescore(kept: Path, plan: Plan) -> list[Judged]:
+    """Judge a kept training's winners again, and keep the scores that they come to today.
+
+    For a fault of the scoring that was mended: what was learned stays, and who was chosen.
+
+    Args:
+        kept: its folder.
+        plan: what it was made by.
+
+    Returns:
+        The lessons whose scores are others now.
+
+    Raises:
+        SocialmindError: the lessons are others.
+    """
+    others = [one for one in _judged(Training(kept), plan) if one.now != one.before]
+    for one in others:
+        record, arrays = archive.load(one.file)
+        archive.save(one.file, {**record, "score": one.now}, arrays, compressed=True)
+    return others
+
+
+def _judged(training: Training, plan: Plan) -> Iterator[Judged]:
+    """Judge the winners of all kept lessons once more, in the worlds of their finals."""
+    if LESSONS in differences(training, plan):
+        raise SocialmindError(f"{training.folder}: of other lessons than the plan has; train anew")
     lessons = list(plan.curriculum().lessons)
-    done = len(training.lessons[training.lessons["attempt"] == attempt])
-    for number, lesson in enumerate(lessons[:done], 1):
+    for attempt in training.attempts:
+        mind = MindDescription.load(training.folder / "mind")
+        done = len(training.lessons[training.lessons["attempt"] == attempt])
         folder = training.folder / "attempts" / str(attempt)
-        record, arrays = load_result(folder, number)
-        winner = individual_of(archive.part(arrays, "winner/"))
-        found = _finals(lesson, mind, winner.genome, (training.manifest.seed, attempt), training)
-        if found != record["score"]:
-            raise SocialmindError(
-                f"{training.folder}: attempt {attempt} comes to {found} in the finals of "
-                f"{lesson.name}, {record['score']} when it was trained: the model or the engine "
-                "differs; train anew"
-            )
-        mind = mind.with_modules(skills=winner.given_to([mind.skill(one) for one in lesson.skills]))
-    return min(done, len(lessons))
+        for number, lesson in enumerate(lessons[:done], 1):
+            record, arrays = load_result(folder, number)
+            winner = individual_of(archive.part(arrays, "winner/"))
+            key = training.manifest.seed, attempt
+            found = _finals(lesson, mind, winner.genome, key, training)
+            file = result_file(folder, number)
+            yield Judged(attempt, lesson.name, record["score"], found, file)
+            learned = winner.given_to([mind.skill(one) for one in lesson.skills])
+            mind = mind.with_modules(skills=learned)
 
 
 def _finals(

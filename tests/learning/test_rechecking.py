@@ -5,7 +5,7 @@ import pytest
 from socialmind.errors import SocialmindError
 from socialmind.learning import Training, archive
 from socialmind.learning.kept import differences, keep
-from socialmind.learning.rechecking import recheck
+from socialmind.learning.rechecking import recheck, rescore
 
 
 def edited(whole, home):
@@ -35,3 +35,19 @@ def test_one_that_does_not_is_refused(whole, tiny_plans, tmp_path):
     assert differences(Training(tmp_path / "tiny"), plan) == ["the model's source"]
     with pytest.raises(SocialmindError, match="of other lessons than the plan has"):
         recheck(tmp_path / "tiny", tiny_plans.tiny("GoToObject"))
+
+
+def test_where_the_scoring_was_mended_scores_are_taken_as_they_are_today(
+    whole, tiny_plans, tmp_path
+):
+    plan = tiny_plans.PLAN
+    edited(whole, tmp_path)
+    path = tmp_path / "tiny" / "attempts" / "2" / "lesson-002.npz"
+    record, arrays = archive.load(path)
+    archive.save(path, {**record, "score": record["score"] - 0.5}, arrays)
+    (found,) = rescore(tmp_path / "tiny", plan)
+    assert (found.attempt, found.lesson) == (2, "GoToDropZone")
+    assert (found.before, found.now) == (record["score"] - 0.5, record["score"])
+    assert archive.load(path)[0] == record
+    assert rescore(tmp_path / "tiny", plan) == []
+    assert recheck(tmp_path / "tiny", plan) == 4
