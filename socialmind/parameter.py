@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coglogo_py.errors import nearest, shown
 from coglogo_py.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError, SocialmindError, UnknownNameError
-from socialmind.fields import Field
+
+if TYPE_CHECKING:
+    from socialmind.fields import Field
 
 
 @dataclass
@@ -90,6 +92,8 @@ class Parameter:
     @property
     def field(self) -> Field:
         """What rules read of it."""
+        from socialmind.fields import Field
+
         if self.choices:
             place = self.choices.index(str(self.default))
             return Field(self.name, int, "i8", place, choices=self.choices)

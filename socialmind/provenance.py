@@ -21,7 +21,8 @@ from pathlib import Path
 from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
-from socialmind.catalogue import MODEL_FILE, PRIVATE, catalogue, deciding_files, models_in
+from socialmind import catalogue
+from socialmind.catalogue import MODEL_FILE, PRIVATE, deciding_files, models_in
 from socialmind.errors import SocialmindError
 from socialmind.language.reached import is_of_a_package
 from socialmind.language.syntax import parsed
@@ -70,14 +71,13 @@ class Sources:
         Raises:
             SocialmindError: a file was edited since it was loaded.
         """
-        hashes = {label: _hash_of(path) for label, path in sorted(self.files.items())}
+        hashes = self.hashes()
         for label, hashed in self.loaded.items():
             if hashes[label] != hashed:
                 raise SocialmindError(
                     f"{self.files[label]}: was edited since it was loaded; load the model again, "
                     "or start Python again"
                 )
-        hashes |= self.texts
         named = [*hashes.items(), *self.packages.items()]
         whole = "".join(f"{label}\0{one}\n" for label, one in named)
         return {
@@ -86,6 +86,10 @@ class Sources:
             "files": hashes,
             "packages": self.packages,
         }
+
+    def hashes(self) -> dict[str, str]:
+        """Return the hash of each file as it is, and of what no file holds."""
+        return {label: _hash_of(path) for label, path in sorted(self.files.items())} | self.texts
 
     def late(self, known: Mapping[str, str]) -> dict[str, str]:
         """Return the hashes of the data files that are not known yet."""
@@ -126,10 +130,13 @@ def sources_of(model_class: type[Model]) -> Sources:
     for name, module in modules.items():
         path = _file_of(module)
         if path is not None and name in _loaded and _loaded[name][0] is module:
-            loaded[places[path]] = _loaded[name][1]
+            loaded[path] = _loaded[name][1]
     texts = {} if file is not None else {"cells": _cells_of(model_class)}
-    files = {label: path for path, label in places.items()}
-    return Sources(files, packages, loaded, texts)
+    files: dict[str, Path] = {}
+    for path, label in places.items():  # of two models of one name each counts
+        files[label if label not in files else _elsewhere(path)] = path
+    as_loaded = {label: loaded[path] for label, path in files.items() if path in loaded}
+    return Sources(files, packages, as_loaded, texts)
 
 
 def difference(record: Mapping[str, Any], sources: Sources) -> str | None:
@@ -139,11 +146,11 @@ def difference(record: Mapping[str, Any], sources: Sources) -> str | None:
         record: what `Sources.record` gave then.
         sources: what is found now.
     """
-    now = sources.record()
+    now = sources.hashes()
     for label, hashed in record["files"].items():
         place = sources.files.get(label) or _outside(label)
-        if label in now["files"]:
-            found = now["files"][label]
+        if label in now:
+            found = now[label]
         elif place is not None and place.is_file():
             found = _hash_of(place)  # read later, when the society is made
         else:
@@ -275,6 +282,10 @@ def _data_label(path: Path, home: Path | None) -> str:
     path = path.resolve()
     if home is not None and path.is_relative_to(home):
         return f"model/{path.relative_to(home).as_posix()}"
+    return _elsewhere(path)
+
+
+def _elsewhere(path: Path) -> str:
     return "data/" + path.as_posix().lstrip("/")
 
 
@@ -353,7 +364,7 @@ def _other_models(file: Path, home: Path | None) -> list[tuple[Path, str]]:
     waiting = [file] if file.suffix == ".py" else []
     while waiting:
         names = models_in(waiting.pop().read_bytes())
-        known = catalogue() if names else {}
+        known = catalogue.catalogue() if names else {}
         for name in sorted(names):
             other = known.get(name.replace("-", "_"))
             for path in () if other is None or other == home else deciding_files(other):

@@ -35,7 +35,7 @@ def test_resume_sees_a_changed_model_and_a_changed_scheme(socialmind, refused, g
     model = tmp_path / "mine" / "model.py"
     model.write_text(model.read_text().replace("0.2", "0.3"))
     line = refused("run", "--resume", "out", "--ticks", 9)
-    assert "source is not the one the run was made with; put the old file back" in line
+    assert "is not the file that the run was made with; put the old file back" in line
     model.write_text(model.read_text().replace("0.3", "0.2"))
     with Path("out/scheme.yaml").open("a") as file:
         file.write("# a word\n")

@@ -23,6 +23,7 @@ class Drifters:
     ticks = 1000
     schemes: ClassVar[dict] = {}
     assemblies: ClassVar[dict] = {}
+    stopped = False
 
     def __init__(
         self, seed=0, compiled=True, scheme=None, hierarchy=None, n=5, pause=0.0, fail_at=-1

@@ -112,7 +112,7 @@ def test_the_command_line_takes_an_engine_and_keeps_it(mind, tmp_path):
 def test_a_model_is_checked():
     found = CliRunner().invoke(app, ["check", str(FOLDER.parent / "seekers")])
     assert found.exit_code == 0, found.output
-    unset = CliRunner().invoke(app, ["check", str(FOLDER)])
+    unset = CliRunner().invoke(app, ["check", "--trust", str(FOLDER)])
     assert unset.exit_code == 1 and "its 15 weights are not set" in unset.output
 
 

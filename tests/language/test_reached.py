@@ -14,13 +14,16 @@ from socialmind.language import loop
 from socialmind.language.reached import fingerprint, reached_files
 from socialmind.worlds.plane.kernel import code
 
-PACKAGE = Path(socialmind.__file__).parent
+HOME = Path(socialmind.__file__).parent.parent
 
 
 def test_files_are_followed_through_files():
-    found = {one.relative_to(PACKAGE).as_posix() for one in reached_files(code._TEXT)}
-    kernel = {f"worlds/plane/kernel/{name}.py" for name in ("motion", "rays", "stones", "contacts")}
-    assert kernel | {"language/memory.py", "worlds/plane/layout.py"} <= found
+    found = {one.relative_to(HOME).as_posix() for one in reached_files(code._TEXT)}
+    kernel = {
+        f"socialmind/worlds/plane/kernel/{name}.py"
+        for name in ("motion", "rays", "stones", "contacts")
+    }
+    assert kernel | {"socialmind/language/memory.py", "socialmind/worlds/plane/layout.py"} <= found
 
 
 def test_what_a_decision_maker_may_call_is_among_them():

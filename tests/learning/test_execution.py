@@ -229,7 +229,7 @@ def test_it_goes_on_with_what_it_was_begun_with_alone(model, three, lesson, robo
         resume(given, lessons=other)
     begun = learn(model, "Go", generations=1, out=tmp_path / "begun")
     (model / "lessons.py").write_text(LESSONS + "# a word\n")
-    with pytest.raises(SocialmindError, match="source is not the one the training was begun with"):
+    with pytest.raises(SocialmindError, match="is not the file that the run was made with"):
         resume(begun)
     (model / "lessons.py").write_text(LESSONS)
     manifest = json.loads((begun / "manifest.json").read_text())
@@ -246,7 +246,7 @@ def test_a_model_as_a_class_of_any_file(three, slopes, tmp_path):
     assert Training(folder).manifest.model["path"] == str(path)
     assert digest(resume(folder, lessons=three)) == digest(folder)
     path.write_text(MODEL + "# a word\n")
-    with pytest.raises(SocialmindError, match=r"mine\.py: the model's source is not the one"):
+    with pytest.raises(SocialmindError, match=r"mine\.py: is not the file"):
         resume(folder, lessons=three)
 
 
@@ -303,8 +303,8 @@ def test_a_broken_environment_leaves_a_folder_that_says_so(lesson, robot, slopes
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"attempts": 0}, "attempts 0; expected a whole number from 1 up"),
-        ({"seed": -1}, "seed -1"),
+        ({"attempts": 0}, "attempts: found 0; expected a whole number, 1 or more"),
+        ({"seed": -1}, "seed: found -1"),
         ({"engine": "jet"}, "engine 'jet'; expected compiled or pymunk"),
         ({"mind": "nowhere"}, "nowhere: no such folder"),
         ({"out": "."}, "is not empty"),

@@ -209,7 +209,7 @@ def test_a_run_notices_a_change_in_the_model_that_its_own_loads(tmp_path, monkey
     rules = copies["collect"] / "model.py"
     text = rules.read_text("utf-8")
     rules.write_text(text.replace("FREE = 2.0", "FREE = 2.5"), "utf-8")
-    change = "source is not the one the run was made with"
+    change = "is not the file that the run was made with"
     with pytest.raises(SocialmindError, match=change):
         resume(folder, ticks=80)
     assert any(change in note for note in replay(folder).notes)

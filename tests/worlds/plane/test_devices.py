@@ -76,8 +76,8 @@ class Bot(Robot):
 
 
 def scatter(row, rng):
-    row.x = rng.uniform(-15, 15)
-    row.y = rng.uniform(-15, 15)
+    row.x = rng.uniform(-9, 9)
+    row.y = rng.uniform(-9, 9)
     row.angle = rng.uniform(-3, 3)
 
 
@@ -96,7 +96,7 @@ class Ground(Model):
     """A plane on which robots have every sensor, actuator and reward."""
 
     ticks = 200
-    world = Plane(15.0)
+    world = Plane(10.0)
     zones = Population(Zone, 2)
     stones = Population(Obstacle, 4)
     objects = Population(Body, 6, body=BALL)
@@ -426,8 +426,16 @@ class TestRefusals:
             (Sense(read_all, sensors=("S1", "S9")), "the sensor 'S9'", "there is S1, S2, S3"),
             (Sense(read_all, sensors=("S2", "S1")), "S2, S1", "next to each other"),
             (Sense(beyond, memory=1), "a list in the rule 'beyond'", "array field"),
-            (Sense(unknown_field, of="objects"), "the unknown field 'wings'", "there is"),
-            (Sense(unknown_field, of="zones"), "the unknown field 'wings'", "half_width"),
+            (
+                Sense(unknown_field, of="objects"),
+                "the unknown field 'wings'",
+                "class of the agents of 'objects'",
+            ),
+            (
+                Sense(unknown_field, of="zones"),
+                "the unknown field 'wings'",
+                "class of the agents of 'zones'",
+            ),
         ],
     )
     def test_what_does_not_fit_the_model_is_refused_when_it_is_typed(self, device, found, expected):
