@@ -356,16 +356,28 @@ def _filters(kinds: Sequence[Kind]) -> list[pymunk.ShapeFilter]:
 def _tied(
     square: tuple[float, float, float, float, float], x: float, y: float
 ) -> tuple[float, float, float] | None:
-    """Return the way out of a square from where two sides are equally near; None from elsewhere.
+    """Return the way out of a square from where pymunk may take another; None from elsewhere.
+
+    So it is inside, where two sides are equally near, and outside on the line of a side.
 
     Returns:
-        How far it is to the side, negative, and the direction.
+        How far it is to the square, negative inside, and the direction.
     """
     at_x, at_y, cos, sin, half = square
     dx, dy = x - at_x, y - at_y
     ahead, left = cos * dx + sin * dy, cos * dy - sin * dx
     out_ahead, out_left = abs(ahead) - half, abs(left) - half
-    if max(out_ahead, out_left) > 0.0 or abs(out_ahead - out_left) > TOUCHING:
+    if max(out_ahead, out_left) > 0.0:
+        if abs(min(out_ahead, out_left)) > TOUCHING:
+            return None
+        over_ahead, over_left = max(out_ahead, 0.0), max(out_left, 0.0)
+        far = math.hypot(over_ahead, over_left)
+        to_ahead, to_left = (
+            math.copysign(over_ahead, ahead) / far,
+            math.copysign(over_left, left) / far,
+        )
+        return far, to_ahead * cos - to_left * sin, to_ahead * sin + to_left * cos
+    if abs(out_ahead - out_left) > TOUCHING:
         return None
     if out_ahead >= out_left:
         way = math.copysign(1.0, ahead)

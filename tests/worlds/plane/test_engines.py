@@ -17,7 +17,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from socialmind import Model, Population, each
@@ -476,6 +476,10 @@ def finite(world):
     radius=st.sampled_from([1e-3, 0.5, 1.0]),
     speed=st.tuples(*[st.sampled_from([0.0, 3.0, -20.0])] * 2),
 )
+@example(  # on the line of a side, where pymunk alone takes another way out
+    half=0.3, place=(-1.125, 1.0), angle=0.0, round_one=False, radius=0.5, speed=(0.0, 0.0)
+)
+@example(half=2.0, place=(1.0, 1.125), angle=0.5, round_one=False, radius=1.0, speed=(0.0, 0.0))
 @settings(max_examples=300, deadline=None)
 def test_anywhere_in_an_obstacle_of_any_size(half, place, angle, round_one, radius, speed):
     u, v = half * place[0], half * place[1]
