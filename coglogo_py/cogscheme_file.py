@@ -361,6 +361,8 @@ def _token(name: str, what: str) -> str:
         raise SchemeError(
             f"the {what} name {name!r}", "a name on one line", "rename it or save it as .yaml"
         )
+    if "\0" in name:
+        raise SchemeError(f"the {what} name {name!r}", "text", "rename it or save it as .yaml")
     if name in KEYWORDS:
         raise SchemeError(
             f"the {what} name {name!r}",

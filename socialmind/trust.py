@@ -66,7 +66,8 @@ def remember(programs: Mapping[str, bytes]) -> None:
         programs: the content of each by its path.
     """
     known = _remembered()
-    new = [one for one in dict.fromkeys(map(_digest, programs.values())) if one not in known]
+    found = [*map(_digest, programs.values()), *map(_place, filter(os.path.isabs, programs))]
+    new = [one for one in dict.fromkeys(found) if one not in known]
     if not new:
         return
     folder = _data_folder()
@@ -91,13 +92,15 @@ def remember(programs: Mapping[str, bytes]) -> None:
         _here.update(new)
 
 
-def require(programs: Mapping[str, bytes], trusted: bool, what: str) -> None:
+def require(programs: Mapping[str, bytes], trusted: bool, what: str, edited: bool = False) -> None:
     """Refuse programs that neither ship nor were named or run before, unless they are trusted.
 
     Args:
         programs: the content of each by its path.
         trusted: the user said that they may run; they are remembered.
         what: whose they are, for the message: `"runs/a: its model"`.
+        edited: whether a file counts as known that stands where one was named before, whatever
+            it holds by now: the user's own figures are drawn, edited and drawn again.
 
     Raises:
         SocialmindError: unknown programs; lists them.
@@ -109,7 +112,9 @@ def require(programs: Mapping[str, bytes], trusted: bool, what: str) -> None:
     unknown = {
         path: content
         for path, content in programs.items()
-        if content.strip() and _digest(content) not in known
+        if content.strip()
+        and _digest(content) not in known
+        and not (edited and _place(path) in known)
     }
     if unknown:
         shipped = _shipped()
@@ -126,6 +131,10 @@ def require(programs: Mapping[str, bytes], trusted: bool, what: str) -> None:
 
 def _digest(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
+
+
+def _place(path: str) -> str:
+    return _digest(f"place {path}".encode(errors="surrogateescape"))
 
 
 def _data_folder() -> Path | None:

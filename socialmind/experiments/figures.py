@@ -44,7 +44,7 @@ def draw_figures(folder: str | Path, trust: bool = False) -> list[Path]:
     home = run.folder / "figures"
     model = recorded_folder(Capsule(folder))
     if model is not None:
-        require(programs_in(model), trust, f"{run.folder}: its model at {model}")
+        require(programs_in(model), trust, f"{run.folder}: its model at {model}", edited=True)
     with mpl.rc_context():
         figures = _figures(run, model)
         written = paper.save(figures, home)

@@ -73,6 +73,12 @@ def recorded_folder(capsule: Capsule) -> Path | None:
     return catalogue().get(name or "")
 
 
+def _script(capsule: Capsule) -> Path | None:
+    """The script that defines a run's model, where it stood."""
+    path = capsule.manifest.model["path"]
+    return Path(path) if path is not None and Path(path).is_file() else None
+
+
 def recorded_class(capsule: Capsule, kept: bool = False, trust: bool = False) -> type[Model]:
     """The model class of a run, loaded from where its manifest says, or from the run's copies.
 
@@ -163,19 +169,22 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     return None
 
 
-def _edited(capsule: Capsule) -> str | None:
-    """What differs between a run's record and the files of the model's folder, or None."""
-    record, folder = capsule.manifest.model, recorded_folder(capsule)
-    if folder is None:
-        return None
+def edited(record: Mapping[str, Any], place: Path) -> str | None:
+    """What differs between a record and the files of a model, found without running any of them.
+
+    Args:
+        record: what a manifest says of the model.
+        place: the model's folder, or the script that defines it.
+    """
+    folder = place.parent if place.is_file() else place
     for label, hashed in (record.get("sources") or {"files": {}})["files"].items():
         kind, _, name = label.partition("/")
         if kind == "model" and name.endswith(".py"):
             file = folder / name
             if not file.is_file() or _sha256(file.read_bytes()) != hashed:
                 return f"{file}: is not the file that the run was made with"
-    if "sources" not in record and source_hash(folder) != record["source_sha256"]:
-        return f"{folder}: is not the source the run was made with"
+    if record.get("sources") is None and source_hash(place) != record["source_sha256"]:
+        return f"{place}: is not the source the run was made with"
     return None
 
 
@@ -211,7 +220,8 @@ def model_of(
     require_minds(capsule, trust)
     cls = model_class
     # Said before anything is run, or asked about.
-    changed = None if kept or cls is not None else _edited(capsule)
+    place = recorded_folder(capsule) or _script(capsule)
+    changed = None if kept or cls is not None or place is None else edited(manifest.model, place)
     if cls is None and not changed:
         cls = recorded_class(capsule, kept, trust)
     changed = changed or (None if cls is None else changes_since(capsule, cls))

@@ -16,7 +16,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.arrays_file import refuse_folder, remove
 from socialmind.experiments.signals import deferred_signals
-from socialmind.experiments.sources import model_source
+from socialmind.experiments.sources import edited, model_source
 from socialmind.learning.attempt import Attempt, News, load_result
 from socialmind.learning.course import SIMBATCH, Course, curriculum_of, mind_of
 from socialmind.learning.curriculum import Curriculum, Cycle
@@ -376,6 +376,8 @@ def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum
         )
     model = None if manifest.model["path"] is None else _recorded_model(capsule)
     if model is not None:
+        if other := edited(manifest.model, model):  # said before anything is run, or asked about
+            raise SocialmindError(f"{other}; put the old file back, or start another training")
         require(programs_in(model), trust, f"{capsule.folder}: its model at {model}")
         if other := _changes(manifest, model):
             raise SocialmindError(f"{other}; put the old file back, or start another training")

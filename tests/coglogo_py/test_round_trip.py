@@ -42,7 +42,7 @@ odd_names = st.sampled_from(
      "\ufeff", "\x00", "😀", "=", "a=b", "COG", "ENDCS", "a\nb", "\r"]
 )  # fmt: skip
 any_names = st.text(max_size=6) | odd_names | st.sampled_from("abcd")
-line_names = any_names.filter(lambda n: not set(n) & set("\r\n=") and n not in KEYWORDS)
+line_names = any_names.filter(lambda n: not set(n) & set("\0\r\n=") and n not in KEYWORDS)
 numbers = st.floats(allow_nan=False, allow_infinity=False) | st.integers(-3, 3)
 coordinates = st.tuples(*[st.integers(-(2**31), 2**31 - 1)] * 2)
 makers = st.sampled_from([MaximumWeight, WeightedStochastic, BiasedWeightedStochastic, Loyal])
