@@ -222,8 +222,12 @@ def _note_read(event: str, arguments: tuple[Any, ...]) -> None:
         frame = frame.f_back
     else:
         return
+    try:
+        path = os.path.abspath(os.fsdecode(arguments[0]))  # noqa: PTH100  # of each file opened
+    except OSError:  # the working folder is gone; opening the file says so
+        return
     for name in asked:
-        _read_by.setdefault(name, {})[os.path.abspath(os.fsdecode(arguments[0]))] = None  # noqa: PTH100
+        _read_by.setdefault(name, {})[path] = None
 
 
 sys.addaudithook(_note_read)
