@@ -30,6 +30,7 @@ from socialmind.experiments.record import (
     PATH,
     SETTING,
     SHA256,
+    SOURCES,
     TEXT,
     TRUTH,
     Each,
@@ -158,7 +159,8 @@ _BOTH_TABLES = Fields(dict.fromkeys(TABLES, _TABLE), {})
 _FIELDS = Fields(
     {
         "model": Fields(
-            {"name": TEXT, "path": optional(PATH), "source_sha256": optional(SHA256)}, {}
+            {"name": TEXT, "path": optional(PATH), "source_sha256": optional(SHA256)},
+            {"sources": SOURCES},
         ),
         "parameters": Each(SETTING),
         "seed": whole(0, 2**64 - 1),

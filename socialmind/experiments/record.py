@@ -84,6 +84,10 @@ SHA256 = Kind(
     "a SHA-256 hash of 64 digits",
     lambda value: isinstance(value, str) and re.fullmatch("[0-9a-f]{64}", value) is not None,
 )
+SOURCES = Fields(
+    {"version": whole(1), "sha256": SHA256, "files": Each(SHA256), "packages": Each(TEXT)}, {}
+)
+"""What decided how a model ran: `socialmind.provenance.Sources.record`."""
 SETTING = Kind(
     "a number, a truth value or a text",
     lambda value: isinstance(value, bool | str) or is_number(value),

@@ -417,7 +417,7 @@ def _changes(manifest: TrainingManifest, model: Path) -> str | None:
 
 def _source(model: str | Path | type[Model] | None) -> dict[str, Any]:
     if model is None:
-        return {"name": None, "path": None, "source_sha256": None, "sources": None}
+        return {"name": None, "path": None, "source_sha256": None}
     return model_source(model if isinstance(model, type) else load_model(model))
 
 

@@ -30,6 +30,7 @@ from socialmind.experiments.record import (
     PATH,
     SETTING,
     SHA256,
+    SOURCES,
     TEXT,
     Each,
     Fields,
@@ -132,7 +133,8 @@ _CHANGES = Fields(
 _FIELDS = Fields(
     {
         "model": Fields(
-            {"name": optional(TEXT), "path": optional(PATH), "source_sha256": optional(SHA256)}, {}
+            {"name": optional(TEXT), "path": optional(PATH), "source_sha256": optional(SHA256)},
+            {"sources": SOURCES},
         ),
         "lessons": Many(Each(Kind("anything", lambda value: True))),
         "changes": _CHANGES,
