@@ -7,7 +7,7 @@ still lives (`Held…`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from coglogo_py.errors import shown
@@ -371,30 +371,30 @@ def _field_property(field: Field, place: Any) -> property:
 def _place_property(name: str) -> property:
     """Return a coordinate, which is brought back into the world where it is set."""
 
-    def read(row: Any) -> float:
-        value: float = row._table.columns[name].item(row._slot)
-        return value
-
     def write(row: Any, value: float) -> None:
         table = row._table
         grid = table.model.grid
         table.columns[name][row._slot] = brought_back(value, grid.low, grid.size)
 
-    return property(read, write)
+    return property(_reader(name), write)
 
 
 def _edged_property(name: str) -> property:
     """Return a coordinate, which is refused outside the arena (`Table.edge`)."""
 
-    def read(row: Any) -> float:
-        value: float = row._table.columns[name].item(row._slot)
-        return value
-
     def write(row: Any, value: float) -> None:
         table = row._table
         table.columns[name][row._slot] = inside(name, value, table.edge, f"agent {row.id}")
 
-    return property(read, write)
+    return property(_reader(name), write)
+
+
+def _reader(name: str) -> Callable[[Any], float]:
+    def read(row: Any) -> float:
+        value: float = row._table.columns[name].item(row._slot)
+        return value
+
+    return read
 
 
 def inside(name: str, value: float, edge: float, whose: str) -> float:

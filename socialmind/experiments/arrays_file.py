@@ -1,15 +1,17 @@
-"""Reading arrays with a record beside them from one file: checkpoints of runs and trainings.
+"""Arrays with a record beside them in one file: checkpoints of runs and trainings.
 
-It is read without trust: no Python objects, no array whose header
+It is replaced in one step, and read without trust: no Python objects, no array whose header
 promises more than there is, and no more in all than such a file can hold.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import zipfile
 import zlib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -53,6 +55,35 @@ def remove(path: Path) -> None:
         shutil.rmtree(path)
     else:
         path.unlink(missing_ok=True)
+
+
+def save_arrays(
+    path: Path,
+    name: str,
+    record: Mapping[str, Any],
+    arrays: Mapping[str, Any],
+    compressed: bool = False,
+) -> None:
+    """Write the file: whenever the process is killed, the one before or this one stands there.
+
+    Args:
+        path: where.
+        name: of the record.
+        record: what JSON can hold.
+        arrays: by name; numbers and texts, no Python objects.
+        compressed: smaller, and slower to write; it is read all the same.
+    """
+    unfinished = make_room(path.with_name(path.name + ".partial"))
+    whole: dict[str, Any] = {**arrays, name: np.array(json.dumps(record))}
+    try:
+        with unfinished.open("xb") as file:
+            (np.savez_compressed if compressed else np.savez)(file, **whole)
+            file.flush()
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+    except OSError:
+        unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
+        raise
 
 
 def load_arrays(path: Path, name: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

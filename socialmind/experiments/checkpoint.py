@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -13,7 +11,7 @@ import numpy as np
 
 from coglogo_py.numbers import is_whole
 from socialmind.errors import SocialmindError
-from socialmind.experiments.arrays_file import load_arrays, make_room
+from socialmind.experiments.arrays_file import load_arrays, save_arrays
 from socialmind.experiments.capsule import IDLE
 from socialmind.experiments.record import (
     NUMBER,
@@ -69,16 +67,7 @@ class Checkpoint:
                 )
         record = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "state"}
         arrays: dict[str, Any] = {_STATE + name: array for name, array in self.state.items()}
-        unfinished = make_room(path.with_name(path.name + ".partial"))
-        try:
-            with unfinished.open("xb") as file:
-                np.savez(file, **arrays | {_RECORD: np.array(json.dumps(record))})
-                file.flush()
-                os.fsync(file.fileno())
-            unfinished.replace(path)
-        except OSError:
-            unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
-            raise
+        save_arrays(path, _RECORD, record, arrays)
 
     @classmethod
     def load(cls, path: Path) -> Checkpoint:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,7 +11,7 @@ import numpy as np
 
 from coglogo_py.errors import CogLogoError, one_line
 from socialmind.errors import SocialmindError
-from socialmind.experiments.arrays_file import load_arrays, make_room
+from socialmind.experiments.arrays_file import load_arrays, save_arrays
 
 _RECORD = "record"
 
@@ -29,17 +27,7 @@ def save(
         arrays: by name; numbers and texts, no Python objects.
         compressed: smaller, and slower to write; it is read all the same.
     """
-    unfinished = make_room(path.with_name(path.name + ".partial"))
-    whole: dict[str, Any] = {**arrays, _RECORD: np.array(json.dumps(record))}
-    try:
-        with unfinished.open("xb") as file:
-            (np.savez_compressed if compressed else np.savez)(file, **whole)
-            file.flush()
-            os.fsync(file.fileno())
-        unfinished.replace(path)
-    except OSError:
-        unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
-        raise
+    save_arrays(path, _RECORD, record, arrays, compressed)
 
 
 def load(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

@@ -178,8 +178,12 @@ def frequent_progress(monkeypatch):
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_ctrl_c_leaves_a_capsule_that_goes_on(drifters, whole, tmp_path, frequent_progress, number):
+def test_ctrl_c_leaves_a_capsule_that_goes_on(
+    drifters, whole, tmp_path, frequent_progress, number, request
+):
     out = tmp_path / "run"
+    inherited = signal.signal(number, signal.default_int_handler)  # nohup leaves one ignored
+    request.addfinalizer(lambda: signal.signal(number, inherited))
     before = signal.getsignal(number)
     with pytest.raises(Interrupted) as stopped:
         run(
