@@ -8,7 +8,7 @@ import textwrap
 
 import pytest
 
-from socialmind.catalogue import PRIVATE, load_model
+from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, replay, resume, run
 from socialmind.provenance import difference, sources_of
@@ -67,8 +67,9 @@ def wood(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
 
     def forget():
-        for name in [one for one in sys.modules if one.startswith(("town", PRIVATE))]:
-            del sys.modules[name]
+        for name, module in list(sys.modules.items()):
+            if str(getattr(module, "__file__", None)).startswith(str(tmp_path)):
+                del sys.modules[name]
         importlib.invalidate_caches()
 
     def load():
