@@ -219,7 +219,7 @@ def killed(tmp_path, body):
 import os, signal, sys
 sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/experiments")!r}]
 from drifters import Drifters
-from socialmind.experiments import execution, capsule, checkpoint, tables, run, resume
+from socialmind.experiments import execution, arrays_file, capsule, checkpoint, tables, run, resume
 def die():
     os.kill(os.getpid(), signal.SIGKILL)
 def die_after(calls, module, name):
@@ -248,7 +248,7 @@ MOMENTS = {
         "start(checkpoint_every=0.0, on_progress=lambda t, n: t > 900 and die())"
     ),
     "while a checkpoint is written": (
-        "die_after(2, checkpoint.os, 'fsync'); start(checkpoint_every=0.0)"
+        "die_after(2, arrays_file.os, 'fsync'); start(checkpoint_every=0.0)"
     ),
     "between a part and its checkpoint": (
         "die_after(1, checkpoint.Checkpoint, 'save'); start(checkpoint_every=0.0)"
