@@ -31,9 +31,9 @@ from numba import njit
 from numpy.typing import NDArray
 
 from socialmind.catalogue import load_model
-from socialmind.language.memory import call_at
-from socialmind.learning.episodes import Episodes
-from socialmind.learning.keys import seeds_for
+from socialmind.compiling.memory import call_at
+from socialmind.learning.episodes.plane_episodes import Episodes
+from socialmind.learning.lessons.keys import seeds_for
 from socialmind.mind import MindDescription, Minds
 from socialmind.worlds.plane.kernel.code import kernel
 

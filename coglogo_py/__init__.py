@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from coglogo_py.errors import CogLogoError, MindError, SchemeError
     from coglogo_py.lint import Finding
     from coglogo_py.mind import Mind
-    from coglogo_py.receipt import Receipt
+    from coglogo_py.receipts.receipt import Receipt
     from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon, Group, Role
     from coglogo_py.society import Society
 

@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coglogo_py import borrow, streams
-from coglogo_py.borrow import borrowed
-from coglogo_py.machine_code import kept, key_of_files
+from coglogo_py import streams
+from coglogo_py.compiled import borrow
+from coglogo_py.compiled.borrow import borrowed
+from coglogo_py.compiled.machine_code import kept, key_of_files
 from coglogo_py.streams import LOW_32, MIND_STREAMS, uniforms
 
 if TYPE_CHECKING:

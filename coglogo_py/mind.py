@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py import kernel
+from coglogo_py.compiled.own_maker import checked_choice, checked_probabilities
 from coglogo_py.errors import MindError
 from coglogo_py.names import finite, whole
-from coglogo_py.own_maker import checked_choice, checked_probabilities
-from coglogo_py.receipt import Receipt, receipt_of
+from coglogo_py.receipts.receipt import Receipt, receipt_of
 
 if TYPE_CHECKING:
     from coglogo_py.society import Society

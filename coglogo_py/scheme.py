@@ -17,7 +17,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeVar
 
-from coglogo_py.checks import (
+from coglogo_py.decision import DecisionMaker, MaximumWeight
+from coglogo_py.errors import SchemeError, shown
+from coglogo_py.files.checks import (
     checked_colour,
     checked_name,
     checked_names,
@@ -25,10 +27,8 @@ from coglogo_py.checks import (
     checked_position,
     checked_weights,
 )
-from coglogo_py.decision import DecisionMaker, MaximumWeight
-from coglogo_py.errors import SchemeError, shown
+from coglogo_py.files.reading import text_in
 from coglogo_py.numbers import is_truth
-from coglogo_py.reading import text_in
 
 if TYPE_CHECKING:
     from coglogo_py.lint import Finding
@@ -327,7 +327,7 @@ class CognitiveScheme:
             SchemeError: the file cannot be read as a scheme; says where and why.
         """
         # Here, since the readers of both forms build what this file describes.
-        from coglogo_py import cogscheme_file, yaml_file
+        from coglogo_py.files import cogscheme_file, yaml_file
 
         reader = yaml_file if Path(path).suffix.lower() in (".yaml", ".yml") else cogscheme_file
         return reader.parse(text_in(Path(path), latin_1=True), path, decision_makers)
@@ -342,7 +342,7 @@ class CognitiveScheme:
             SchemeError: another suffix, the form cannot hold the scheme, or the file cannot be
                 written.
         """
-        from coglogo_py import cogscheme_file, yaml_file
+        from coglogo_py.files import cogscheme_file, yaml_file
 
         suffix = Path(path).suffix.lower()
         if suffix in (".yaml", ".yml"):

@@ -9,28 +9,26 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from socialmind.errors import IdleWarning, ModelError, RuleError, SocialmindError
-
-# At once: else the module of this name would stand for the function, once something imports it.
-from socialmind.parameter import Parameter, parameter
+from socialmind.society.parameter import Parameter, parameter
+from socialmind.version import __version__ as __version__
 
 if TYPE_CHECKING:
+    from socialmind.agents.agent import Agent
     from socialmind.model import Model
-    from socialmind.population import Agent, Population
-    from socialmind.schedule import each, once
-    from socialmind.worlds.grid import Patch, Torus
+    from socialmind.society.phases import each, once
+    from socialmind.society.population import Population
     from socialmind.worlds.plane.plane import Plane
-
-__version__ = "0.1.0"
+    from socialmind.worlds.torus.torus import Patch, Torus
 
 _HOMES = {
-    "Agent": "socialmind.population",
+    "Agent": "socialmind.agents.agent",
     "Model": "socialmind.model",
-    "Patch": "socialmind.worlds.grid",
+    "Patch": "socialmind.worlds.torus.torus",
     "Plane": "socialmind.worlds.plane.plane",
-    "Population": "socialmind.population",
-    "Torus": "socialmind.worlds.grid",
-    "each": "socialmind.schedule",
-    "once": "socialmind.schedule",
+    "Population": "socialmind.society.population",
+    "Torus": "socialmind.worlds.torus.torus",
+    "each": "socialmind.society.phases",
+    "once": "socialmind.society.phases",
 }
 
 __all__ = [

@@ -8,7 +8,6 @@ documents: loaded by path under a private name, never imported as a package call
 from __future__ import annotations
 
 import ast
-import difflib
 import hashlib
 import importlib.util
 import os
@@ -16,15 +15,15 @@ import signal
 import sys
 import threading
 import traceback
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import CodeType, FrameType, ModuleType
 from typing import TYPE_CHECKING
 
-from socialmind.errors import ModelError, SocialmindError
+from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.language.syntax import parsed
-from socialmind.trust import programs_in, remember
+from socialmind.sources.trust import programs_in, remember
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -53,21 +52,6 @@ def catalogue() -> dict[str, Path]:
                 if (folder / MODEL_FILE).is_file()
             }
     return {}
-
-
-def did_you_mean(name: str, names: Iterable[str]) -> str:
-    """The end of an error message about an unknown name: the nearest ones, or all.
-
-    >>> did_you_mean("tool_prise", ["tool_price", "food_decay"])
-    'did you mean tool_price?'
-    >>> did_you_mean("zzz", ["tool_price", "food_decay"])
-    'known: tool_price, food_decay'
-    """
-    known = list(names)
-    near = difflib.get_close_matches(name, known, n=2)
-    if near:
-        return f"did you mean {' or '.join(near)}?"
-    return f"known: {', '.join(known)}" if known else "there are none"
 
 
 def model_folder(name_or_path: str | Path) -> Path:
@@ -100,14 +84,14 @@ def model_folder(name_or_path: str | Path) -> Path:
         return path.resolve()
     if path.name != name:
         raise SocialmindError(f"{path}: no such folder; a model is a folder with a {MODEL_FILE}")
-    raise SocialmindError(f"no model called {name}; {did_you_mean(name.replace('-', '_'), known)}")
+    raise SocialmindError(f"no model called {name}; {nearest(name.replace('-', '_'), known)}")
 
 
 def load_model(name_or_path: str | Path) -> type[Model]:
     """The model class that a model's folder defines.
 
     Loading the same, unchanged folder again gives the same class. Its programs are remembered as
-    named by this user (`socialmind.trust`).
+    named by this user (`socialmind.sources.trust`).
 
     Args:
         name_or_path: as for `model_folder`; or the path of any Python file that defines a model.
@@ -269,7 +253,7 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
 
     The module is the package of its folder, so ``from .rules import eat`` finds ``rules.py``
     beside it, and two models may both have one. The same, unchanged file gives the same module.
-    It is remembered as run by this user (`socialmind.trust`).
+    It is remembered as run by this user (`socialmind.sources.trust`).
 
     Args:
         path: the file.

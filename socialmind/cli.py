@@ -17,10 +17,10 @@ from typing import Annotated, Any
 
 import typer
 
-from socialmind import __version__
 from socialmind.commands.terminal import quoted, write_plainly
 from socialmind.commands.whole_option import LARGEST_SEED, whole
 from socialmind.errors import IdleWarning, SocialmindError
+from socialmind.version import __version__
 
 WRONG = 2
 BROKEN_PIPE = 141

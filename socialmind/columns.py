@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py.errors import shown
-from socialmind.errors import UnknownNameError, ValueRefusedError
-from socialmind.language.nodes import nearest
+from socialmind.errors import UnknownNameError, ValueRefusedError, nearest
 
 
 class Column(np.ndarray):

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import dataclasses
 import inspect
+import traceback
+from collections.abc import Iterable
 from pathlib import Path
 
+from coglogo_py.errors import nearest as close
 from coglogo_py.errors import one_line
 
 
@@ -34,6 +37,26 @@ def called_at() -> tuple[str | None, int | None]:
     while frame is not None and is_ours(frame.f_code.co_filename):
         frame = frame.f_back
     return (None, None) if frame is None else (frame.f_code.co_filename, frame.f_lineno)
+
+
+def place_of(error: Exception, place: str = "in a rule") -> str:
+    """Return the last line of the author's that an error went through, or else `place`."""
+    for frame in traceback.extract_tb(error.__traceback__):
+        if frame.filename == "<string>" or not is_ours(frame.filename):
+            place = f"{frame.filename}:{frame.lineno}"
+    return place
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """Return a hint at the known name that a misspelt one resembles, or what there is.
+
+    >>> nearest("tool_prise", ["tool_price", "food_decay"])
+    "did you mean 'tool_price'?"
+    >>> nearest("zzz", ["tool_price", "food_decay"])
+    'there is tool_price, food_decay'
+    """
+    names = list(known)
+    return close(name, names) or ("there is " + ", ".join(names) if names else "there is none")
 
 
 class IdleWarning(UserWarning):

@@ -32,37 +32,38 @@ from coglogo_py.errors import shown
 from coglogo_py.memory import check_memory
 from coglogo_py.numbers import whole_number
 from coglogo_py.society import Society
-from socialmind.agent_columns import agent_columns
-from socialmind.arena import Arena
-from socialmind.bookkeeping import GONE, GONE_SCORE
-from socialmind.connection import names_of_minds
-from socialmind.declaration import SETTINGS, declaration_of
-from socialmind.engine import Engine
-from socialmind.errors import IdleWarning, ModelError, SocialmindError, UnknownNameError
+from socialmind.agents.agent_columns import agent_columns
+from socialmind.agents.bookkeeping import GONE, GONE_SCORE
+from socialmind.compiling.layout import model_dtype, row_dtype
+from socialmind.engine.engine import Engine
+from socialmind.engine.explaining import explained
+from socialmind.engine.ticks import taken
+from socialmind.errors import IdleWarning, ModelError, SocialmindError, UnknownNameError, nearest
 from socialmind.fields import Field, place_of_field, presence
-from socialmind.hindsight import explained
-from socialmind.language.layout import model_dtype, row_dtype
-from socialmind.language.nodes import nearest
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
-from socialmind.model_state import restore, state_of
-from socialmind.packing import is_private, packed, reference, unpacked
-from socialmind.parameter import Parameter
-from socialmind.population import Population
-from socialmind.provenance import note_definition
-from socialmind.schedule import PhaseDeclaration, taken
+from socialmind.society.connection import names_of_minds
+from socialmind.society.declaration import SETTINGS, declaration_of
+from socialmind.society.parameter import Parameter
+from socialmind.society.phases import PhaseDeclaration
+from socialmind.society.population import Population
+from socialmind.society.state import restore, state_of
+from socialmind.society.table import Table
+from socialmind.sources.provenance import note_definition
 from socialmind.streams import STREAM
-from socialmind.table import Table
-from socialmind.worlds.grid import Grid, Torus
+from socialmind.work.packing import is_private, packed, reference, unpacked
+from socialmind.worlds.plane.arena import Arena
 from socialmind.worlds.plane.bodies import OWN
 from socialmind.worlds.plane.plane import Plane, plane_shape
 from socialmind.worlds.plane.trajectories import trajectories
+from socialmind.worlds.torus.patches import Grid
+from socialmind.worlds.torus.torus import Torus
 
 if TYPE_CHECKING:
-    from coglogo_py.receipt import Receipt
-    from socialmind.mind.inhabitants import Steering
+    from coglogo_py.receipts.receipt import Receipt
     from socialmind.mind.population_minds import PopulationMinds
+    from socialmind.mind.steering import Steering
 
 _KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick", "_over", "_ignored")
 _KEPT_OF_POPULATIONS = ("_steered",)
@@ -248,7 +249,7 @@ class Model(metaclass=ModelKind):
         """
         if given is None and all(one.hierarchy is None for one in cls.populations.values()):
             return {}
-        from socialmind.mind.inhabitants import steerings_of
+        from socialmind.mind.steering import steerings_of
 
         return steerings_of(cls.populations, cls.folder(), given, cls.name)
 
@@ -714,7 +715,7 @@ class Model(metaclass=ModelKind):
 
     def mesa(self) -> Any:
         """Return a real `mesa.Model` over this society; see docs/mesa.md."""
-        from socialmind.mesa_model import mesa_model
+        from socialmind.mesa.model import mesa_model
 
         return mesa_model(self)
 

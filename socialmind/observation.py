@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from socialmind.table import Table
+    from socialmind.society.table import Table
 
 
 def mind_columns(table: Table) -> dict[str, NDArray[Any]]:

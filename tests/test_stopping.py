@@ -10,9 +10,9 @@ from coglogo_py import CogLogoError, CognitiveScheme, Cogniton, Society
 from socialmind import Agent, Model, ModelError, Plane, Population, SocialmindError, each, parameter
 from socialmind.catalogue import load_model
 from socialmind.commands.listing import description
-from socialmind.experiments.execution import run
 from socialmind.mind import MindDescription, Perceptron, Skill
 from socialmind.mind.minds import Minds
+from socialmind.runs.execution import run
 
 
 class Trader(Agent):

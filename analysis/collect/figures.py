@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 
 from .tables import write_rows
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from socialmind.catalogue import load_model
-from socialmind.experiments.intervals import Interval, interval_of
+from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.experiments.scoring import score
 from socialmind.learning import Training
 

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from socialmind.errors import SocialmindError
-from socialmind.studies import Study, Way
+from socialmind.experiments.studies import Study, Way
 
 QUICK_WORLDS = 20
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from socialmind.experiments.intervals import Interval
+from socialmind.experiments.measures.intervals import Interval
 
 from .standings import Benchmark, Standing, Structure
 

@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import Any
 
 from socialmind.catalogue import load_file, model_folder
+from socialmind.experiments.trainings.plans import Plan, Plans, most_ticks
 from socialmind.learning import Curriculum, Lesson, Training
-from socialmind.learning.plans import Plan, Plans, most_ticks
 from socialmind.mind import MindDescription
 
 from .controls import LESSONS, MONOLITH, AllAtOnce, hierarchy, monolith

@@ -10,10 +10,11 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from socialmind.catalogue import load_file, load_model, model_folder
-from socialmind.experiments import paper, score
-from socialmind.learning.plans import attempts_of
+from socialmind.drawing import style as paper
+from socialmind.experiments import score
+from socialmind.experiments.studies import Way, write_figure, write_page
+from socialmind.experiments.trainings.plans import attempts_of
 from socialmind.mind import MindDescription
-from socialmind.studies import Way, write_figure, write_page
 
 from .trainings import PLANS, wanted_of
 

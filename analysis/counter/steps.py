@@ -7,11 +7,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.drawing import style as paper
 from socialmind.errors import SocialmindError
-from socialmind.experiments import paper, run
-from socialmind.experiments.page import Style
-from socialmind.experiments.rendering import draw_moments
-from socialmind.studies import write_figure
+from socialmind.experiments import run
+from socialmind.experiments.pictures.picture_page import Style
+from socialmind.experiments.pictures.rendering import draw_moments
+from socialmind.experiments.studies import write_figure
 
 FIGURES = load_file(model_folder("counter") / "figures.py")
 SEEDS = range(75, 95)

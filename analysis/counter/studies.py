@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from socialmind.studies import Study, Way
+from socialmind.experiments.studies import Study, Way
 
 WORLDS = 100
 QUICK_WORLDS = 10

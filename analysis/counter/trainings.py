@@ -16,8 +16,8 @@ from functools import partial
 from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
+from socialmind.experiments.trainings.plans import Plan, Plans
 from socialmind.learning import Curriculum, Training
-from socialmind.learning.plans import Plan, Plans
 from socialmind.mind import Perceptron, Simple
 
 LESSONS = load_file(model_folder("counter") / "lessons.py")

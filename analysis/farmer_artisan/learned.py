@@ -20,9 +20,9 @@ import pandas as pd
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_model, model_folder
-from socialmind.experiments.effects import comparisons
-from socialmind.experiments.intervals import interval_of
-from socialmind.experiments.specialisation import Course
+from socialmind.experiments.measures.effects import comparisons
+from socialmind.experiments.measures.intervals import interval_of
+from socialmind.experiments.measures.specialisation import Course
 from socialmind.learning.distilling import (
     Distillation,
     available,

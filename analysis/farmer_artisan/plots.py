@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 
 from .measures import mean_interval
 from .replicate import Replicate

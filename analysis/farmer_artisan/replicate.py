@@ -11,9 +11,9 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from socialmind.catalogue import load_model
-from socialmind.experiments.recovery import Recovery, first_reached, recovery
-from socialmind.experiments.specialisation import Course
-from socialmind.worlds.torus import lattice
+from socialmind.experiments.measures.recovery import Recovery, first_reached, recovery
+from socialmind.experiments.measures.specialisation import Course
+from socialmind.worlds.torus.geometry import lattice
 
 from .measures import Floats, nearest_distance, rank_correlation
 

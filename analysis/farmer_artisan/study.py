@@ -18,9 +18,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from socialmind.experiments import paper
-from socialmind.experiments.intervals import interval_of
-from socialmind.experiments.recovery import first_reached
+from socialmind.drawing import style as paper
+from socialmind.experiments.measures.intervals import interval_of
+from socialmind.experiments.measures.recovery import first_reached
 
 from .measures import mean_interval
 from .plots import draw
@@ -28,7 +28,7 @@ from .replicate import Replicate, replicate
 
 HERE = Path(__file__).parent
 BEGIN, END = "<!-- study: begin -->", "<!-- study: end -->"
-COURSE = (  # of the measures that `socialmind.experiments.specialisation` defines
+COURSE = (  # of the measures that `socialmind.experiments.measures.specialisation` defines
     "last_distance", "settling_ticks", "role_changes", "specialised", "agents_to_tasks",
     "tasks_to_agents", "agents_to_tasks_by_chance",
 )  # fmt: skip

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from socialmind.catalogue import load_model
-from socialmind.experiments.intervals import Interval, interval_of
+from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.experiments.scoring import score
 from socialmind.mind import MindDescription
 
@@ -218,7 +218,7 @@ def draw(results: Sequence[tuple[Condition, Result | None]]) -> Figure:
     Args:
         results: of all conditions.
     """
-    from socialmind.experiments import paper
+    from socialmind.drawing import style as paper
 
     found = [(condition.name, one) for condition, one in results if one is not None]
     with paper.style():
@@ -249,6 +249,6 @@ def _broken(text: str, width: int = 20) -> str:
 
 def write_figure(results: Sequence[tuple[Condition, Result | None]], out: Path) -> list[Path]:
     """Write the figure as PDF and PNG."""
-    from socialmind.experiments import paper
+    from socialmind.drawing import style as paper
 
     return paper.save({"foraging": draw(results)}, out)

@@ -16,8 +16,8 @@ from typing import Any
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import run
-from socialmind.experiments.page import Style
-from socialmind.experiments.rendering import draw_moments
+from socialmind.experiments.pictures.picture_page import Style
+from socialmind.experiments.pictures.rendering import draw_moments
 
 SEEDS = range(1, 21)
 """Of the runs that are searched, one after another."""

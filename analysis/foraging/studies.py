@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from socialmind.studies import Study, Way
+from socialmind.experiments.studies import Study, Way
 
 QUICK_WORLDS = 8
 

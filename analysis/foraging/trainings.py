@@ -16,8 +16,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
+from socialmind.experiments.trainings.plans import Plan, Plans
 from socialmind.learning import Curriculum, Lesson, Training
-from socialmind.learning.plans import Plan, Plans
 from socialmind.mind import MindDescription
 
 LESSONS = load_file(model_folder("foraging") / "lessons.py")

@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.catalogue import load_file, load_model
+from socialmind.drawing import style as paper
 from socialmind.errors import SocialmindError
-from socialmind.experiments import Run, paper, run, score
-from socialmind.studies import write_figure
+from socialmind.experiments import Run, run, score
+from socialmind.experiments.studies import write_figure
 
 from .trainings import (
     ATTEMPTS,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
-from socialmind.studies import Study
+from socialmind.experiments.studies import Study
 
 QUICK_WORLDS = 2
 

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
 
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 from socialmind.mind import Hierarchy
-from socialmind.mind.drawing import draw_hierarchy
-from socialmind.mind.drawing_plan import KEY
+from socialmind.mind.views.drawing import draw_hierarchy
+from socialmind.mind.views.plan import KEY
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 from socialmind.mind import Counter
 
 if TYPE_CHECKING:

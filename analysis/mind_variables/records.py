@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from socialmind.mind import Counter, Hierarchy, MindDescription, Programmed, Skill, Variable, Wave
-from socialmind.mind.explanation import explanation_of
+from socialmind.mind.views.explanation import explanation_of
 
 Row = dict[str, float]
 

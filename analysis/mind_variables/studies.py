@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from socialmind.studies import Study, write_figure
+from socialmind.experiments.studies import Study, write_figure
 
 
 def simple_variable(out: Path) -> list[Path]:

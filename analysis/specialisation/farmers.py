@@ -11,8 +11,8 @@ import pandas as pd
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_file, load_model, model_folder
-from socialmind.experiments.elsewhere import side_by_side
 from socialmind.learning.distilling import Distillation
+from socialmind.work.side_by_side import side_by_side
 
 from .societies import Size
 from .tables import Measured

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from socialmind.catalogue import load_file
-from socialmind.experiments import paper
-from socialmind.studies import topics
+from socialmind.drawing import style as paper
+from socialmind.experiments.studies import topics
 
 from . import farmers
 from .report import made

@@ -11,8 +11,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from socialmind.experiments import paper
-from socialmind.experiments.scheme_drawing import draw_scheme, key, lines_of
+from socialmind.drawing import style as paper
+from socialmind.drawing.scheme import draw_scheme, key, lines_of
 
 from . import farmers
 from .societies import CONDITIONS, MIXED, SOCIETIES, Condition, Size

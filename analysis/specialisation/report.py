@@ -10,8 +10,8 @@ import pandas as pd
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import model_folder
-from socialmind.experiments import paper
-from socialmind.experiments.effects import comparisons
+from socialmind.drawing import style as paper
+from socialmind.experiments.measures.effects import comparisons
 
 from . import farmers, plots
 from .page import page_of

@@ -17,7 +17,7 @@ import pandas as pd
 
 import socialmind
 from socialmind.catalogue import model_folder, source_hash
-from socialmind.experiments.elsewhere import side_by_side
+from socialmind.work.side_by_side import side_by_side
 
 from .societies import CONDITIONS, MIXED, SEED, SOCIETIES, Size
 from .worlds import EVERY, SHOWN_EVERY, lived

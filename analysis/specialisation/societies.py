@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import pandas as pd
 
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 
 WANTED_B = 2 / 3
 """The share of objects B that is wanted, until the ratio is turned round."""
@@ -111,7 +111,7 @@ class Condition:
         return (half,) if self.parameter else ()
 
     def wanted(self, half: int) -> pd.DataFrame:
-        """Return the wanted ratio, as `socialmind.experiments.split` takes it."""
+        """Return the wanted ratio, as `socialmind.experiments.measures.split` takes it."""
         before = {"tick": 0, "A": 1 - WANTED_B, "B": WANTED_B}
         after = {"tick": half, "A": WANTED_B, "B": 1 - WANTED_B}
         return pd.DataFrame([before, after] if self.name == "turned" else [before])

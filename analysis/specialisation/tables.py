@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from socialmind.experiments.effects import comparisons
-from socialmind.experiments.intervals import interval_of
+from socialmind.experiments.measures.effects import comparisons
+from socialmind.experiments.measures.intervals import interval_of
 
 from .societies import MIXED, REFERENCE
 from .words import one_of, side
@@ -225,7 +225,7 @@ def differences(worlds: pd.DataFrame, references: Sequence[str] = (REFERENCE,)) 
         references: the societies that the others are compared with.
 
     Returns:
-        As `socialmind.experiments.effects.comparisons` gives it, with `condition` and `reference`
+        As `experiments.measures.effects.comparisons` gives it, with `condition` and `reference`
         before it.
     """
     parts = []

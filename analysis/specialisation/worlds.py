@@ -14,11 +14,11 @@ import numpy as np
 import pandas as pd
 
 from socialmind.catalogue import load_file, load_model
-from socialmind.experiments.division import works_of
-from socialmind.experiments.settling import role_changes
-from socialmind.experiments.specialisation import Course
-from socialmind.experiments.split import role_of, wanted_shares
-from socialmind.studies import topics
+from socialmind.experiments.measures.division import works_of
+from socialmind.experiments.measures.settling import role_changes
+from socialmind.experiments.measures.specialisation import Course
+from socialmind.experiments.measures.split import role_of, wanted_shares
+from socialmind.experiments.studies import topics
 
 from .societies import CONDITIONS, Condition
 

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from socialmind.catalogue import load_model
-from socialmind.experiments import paper, score
-from socialmind.learning.plans import attempts_of
+from socialmind.drawing import style as paper
+from socialmind.experiments import score
+from socialmind.experiments.studies import Way, write_figure, write_page
+from socialmind.experiments.trainings.plans import attempts_of
 from socialmind.mind import MindDescription
-from socialmind.studies import Way, write_figure, write_page
 
 from .trainings import FUNCTIONS, known
 

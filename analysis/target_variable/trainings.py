@@ -16,8 +16,8 @@ from functools import partial
 from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
+from socialmind.experiments.trainings.plans import Plan, Plans
 from socialmind.learning import Curriculum
-from socialmind.learning.plans import Plan, Plans
 from socialmind.mind import InfluenceNetwork, InternalFunction, MindDescription, Perceptron
 
 FOLDER = model_folder("target_variable")

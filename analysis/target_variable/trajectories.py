@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from socialmind.catalogue import load_model
+from socialmind.drawing import style as paper
+from socialmind.drawing.plane import FOOT, Picture
 from socialmind.errors import SocialmindError
-from socialmind.experiments import paper
-from socialmind.studies import write_figure
-from socialmind.worlds.plane.picture import FOOT, Picture
+from socialmind.experiments.studies import write_figure
 from socialmind.worlds.plane.scene import scene_of
 
 if TYPE_CHECKING:

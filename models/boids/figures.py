@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 
 if TYPE_CHECKING:
     from socialmind.experiments import Run

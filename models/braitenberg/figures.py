@@ -14,7 +14,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 
 if TYPE_CHECKING:
     from socialmind.experiments import Run

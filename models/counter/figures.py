@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.experiments import paper
-from socialmind.experiments.capsule import Capsule
-from socialmind.experiments.sources import model_of
+from socialmind.drawing import style as paper
+from socialmind.runs.capsule import Capsule
+from socialmind.runs.sources import model_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

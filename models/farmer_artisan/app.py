@@ -6,7 +6,7 @@ from mesa.visualization import Slider, SolaraViz, make_plot_component, make_spac
 from mesa.visualization.components import AgentPortrayalStyle, PropertyLayerStyle
 
 from socialmind.catalogue import load_model
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 
 COLOURS = {
     "GrowWheat": paper.BLUE,

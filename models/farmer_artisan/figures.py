@@ -19,8 +19,8 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from socialmind.experiments import paper
-from socialmind.worlds.torus import lattice
+from socialmind.drawing import style as paper
+from socialmind.worlds.torus.geometry import lattice
 
 if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme

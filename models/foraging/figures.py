@@ -15,11 +15,11 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.experiments import paper
-from socialmind.experiments.capsule import Capsule
-from socialmind.experiments.sources import model_of
-from socialmind.worlds.plane.look import PAPER
-from socialmind.worlds.plane.picture import Picture
+from socialmind.drawing import style as paper
+from socialmind.drawing.look import PAPER
+from socialmind.drawing.plane import Picture
+from socialmind.runs.capsule import Capsule
+from socialmind.runs.sources import model_of
 from socialmind.worlds.plane.scene import scene_of
 
 if TYPE_CHECKING:

@@ -14,10 +14,10 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from socialmind.experiments import paper
-from socialmind.experiments.capsule import Capsule
-from socialmind.experiments.sources import model_of
-from socialmind.worlds.plane.picture import Picture
+from socialmind.drawing import style as paper
+from socialmind.drawing.plane import Picture
+from socialmind.runs.capsule import Capsule
+from socialmind.runs.sources import model_of
 from socialmind.worlds.plane.scene import scene_of
 
 if TYPE_CHECKING:

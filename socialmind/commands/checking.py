@@ -12,13 +12,13 @@ from coglogo_py import CognitiveScheme, SchemeError
 from socialmind.catalogue import MODEL_FILE, load_model, model_folder
 from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.experiments.capsule import Capsule
-from socialmind.experiments.sources import model_of
 from socialmind.language.syntax import parsed
-from socialmind.mind.code import check_program
-from socialmind.mind.files.text_file import inside
+from socialmind.mind.code.mind_code import check_program
+from socialmind.mind.files.evoagents.text_file import inside
 from socialmind.mind.lint import findings
-from socialmind.trust import programs_in
+from socialmind.runs.capsule import Capsule
+from socialmind.runs.sources import model_of
+from socialmind.sources.trust import programs_in
 
 if TYPE_CHECKING:
     from coglogo_py import Finding

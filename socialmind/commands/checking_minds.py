@@ -10,12 +10,12 @@ import typer
 import yaml
 
 from coglogo_py import SchemeError
-from coglogo_py.reading import text_in
-from coglogo_py.yaml_nodes import composed
+from coglogo_py.files.reading import text_in
+from coglogo_py.files.yaml_nodes import composed
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.mind.code import check_program
+from socialmind.mind.code.mind_code import check_program
 from socialmind.mind.description import MindDescription
-from socialmind.mind.files.folder_reader import (
+from socialmind.mind.files.evoagents.folder_reader import (
     ADES,
     BOTDESC,
     GENOME,
@@ -24,12 +24,12 @@ from socialmind.mind.files.folder_reader import (
     files_in,
     load_tasks,
 )
+from socialmind.mind.files.evoagents.simbatch import Task
 from socialmind.mind.files.python_file import programs_unrun
-from socialmind.mind.files.simbatch import Task
-from socialmind.mind.files.yaml_form import ACTUATORS, SENSORS, SKILLS, VARIABLES
+from socialmind.mind.files.yaml_reader import ACTUATORS, SENSORS, SKILLS, VARIABLES
 from socialmind.mind.lint import Finding, findings, genome_sizes
 from socialmind.mind.modules import Skill
-from socialmind.trust import programs_in
+from socialmind.sources.trust import programs_in
 
 SUFFIXES = (BOTDESC, VARDESC, ADES, GENOME, SIMBATCH)
 _SECTIONS = (SENSORS, ACTUATORS, VARIABLES, SKILLS)

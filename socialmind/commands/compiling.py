@@ -10,7 +10,7 @@ from typing import Any
 
 from numba.core.event import Listener, install_listener
 
-from coglogo_py import code_folder
+from coglogo_py.compiled import code_folder
 
 TYPICAL = "10 to 60 s"
 """How long it takes where nothing was measured yet."""

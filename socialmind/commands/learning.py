@@ -12,11 +12,11 @@ import typer
 
 from socialmind.commands.terminal import quoted
 from socialmind.errors import SocialmindError
-from socialmind.learning.attempt import News
-from socialmind.learning.execution import OnGeneration, TrainingInterrupted, learn, resume
-from socialmind.learning.lesson import Lesson
-from socialmind.learning.result import Training
-from socialmind.learning.teaching import Result
+from socialmind.learning.lessons.lesson import Lesson
+from socialmind.learning.training.attempt import News
+from socialmind.learning.training.execution import OnGeneration, TrainingInterrupted, learn, resume
+from socialmind.learning.training.result import Training
+from socialmind.learning.training.teaching import Result
 
 
 def start(model: str, settings: Sequence[str], quiet: bool, **options: Any) -> Path:

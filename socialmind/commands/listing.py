@@ -14,7 +14,7 @@ from socialmind.errors import SocialmindError
 
 if TYPE_CHECKING:
     from socialmind.model import Model
-    from socialmind.population import Population
+    from socialmind.society.population import Population
 
 
 def print_models() -> bool:
@@ -80,7 +80,7 @@ def _world(model_class: type[Model]) -> str:
 
 def _lessons(folder: Path) -> list[str]:
     """Return the names of the lessons that a model's folder holds."""
-    from socialmind.learning.course import LESSONS_FILE, curriculum_of
+    from socialmind.learning.training.course import LESSONS_FILE, curriculum_of
 
     if not (folder / LESSONS_FILE).is_file():
         return []

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from socialmind.commands.running import progress_bar
+from socialmind.drawing.look import LOOKS
 from socialmind.errors import SocialmindError
-from socialmind.experiments.film import SUFFIXES
-from socialmind.experiments.page import Style
-from socialmind.experiments.rendering import STILLS, draw_moments, film_run
-from socialmind.experiments.repeating import Name
-from socialmind.worlds.plane.look import LOOKS
+from socialmind.experiments.pictures.film import SUFFIXES
+from socialmind.experiments.pictures.picture_page import Style
+from socialmind.experiments.pictures.rendering import STILLS, draw_moments, film_run
+from socialmind.experiments.pictures.repeating import Name
 
 
 def render(

@@ -9,7 +9,7 @@ import typer
 
 from socialmind.commands.listing import aligned
 from socialmind.errors import SocialmindError
-from socialmind.studies import reproduce, studies_in, topics
+from socialmind.experiments.studies import reproduce, studies_in, topics
 
 
 def print_studies() -> None:

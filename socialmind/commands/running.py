@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from socialmind.catalogue import did_you_mean, load_model
-from socialmind.errors import SocialmindError
-from socialmind.experiments import execution
-from socialmind.experiments.capsule import Capsule
+from socialmind.catalogue import load_model
+from socialmind.errors import SocialmindError, nearest
+from socialmind.runs import execution
+from socialmind.runs.capsule import Capsule
 
 if TYPE_CHECKING:
-    from socialmind.experiments.execution import Progress
     from socialmind.model import Model
+    from socialmind.runs.execution import Progress
 
 Value = float | int | bool | str
 
@@ -100,14 +100,14 @@ def draw(folder: Path, trust: bool = False) -> list[Path]:
     """Draw a run's figures without a window; gives the files."""
     # A model's figures.py may use pyplot, which looks for a screen unless told not to.
     os.environ["MPLBACKEND"] = "Agg"
-    from socialmind.experiments.figures import draw_figures
+    from socialmind.runs.figures import draw_figures
 
     return draw_figures(folder, trust)
 
 
 def again(folder: Path, quiet: bool, kept: bool = False, trust: bool = False) -> bool:
     """Replay a run and say what comes out; True when it is equal."""
-    from socialmind.experiments.verification import replay
+    from socialmind.runs.verification import replay
 
     with progress_bar(quiet) as on_progress:
         found = replay(folder, on_progress=on_progress, kept=kept, trust=trust)
@@ -138,7 +138,7 @@ def read_settings(model_class: type[Model], settings: Sequence[str]) -> dict[str
             raise SocialmindError(f"--set {setting}: expected NAME=VALUE")
         name = name.replace("-", "_")
         if name not in known:
-            raise SocialmindError(f"no parameter called {name}; {did_you_mean(name, known)}")
+            raise SocialmindError(f"no parameter called {name}; {nearest(name, known)}")
         values[name] = known[name].read(text)
     return values
 

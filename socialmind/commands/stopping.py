@@ -13,7 +13,7 @@ CTRL_C = 130
 
 def exit_code_of_stop(stop: KeyboardInterrupt) -> int:
     """Say how to go on with a stopped run, and give the exit code of a program stopped so."""
-    from socialmind.experiments.execution import Interrupted
+    from socialmind.runs.execution import Interrupted
 
     if not isinstance(stop, Interrupted):
         typer.echo("socialmind: stopped", err=True)

@@ -15,8 +15,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from socialmind.agents.agent import Agent
 from socialmind.economy.decay import exponential_smoothing
-from socialmind.population import Agent
 
 
 class Market(Agent):

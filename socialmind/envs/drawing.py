@@ -10,9 +10,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from socialmind.experiments import paper
-from socialmind.worlds.plane.look import LOOKS
-from socialmind.worlds.plane.picture import FOOT, Picture
+from socialmind.drawing import style as paper
+from socialmind.drawing.look import LOOKS
+from socialmind.drawing.plane import FOOT, Picture
 from socialmind.worlds.plane.scene import scene_of
 
 if TYPE_CHECKING:

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from coglogo_py.errors import shown
 from socialmind.envs.steered_world import SteeredWorld, held
-from socialmind.errors import SocialmindError
-from socialmind.language.nodes import nearest
+from socialmind.errors import SocialmindError, nearest
 from socialmind.model import Model
 
 

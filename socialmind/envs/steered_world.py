@@ -12,12 +12,11 @@ from numpy.typing import NDArray
 
 from coglogo_py.errors import shown
 from coglogo_py.numbers import whole_number
-from socialmind.arena import ENGINES
 from socialmind.catalogue import load_model, model_folder
-from socialmind.errors import SocialmindError
-from socialmind.language.nodes import nearest
-from socialmind.learning.course import lessons_module
+from socialmind.errors import SocialmindError, nearest
+from socialmind.learning.training.course import lessons_module
 from socialmind.model import Model
+from socialmind.worlds.plane.arena import ENGINES
 
 if TYPE_CHECKING:
     from socialmind.envs.drawing import Drawing

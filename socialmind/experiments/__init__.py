@@ -12,11 +12,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from socialmind.experiments.execution import Interrupted, resume, run
-    from socialmind.experiments.figures import draw_figures
-    from socialmind.experiments.result import Run
     from socialmind.experiments.scoring import Score, score
-    from socialmind.experiments.verification import Replay, replay
+    from socialmind.runs.execution import Interrupted, resume, run
+    from socialmind.runs.figures import draw_figures
+    from socialmind.runs.result import Run
+    from socialmind.runs.verification import Replay, replay
 
 __all__ = [
     "Interrupted",

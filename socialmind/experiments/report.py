@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from socialmind.experiments import paper
+from socialmind.drawing import style as paper
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -16,18 +16,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from socialmind.arena import ENGINES
-from socialmind.errors import ModelError, SocialmindError
-from socialmind.experiments.elsewhere import LOST
-from socialmind.experiments.intervals import Interval, interval_of
-from socialmind.language.nodes import nearest
-from socialmind.learning.episodes import Episodes
-from socialmind.learning.ground import files_of
-from socialmind.learning.keys import seeds_for
-from socialmind.learning.reference import found, referred
-from socialmind.learning.workers import LOST_AGAIN, cores
+from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.experiments.measures.intervals import Interval, interval_of
+from socialmind.learning.episodes.evaluation import files_of
+from socialmind.learning.episodes.evaluators import LOST_AGAIN, cores
+from socialmind.learning.episodes.plane_episodes import Episodes
+from socialmind.learning.lessons.keys import seeds_for
 from socialmind.mind.description import MindDescription
-from socialmind.processes import dismiss, pool
+from socialmind.work.importable import found, referred
+from socialmind.work.processes import dismiss, pool
+from socialmind.work.side_by_side import LOST
+from socialmind.worlds.plane.arena import ENGINES
 from socialmind.worlds.plane.measures import Measure, survived, total
 
 if TYPE_CHECKING:

@@ -11,14 +11,14 @@ from collections.abc import Iterable
 from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
-from socialmind.language.nodes import close, nearest
+from socialmind.errors import close, nearest
 from socialmind.language.refusals import MODULES
-from socialmind.language.signatures import MATH, MATH_CONSTANTS
 from socialmind.language.types import RowType
-from socialmind.worlds.torus import COMMANDS
+from socialmind.language.typing.signatures import MATH, MATH_CONSTANTS
+from socialmind.worlds.torus.geometry import COMMANDS
 
 if TYPE_CHECKING:
-    from socialmind.language.expressions import ExpressionTyper
+    from socialmind.language.typing.expressions import ExpressionTyper
 
 _LOOP = "write a for loop: `for other in model.{all}:`"
 _DRAW = "draw from the rule's stream: `rng.random()`, with the parameter `rng`"

@@ -1,10 +1,8 @@
-"""Building blocks of the trees that the front end writes, and of its messages."""
+"""Building blocks of the trees that the front end writes."""
 
 from __future__ import annotations
 
 import ast
-import difflib
-from collections.abc import Iterable
 from typing import Any
 
 from socialmind.language.types import AnyType
@@ -35,15 +33,3 @@ def written_number(node: ast.Constant) -> float | int:
     if not isinstance(node.value, int | float):
         raise TypeError(f"{node.value!r} was typed as a number")
     return node.value
-
-
-def nearest(name: str, known: Iterable[str]) -> str:
-    """Return a hint at the known name that a misspelt one resembles, or what there is."""
-    names = list(known)
-    return close(name, names) or ("there is " + ", ".join(names) if names else "there is none")
-
-
-def close(name: str, known: Iterable[str]) -> str | None:
-    """Return a hint at the known name that a misspelt one resembles, if there is one."""
-    found = difflib.get_close_matches(name, list(known), n=1)
-    return f"did you mean {found[0]!r}?" if found else None

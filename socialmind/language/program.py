@@ -8,18 +8,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, close, nearest
 from socialmind.language import arithmetic
-from socialmind.language.nodes import close, nearest
 from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import Names, RuleSource, rule_source
-from socialmind.language.statements import FunctionTyper
 from socialmind.language.syntax import compiled
 from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TableType, TextType
+from socialmind.language.typing.statements import FunctionTyper
 from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
 
 if TYPE_CHECKING:
-    from socialmind.worlds.plane.stages import PlaneProgram
+    from socialmind.worlds.plane.ticks.stages import PlaneProgram
 
 
 @dataclass(frozen=True)
@@ -97,7 +96,7 @@ class Program:
         self.setup = self._phases(shape.setup, SETUP_TAG)
         self.schedule = self._phases(shape.schedule, SCHEDULE_TAG)
         if shape.plane is not None:
-            from socialmind.worlds.plane.stages import planned
+            from socialmind.worlds.plane.ticks.stages import planned
 
             self.plane = planned(self, shape.plane)
 

@@ -10,10 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from socialmind.learning.curriculum import Curriculum, Cycle
-    from socialmind.learning.execution import TrainingInterrupted, learn, resume
-    from socialmind.learning.lesson import Lesson
-    from socialmind.learning.result import Training
+    from socialmind.learning.lessons.curriculum import Curriculum, Cycle
+    from socialmind.learning.lessons.lesson import Lesson
+    from socialmind.learning.training.execution import TrainingInterrupted, learn, resume
+    from socialmind.learning.training.result import Training
 
 __all__ = ["Curriculum", "Cycle", "Lesson", "Training", "TrainingInterrupted", "learn", "resume"]
 

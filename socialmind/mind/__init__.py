@@ -5,9 +5,9 @@ from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.convolution import Convolution, Kernel
 from socialmind.mind.functions.elman import Elman
-from socialmind.mind.functions.graph_neuron import GraphNeuron
 from socialmind.mind.functions.influence_network import InfluenceNetwork
-from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.neat.graph import NeatGraph
+from socialmind.mind.functions.neat.neuron import GraphNeuron
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.functions.recurrent import Recurrent

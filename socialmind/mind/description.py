@@ -7,8 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from socialmind.errors import ModelError
-from socialmind.language.nodes import nearest
+from socialmind.errors import ModelError, nearest
 from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 from socialmind.names import several
 
@@ -82,13 +81,13 @@ class MindDescription:
 
     def lint(self, master: str | None = None) -> list[Finding]:
         """Return what is odd about the mind; nothing that keeps it from running."""
-        from socialmind.mind.code import check_program
+        from socialmind.mind.code.mind_code import check_program
         from socialmind.mind.lint import findings
 
         return findings(self, master, check_program)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        from socialmind.packing import packed
+        from socialmind.work.packing import packed
 
         return _unpacked_mind, (packed(vars(self)),)
 
@@ -289,7 +288,7 @@ def _joined(own: Mapping[str, Any], added: Mapping[str, Any], what: str) -> list
 
 
 def _unpacked_mind(content: bytes) -> MindDescription:
-    from socialmind.packing import unpacked
+    from socialmind.work.packing import unpacked
 
     made = MindDescription.__new__(MindDescription)
     vars(made).update(unpacked(content))

@@ -11,25 +11,24 @@ from numpy.typing import NDArray
 
 from coglogo_py.closed import Closed
 from coglogo_py.numbers import whole_number
-from socialmind.errors import ModelError, SocialmindError
-from socialmind.language.nodes import nearest
+from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind import variants
-from socialmind.mind.arrays import assemble, master_of
+from socialmind.mind.code.drive import AgentHierarchy
 from socialmind.mind.description import MindDescription
-from socialmind.mind.drive import AgentHierarchy
+from socialmind.mind.evaluation.arrays import assemble, master_of
+from socialmind.mind.evaluation.running_skill import RunningSkill
+from socialmind.mind.evaluation.state import Record, copied, new_state, restored, societies_of
+from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.reach import ROUNDING
 from socialmind.mind.links import Input
 from socialmind.mind.modules import Skill
-from socialmind.mind.running_skill import RunningSkill
-from socialmind.mind.state import Record, copied, new_state, restored, societies_of
-from socialmind.mind.steps import Steps
-from socialmind.packing import packed, unpacked
+from socialmind.work.packing import packed, unpacked
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from socialmind.mind.explanation import Explanation
     from socialmind.mind.minds import Minds
+    from socialmind.mind.views.explanation import Explanation
 
 
 class Hierarchy(Closed):
@@ -41,7 +40,7 @@ class Hierarchy(Closed):
             where no other skill influences exactly one.
         seed: the key of the draws of cogniton schemes, 0 … 2⁶⁴ − 1.
         drive: the drive module (thesis, 5.1.3): a function of one parameter, the mind, called in
-            every evaluation before the skills; see `socialmind.mind.drive`.
+            every evaluation before the skills; see `socialmind.mind.code.drive`.
 
     Raises:
         ModelError: there is no such master, or it is unclear which.
@@ -390,7 +389,7 @@ class Hierarchy(Closed):
         Returns:
             The same as tables.
         """
-        from socialmind.mind.explanation import explanation_of
+        from socialmind.mind.views.explanation import explanation_of
 
         explanation = explanation_of(self)
         print(explanation)
@@ -402,7 +401,7 @@ class Hierarchy(Closed):
         Args:
             ax: matplotlib Axes to draw in; fresh ones unless given.
         """
-        from socialmind.mind.drawing import draw_hierarchy
+        from socialmind.mind.views.drawing import draw_hierarchy
 
         return draw_hierarchy(self, ax)
 

@@ -11,17 +11,16 @@ from numpy.typing import NDArray
 from coglogo_py.closed import Closed
 from coglogo_py.memory import check_memory
 from coglogo_py.numbers import is_whole, whole_number
-from socialmind.errors import ModelError, SocialmindError
-from socialmind.language.nodes import nearest
-from socialmind.mind.arrays import Assembly, assemble, master_of
-from socialmind.mind.code import MindCode
+from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.mind.code.mind_code import MindCode
 from socialmind.mind.description import MindDescription
-from socialmind.mind.failures import failure_of, failure_of_drive, failure_of_regulation
+from socialmind.mind.evaluation.arrays import Assembly, assemble, master_of
+from socialmind.mind.evaluation.failures import failure_of, failure_of_drive, failure_of_regulation
+from socialmind.mind.evaluation.state import Record, copied, new_state, restored, societies_of
 from socialmind.mind.kernel.layout import LIVES, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.regulation import Counter
-from socialmind.mind.state import Record, copied, new_state, restored, societies_of
-from socialmind.packing import packed, unpacked
+from socialmind.work.packing import packed, unpacked
 
 LANES = 256
 """How many agents are evaluated in lockstep: the more, the longer the vectors; all nodes of a
@@ -41,7 +40,7 @@ class Minds(Closed):
         own_genomes: whether each agent has weights of its own.
         seed: the key of the draws of cogniton schemes, 0 … 2⁶⁴ − 1.
         drive: the drive module (thesis, 5.1.3): a plain function `drive(mind)`; see
-            `socialmind.mind.drive`.
+            `socialmind.mind.code.drive`.
         instances: how many instances of groups there are, for shared variables.
         lanes: how many agents are evaluated in lockstep.
 

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import ModelError
-from socialmind.mind.arrays import Assembly
-from socialmind.mind.code import MindCode
-from socialmind.mind.drive import AgentHierarchy
+from socialmind.mind.code.drive import AgentHierarchy
+from socialmind.mind.code.mind_code import MindCode
+from socialmind.mind.evaluation.arrays import Assembly
+from socialmind.mind.evaluation.state import Record, copied, new_state, restored, societies_of
+from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.layout import LIVES
-from socialmind.mind.state import Record, copied, new_state, restored, societies_of
-from socialmind.mind.steps import Steps
 
 
 class PopulationMinds:

@@ -18,8 +18,7 @@ from numpy.typing import NDArray
 from coglogo_py import CognitiveScheme
 from coglogo_py.errors import shown
 from coglogo_py.numbers import is_number
-from socialmind.errors import ModelError
-from socialmind.language.nodes import nearest
+from socialmind.errors import ModelError, nearest
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.modules import Skill
 

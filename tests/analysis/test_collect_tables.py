@@ -12,8 +12,8 @@ import pandas as pd
 import pytest
 
 from socialmind.catalogue import load_file
+from socialmind.experiments.trainings.plans import Plans, most_ticks
 from socialmind.learning import Curriculum, Training
-from socialmind.learning.plans import Plans, most_ticks
 
 COLLECT = Path(__file__).parents[2] / "analysis" / "collect"
 trainings = load_file(COLLECT / "trainings.py")

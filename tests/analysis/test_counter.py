@@ -8,9 +8,9 @@ import pytest
 
 from socialmind.catalogue import load_file, model_folder
 from socialmind.errors import SocialmindError
+from socialmind.experiments.studies import studies_in
 from socialmind.learning import Training
 from socialmind.mind import MindDescription
-from socialmind.studies import studies_in
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "counter"
 STEPS = load_file(FOLDER / "steps.py")

@@ -8,8 +8,8 @@ import pandas as pd
 import pytest
 
 from socialmind.catalogue import load_file
-from socialmind.learning.plans import most_ticks
-from socialmind.studies import studies_in
+from socialmind.experiments.studies import studies_in
+from socialmind.experiments.trainings.plans import most_ticks
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging"
 TRAININGS = load_file(FOLDER / "trainings.py")

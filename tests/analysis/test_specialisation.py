@@ -11,8 +11,8 @@ import pytest
 
 from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError
-from socialmind.experiments import intervals
-from socialmind.studies import studies_in
+from socialmind.experiments.measures import intervals
+from socialmind.experiments.studies import studies_in
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "specialisation"
 making = load_file(FOLDER / "making.py")

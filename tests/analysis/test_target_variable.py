@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from socialmind.catalogue import load_file
-from socialmind.studies import studies_in
+from socialmind.experiments.studies import studies_in
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "target_variable"
 TRAJECTORIES = load_file(FOLDER / "trajectories.py")

@@ -15,7 +15,7 @@ from coglogo_py import (
     Role,
     WeightedStochastic,
 )
-from coglogo_py.cogscheme_file import parse
+from coglogo_py.files.cogscheme_file import parse
 
 
 def scheme(*cognitons, maker=WeightedStochastic(), **fields):  # noqa: B008

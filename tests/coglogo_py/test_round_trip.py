@@ -19,7 +19,7 @@ from coglogo_py import (
     SchemeError,
     WeightedStochastic,
 )
-from coglogo_py.cogscheme_file import KEYWORDS
+from coglogo_py.files.cogscheme_file import KEYWORDS
 
 
 class Loyal(DecisionMaker):

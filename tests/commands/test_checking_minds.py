@@ -3,8 +3,8 @@
 import pytest
 
 from socialmind.mind import MindDescription, Skill, Variable
+from socialmind.mind.files.evoagents.simbatch import Task
 from socialmind.mind.files.folder import save_tasks
-from socialmind.mind.files.simbatch import Task
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.regulation import Wave
 

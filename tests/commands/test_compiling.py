@@ -2,7 +2,7 @@
 
 import numba
 
-from coglogo_py.code_folder import CACHE_VARIABLE
+from coglogo_py.compiled.code_folder import CACHE_VARIABLE
 from socialmind.commands import compiling
 from socialmind.commands.stopping import what_memory_lacked
 

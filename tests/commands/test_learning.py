@@ -134,9 +134,9 @@ def test_ctrl_c_says_how_to_go_on(socialmind, walk, tmp_path):
 
 
 def test_a_line_of_progress(walk):
-    from socialmind.learning.attempt import News
-    from socialmind.learning.curriculum import Position
-    from socialmind.learning.lesson import Lesson
+    from socialmind.learning.lessons.curriculum import Position
+    from socialmind.learning.lessons.lesson import Lesson
+    from socialmind.learning.training.attempt import News
 
     news = News(1, Lesson("Go", Path, generations=1500), Position(), 20, 1.23456, -0.5, 900, 0.5, 9)
     assert line_of(news, 61.0) == (

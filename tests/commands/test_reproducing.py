@@ -2,11 +2,11 @@
 
 import pytest
 
-import socialmind.studies as finding
+import socialmind.experiments.studies as finding
 from socialmind.errors import ModelError, SocialmindError
 
 STUDY = """
-from socialmind.studies import Study
+from socialmind.experiments.studies import Study
 
 def table(out):
     out.mkdir(exist_ok=True)

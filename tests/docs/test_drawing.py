@@ -9,7 +9,8 @@ import pytest
 
 from socialmind.catalogue import load_model
 from socialmind.commands.starting import write_model
-from socialmind.experiments import Run, draw_figures, paper, run
+from socialmind.drawing import style as paper
+from socialmind.experiments import Run, draw_figures, run
 
 PAGE = (Path(__file__).parents[2] / "docs" / "drawing.md").read_text("utf-8")
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from socialmind.learning import Lesson
-from socialmind.learning.lesson_file import NUMBERS, TEXTS, WHOLE
-from socialmind.learning.teaching import COLUMNS
-from socialmind.mind.files import simbatch
+from socialmind.learning.lessons.lesson_file import NUMBERS, TEXTS, WHOLE
+from socialmind.learning.training.teaching import COLUMNS
+from socialmind.mind.files.evoagents import simbatch
 
 PAGE = (Path(__file__).parents[2] / "docs" / "learning.md").read_text("utf-8")
 

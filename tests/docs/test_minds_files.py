@@ -6,7 +6,14 @@ from pathlib import Path
 import pytest
 
 from socialmind.mind import MindDescription, Skill
-from socialmind.mind.files import ades, botdesc, genome_file, network_lines, simbatch, vardesc
+from socialmind.mind.files.evoagents import (
+    ades,
+    botdesc,
+    genome_file,
+    network_lines,
+    simbatch,
+    vardesc,
+)
 from socialmind.mind.functions.perceptron import Perceptron
 
 PAGE = (Path(__file__).parents[2] / "docs" / "minds_files.md").read_text("utf-8")

@@ -10,9 +10,9 @@ from coglogo_py import Mind
 from socialmind import ModelError, each
 from socialmind.catalogue import load_model
 from socialmind.language import refusals
-from socialmind.language.built_in import BUILT_IN
-from socialmind.language.signatures import MATH, MATH_CONSTANTS, MIND, OF_SEVERAL, RNG
-from socialmind.worlds.torus import COMMANDS
+from socialmind.language.typing.built_in import BUILT_IN
+from socialmind.language.typing.signatures import MATH, MATH_CONSTANTS, MIND, OF_SEVERAL, RNG
+from socialmind.worlds.torus.geometry import COMMANDS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "rules.md").read_text("utf-8")
 BLOCK = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)

@@ -3,7 +3,8 @@
 import base64
 import re
 
-from socialmind.experiments import paper, report
+from socialmind.drawing import style as paper
+from socialmind.experiments import report
 
 
 def figure():

@@ -8,10 +8,10 @@ import pytest
 from socialmind import Model, Population
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.experiments.intervals import Interval, interval_of
+from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.experiments.scoring import COLLISION, SCORE, measures_of, score
-from socialmind.learning import keys
-from socialmind.learning.keys import seed_for
+from socialmind.learning.lessons import keys
+from socialmind.learning.lessons.keys import seed_for
 from socialmind.mind import MindDescription, Perceptron, Skill
 from socialmind.worlds.plane import Disc, Measure, Plane, Robot, against, ratio, total, wheel
 

@@ -15,8 +15,8 @@ from coglogo_py import CogLogoError, CognitiveScheme
 from coglogo_py.scheme import Cogniton, Culturon, Group, Role
 from socialmind.errors import SocialmindError
 from socialmind.mind import MindDescription, Perceptron, Skill, Variable
+from socialmind.mind.files.evoagents.simbatch import Task
 from socialmind.mind.files.folder import load_tasks, save_tasks
-from socialmind.mind.files.simbatch import Task
 from socialmind.mind.regulation import Counter
 
 SEED = int(os.environ.get("SOCIALMIND_FUZZ_SEED", datetime.now(UTC).strftime("%Y%m%d")))

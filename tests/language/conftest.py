@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from socialmind import each
-from socialmind.bookkeeping import NEXT_ID
-from socialmind.schedule import run_tick
+from socialmind.agents.bookkeeping import NEXT_ID
+from socialmind.engine.ticks import run_tick
 
 HERE = Path(__file__).parent
 _numbers = itertools.count()

@@ -7,8 +7,8 @@ import pytest
 
 from coglogo_py import CognitiveScheme, Cogniton
 from socialmind import Agent, Model, Patch, Population, Torus, each, once, parameter
-from socialmind.language.loop import module_text
-from socialmind.language.lowering import lowered
+from socialmind.compiling.lowering import lowered
+from socialmind.engine.module_text import module_text
 
 
 class Odd(Agent):

@@ -17,7 +17,7 @@ from socialmind.mind.functions.convolution import Convolution, Kernel
 from socialmind.mind.functions.draft import NetworkDraft
 from socialmind.mind.functions.elman import Elman
 from socialmind.mind.functions.influence_network import InfluenceNetwork
-from socialmind.mind.functions.neat_graph import GraphNeuron, NeatGraph
+from socialmind.mind.functions.neat.graph import GraphNeuron, NeatGraph
 from socialmind.mind.functions.network import Network, Neuron
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.recurrent import Recurrent

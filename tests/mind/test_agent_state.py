@@ -6,7 +6,7 @@ import pytest
 
 from socialmind.catalogue import load_model
 from socialmind.mind import Hierarchy
-from socialmind.mind.agent_state import AgentState, observe
+from socialmind.mind.evaluation.agent_state import AgentState, observe
 
 SEEKERS = Path(__file__).parents[1] / "worlds" / "plane" / "seekers"
 

@@ -28,7 +28,7 @@ from socialmind.mind import (
     load_mind,
 )
 from socialmind.mind.functions.convolution import Kernel
-from socialmind.mind.functions.neat_graph import GraphNeuron
+from socialmind.mind.functions.neat.graph import GraphNeuron
 
 
 @pytest.fixture

@@ -8,7 +8,8 @@ import pytest
 from matplotlib.text import Text
 
 from socialmind.catalogue import load_figures, load_file, load_model, model_folder
-from socialmind.experiments import Run, paper, run
+from socialmind.drawing import style as paper
+from socialmind.experiments import Run, run
 
 FIGURES = load_file(model_folder("collect") / "figures.py")
 MIND = model_folder("collect") / "mind"

@@ -13,7 +13,7 @@ from socialmind.learning.distilling import (
     weights_by_hierarchy,
     weights_by_links,
 )
-from socialmind.learning.society_episodes import SocietyEpisodes
+from socialmind.learning.episodes.society_episodes import SocietyEpisodes
 from socialmind.mind import MindDescription, Perceptron
 from socialmind.mind.weighing import Weighing, linear_skill
 

@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 
 from socialmind.catalogue import load_file, load_model, model_folder
-from socialmind.experiments.specialisation import Course
+from socialmind.experiments.measures.specialisation import Course
 from socialmind.mind import MindDescription
 
 FOLDER = model_folder("foraging_roles")

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from socialmind.worlds import torus
-from socialmind.worlds.grid import Grid
+from socialmind.worlds.torus import geometry as torus
+from socialmind.worlds.torus.patches import Grid
 
 sizes = st.integers(1, 40)
 inside = st.floats(0, 1, exclude_max=True)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from socialmind.errors import ModelError
 from socialmind.learning.optimisers.contract import Optimiser, State, check_shape, whole
 from socialmind.learning.optimisers.settings import Setting
-from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.neat.graph import NeatGraph
 
 if TYPE_CHECKING:
     from socialmind.mind.modules import Skill
@@ -28,7 +28,7 @@ class NeatGenome:
         graph: the topology.
         weights: its genome, shape (genome size,).
 
-    >>> from socialmind.mind.functions.neat_graph import NeatGraph
+    >>> from socialmind.mind.functions.neat.graph import NeatGraph
     >>> NeatGenome(NeatGraph.minimal(1, 1), [2.0, 0.5])
     a NEAT graph of 1 neuron and 1 connection, weights [2.0, 0.5]
     """

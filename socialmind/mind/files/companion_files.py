@@ -7,8 +7,8 @@ from pathlib import Path
 
 from coglogo_py import CognitiveScheme, SchemeError
 from socialmind.errors import ModelError
+from socialmind.mind.files.evoagents.text_file import field, write_text
 from socialmind.mind.files.python_file import Function, function_text, source_file
-from socialmind.mind.files.text_file import field, write_text
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 
 Texts = dict[Path, str]

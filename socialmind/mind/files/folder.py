@@ -5,11 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from socialmind.mind.description import MindDescription
-from socialmind.mind.files import yaml_form, yaml_writer
-from socialmind.mind.files.folder_reader import BOTDESC, load_tasks, read_folder
-from socialmind.mind.files.folder_writer import save_tasks, write_folder
+from socialmind.mind.files import yaml_reader as yaml_form
+from socialmind.mind.files import yaml_writer
+from socialmind.mind.files.evoagents.folder_reader import BOTDESC, load_tasks, read_folder
+from socialmind.mind.files.evoagents.folder_writer import save_tasks, write_folder
 from socialmind.mind.files.python_file import runs_programs
-from socialmind.trust import programs_in, remember
+from socialmind.sources.trust import programs_in, remember
 
 __all__ = ["load_description", "load_tasks", "save_description", "save_tasks"]
 
@@ -17,7 +18,7 @@ YAML = (".yaml", ".yml")
 
 
 def load_description(path: str | Path) -> MindDescription:
-    """Read a mind; its programs are remembered as named by this user (`socialmind.trust`).
+    """Read a mind; its programs are remembered as named by this user (`socialmind.sources.trust`).
 
     Args:
         path: its folder, its `.botdesc` file, or its YAML file.

@@ -23,7 +23,7 @@ from typing import Any
 from socialmind.catalogue import MODEL_FILE, PRIVATE, load_file
 from socialmind.errors import ModelError
 from socialmind.language.syntax import parsed
-from socialmind.mind.files.text_file import inside, is_file, text_of
+from socialmind.mind.files.evoagents.text_file import inside, is_file, text_of
 
 Function = Callable[..., Any]
 

@@ -7,20 +7,20 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from coglogo_py.yaml_nodes import TRUTH
+from coglogo_py.files.yaml_nodes import TRUTH
 from socialmind.errors import ModelError
 from socialmind.mind.description import MindDescription
-from socialmind.mind.files import genome_file
-from socialmind.mind.files.ades import CLASS, SCHEME, program_name, scheme_name
 from socialmind.mind.files.companion_files import Texts, add_function, file_name, write
-from socialmind.mind.files.network_lines import network_lines
-from socialmind.mind.files.vardesc import SHARED
-from socialmind.mind.files.yaml_form import GENOMES, GRAPH, KERNELS
+from socialmind.mind.files.evoagents import genome_file
+from socialmind.mind.files.evoagents.ades import CLASS, SCHEME, program_name, scheme_name
+from socialmind.mind.files.evoagents.network_lines import network_lines
+from socialmind.mind.files.evoagents.vardesc import SHARED
+from socialmind.mind.files.yaml_reader import GENOMES, GRAPH, KERNELS
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.convolution import Convolution
 from socialmind.mind.functions.influence_network import InfluenceNetwork
-from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.neat.graph import NeatGraph
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 from socialmind.mind.regulation import Counter, Regulated, Simple

@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.decision import BUILT_IN
-from socialmind.errors import ModelError
-from socialmind.language.nodes import nearest
+from socialmind.errors import ModelError, nearest
 from socialmind.mind.functions.contract import InternalFunction
 
 if TYPE_CHECKING:

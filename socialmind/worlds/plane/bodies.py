@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 from coglogo_py.errors import shown
 from coglogo_py.numbers import is_number, is_truth
+from socialmind.agents.agent import Agent
 from socialmind.errors import ModelError, called_at
 from socialmind.names import several
-from socialmind.population import Agent
 
 
 class Body(Agent):

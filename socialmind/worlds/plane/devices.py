@@ -23,8 +23,7 @@ import numpy as np
 
 from coglogo_py.errors import shown
 from coglogo_py.numbers import is_number, is_truth, is_whole
-from socialmind.errors import ModelError, called_at, is_ours
-from socialmind.language.nodes import nearest
+from socialmind.errors import ModelError, called_at, is_ours, nearest
 from socialmind.language.program import Program
 from socialmind.language.types import (
     BOOL,

@@ -7,15 +7,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field, class_fields
-from socialmind.language.nodes import nearest
 from socialmind.worlds.plane.bodies import Body, Disc, Obstacle, Robot
 from socialmind.worlds.plane.devices import Device, Interruption, Reward
 from socialmind.worlds.plane.sensors import RangeFinder
 
 if TYPE_CHECKING:
-    from socialmind.population import Population
+    from socialmind.society.population import Population
     from socialmind.worlds.plane.devices import Act, Sense
 
 CELL = 6.0

@@ -17,9 +17,9 @@ from socialmind.worlds.plane.devices import Act, Sense
 from socialmind.worlds.plane.sensors import RangeFinder
 
 if TYPE_CHECKING:
-    from socialmind.arena import Arena
     from socialmind.model import Model
-    from socialmind.table import Table
+    from socialmind.society.table import Table
+    from socialmind.worlds.plane.arena import Arena
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from socialmind.agent_columns import OWN, one_table
+from socialmind.agents.agent_columns import OWN, one_table
 from socialmind.fields import class_fields
 from socialmind.worlds.plane.bodies import Robot
 

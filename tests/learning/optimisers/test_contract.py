@@ -8,7 +8,7 @@ import pytest
 from socialmind.errors import SocialmindError
 from socialmind.learning.optimisers.neat import NeatGenome
 from socialmind.learning.optimisers.registry import OPTIMISERS, optimiser_named
-from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.neat.graph import NeatGraph
 
 SIZE = 12
 INPUTS, OUTPUTS = 3, 2

@@ -10,8 +10,8 @@ import pytest
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning.optimisers.neat import Neat, NeatGenome
 from socialmind.mind import Skill
-from socialmind.mind.functions.graph_neuron import GraphNeuron
-from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.neat.graph import NeatGraph
+from socialmind.mind.functions.neat.neuron import GraphNeuron
 
 neat = pytest.importorskip("neat")
 

@@ -1,7 +1,7 @@
 """A small mind with a file of each kind, for breaking and cutting."""
 
 from socialmind.mind import MindDescription, Skill
-from socialmind.mind.functions.neat_graph import GraphNeuron, NeatGraph
+from socialmind.mind.functions.neat.graph import GraphNeuron, NeatGraph
 from socialmind.mind.functions.perceptron import Perceptron
 
 FILES = {

@@ -10,7 +10,8 @@ from thesis_examples import AVOID_CNN, TASK
 
 from socialmind.errors import ModelError
 from socialmind.mind import MindDescription
-from socialmind.mind.files import ades, botdesc, genome_file, simbatch, vardesc, yaml_form
+from socialmind.mind.files import yaml_reader as yaml_form
+from socialmind.mind.files.evoagents import ades, botdesc, genome_file, simbatch, vardesc
 from socialmind.mind.files.folder import load_tasks
 
 PARSERS = {

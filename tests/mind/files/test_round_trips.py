@@ -23,13 +23,13 @@ from socialmind.mind import (
     Variable,
     Wave,
 )
-from socialmind.mind.files import genome_file, simbatch
+from socialmind.mind.files.evoagents import genome_file, simbatch
 from socialmind.mind.files.folder import load_tasks, save_tasks
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.convolution import Convolution, Kernel
 from socialmind.mind.functions.elman import Elman
 from socialmind.mind.functions.influence_network import InfluenceNetwork
-from socialmind.mind.functions.neat_graph import GraphNeuron, NeatGraph
+from socialmind.mind.functions.neat.graph import GraphNeuron, NeatGraph
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.recurrent import Recurrent
 

@@ -4,7 +4,7 @@ import pytest
 import thesis_examples as thesis
 
 from socialmind.mind import Counter, MindDescription, Simple, Wave
-from socialmind.mind.files import ades, botdesc, simbatch, vardesc
+from socialmind.mind.files.evoagents import ades, botdesc, simbatch, vardesc
 from socialmind.mind.files.folder import load_tasks
 from socialmind.mind.functions.convolution import Convolution
 from socialmind.mind.functions.perceptron import Perceptron

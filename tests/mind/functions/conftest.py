@@ -6,9 +6,9 @@ import pytest
 
 from socialmind.mind.functions.convolution import Convolution, Kernel
 from socialmind.mind.functions.elman import Elman
-from socialmind.mind.functions.graph_neuron import GraphNeuron
 from socialmind.mind.functions.influence_network import InfluenceNetwork
-from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.neat.graph import NeatGraph
+from socialmind.mind.functions.neat.neuron import GraphNeuron
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.recurrent import Recurrent
 

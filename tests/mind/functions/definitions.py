@@ -9,7 +9,7 @@ import math
 from socialmind.mind.functions.convolution import Convolution
 from socialmind.mind.functions.elman import Elman
 from socialmind.mind.functions.influence_network import InfluenceNetwork
-from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.neat.graph import NeatGraph
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.recurrent import Recurrent
 

@@ -7,8 +7,8 @@ import pytest
 
 from socialmind.errors import ModelError
 from socialmind.mind import Skill
-from socialmind.mind.functions.graph_neuron import GraphNeuron
-from socialmind.mind.functions.neat_graph import NeatGraph
+from socialmind.mind.functions.neat.graph import NeatGraph
+from socialmind.mind.functions.neat.neuron import GraphNeuron
 from socialmind.mind.functions.network import (
     NEAT_ACTIVATIONS,
     NEAT_AGGREGATIONS,

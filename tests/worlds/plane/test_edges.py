@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from socialmind import Model, ModelError, Population, RuleError, SocialmindError, each, parameter
-from socialmind.learning.episodes import Episodes
+from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription, Perceptron, Skill
 from socialmind.worlds.plane import Disc, Obstacle, Plane, Robot, Sense, constant, wheel
 from socialmind.worlds.plane.relative import bearing_of

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from socialmind import Model, ModelError, Population
-from socialmind.learning.episodes import Episodes
+from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription, Perceptron, Skill
 from socialmind.worlds.plane import (
     Disc,

@@ -4,8 +4,8 @@ import pytest
 
 from socialmind import Model, Population, each, parameter
 from socialmind.experiments import score
-from socialmind.learning.episodes import Episodes
-from socialmind.learning.plane_world import PlaneWorld
+from socialmind.learning.episodes.plane_episodes import Episodes
+from socialmind.learning.imprinting.plane_world import PlaneWorld
 from socialmind.mind import MindDescription, Perceptron, Skill
 from socialmind.worlds.plane import (
     Disc,

@@ -24,7 +24,7 @@ from socialmind.worlds.plane import (
     orientation,
 )
 from socialmind.worlds.plane.scene import scene_of
-from socialmind.worlds.plane.stages import PLACED, STAGES
+from socialmind.worlds.plane.ticks.stages import PLACED, STAGES
 
 MENAGERIE = load_file(Path(__file__).parent / "menagerie" / "model.py").Menagerie
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from socialmind.language.compiled import compiled_module
+from socialmind.compiling.modules import compiled_module
 
 # No error can pass a call by address; the functions raise none, and say what is wrong by a number.
 _TEXT = '''"""The kernel of the plane; see socialmind/worlds/plane/kernel."""
 
-from coglogo_py.machine_code import kept_callback as _kept_callback
+from coglogo_py.compiled.machine_code import kept_callback as _kept_callback
 
 from socialmind.worlds.plane.kernel import motion as _motion
 from socialmind.worlds.plane.kernel import rays as _rays

@@ -17,7 +17,7 @@ from typing import Any
 from numba import carray, types
 from numba.extending import register_jitable
 
-from socialmind.language.memory import as_pointer
+from socialmind.compiling.memory import as_pointer
 from socialmind.worlds.plane.kernel.bodies import alive_of, body_at
 from socialmind.worlds.plane.kernel.stones import candidates, stones_of, table_of
 from socialmind.worlds.plane.layout import (

@@ -13,7 +13,7 @@ from typing import Any
 from numba import carray, types
 from numba.extending import register_jitable
 
-from socialmind.language.memory import as_pointer
+from socialmind.compiling.memory import as_pointer
 from socialmind.worlds.plane.kernel.bodies import alive_of, body_at, kinds_of
 from socialmind.worlds.plane.kernel.stones import (
     candidates,

@@ -8,7 +8,7 @@ from typing import Any
 from numba import carray, types
 from numba.extending import register_jitable
 
-from socialmind.language.memory import as_pointer
+from socialmind.compiling.memory import as_pointer
 from socialmind.worlds.plane.layout import (
     FARTHEST,
     OBSTACLE,

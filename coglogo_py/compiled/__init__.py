@@ -1,0 +1,1 @@
+"""Compiled code: kept in a checked folder, and modellers' own decision makers."""

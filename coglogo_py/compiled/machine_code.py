@@ -1,0 +1,145 @@
+"""numba's compiled functions, kept in the checked folder of `code_folder`.
+
+numba's own cache on disk lies beside the package or wherever it finds room, misses changes in
+functions of other files, and stops on a damaged file. Here a function is kept under a key that
+says all that it depends on; what cannot be loaded is compiled.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pickle
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import llvmlite  # type: ignore[import-untyped]  # it carries no types
+import numba
+import numpy as np
+from numba.core import sigutils
+from numba.core.ccallback import CFunc
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+
+from coglogo_py.compiled import code_folder
+
+ADDRESSES = 600
+"""Megabytes of addresses that numba, its compiler and linear algebra take, measured."""
+ADDRESSES_OF_CORE = 40
+"""Megabytes that the linear algebra sets aside for each core besides."""
+
+
+def kept(key: str, **options: Any) -> Callable[[Callable[..., Any]], Any]:
+    """Return the decorator that compiles a function when it is called, and keeps the code.
+
+    Args:
+        key: names all that the code depends on beside the function's own text.
+        **options: as of `numba.njit`.
+    """
+
+    def compiled(function: Callable[..., Any]) -> Any:
+        dispatcher = numba.njit(**options)(function)
+        dispatcher._cache = _KeptCode(function, key)
+        return dispatcher
+
+    return compiled
+
+
+def kept_callback(key: str, signature: str, **options: Any) -> Callable[[Callable[..., Any]], Any]:
+    """Return the decorator that compiles a function to be called by its address, and keeps it.
+
+    Args:
+        key: names all that the code depends on beside the function's own text.
+        signature: the types that it takes and returns.
+        **options: as of `numba.cfunc`.
+    """
+
+    def compiled(function: Callable[..., Any]) -> Any:
+        made: Any = CFunc(function, sigutils.normalize_signature(signature), {}, options)
+        made._cache = _KeptCode(function, key)
+        made.compile()
+        return made
+
+    return compiled
+
+
+def key_of_files(name: str, *files: str) -> str:
+    """Return a key that changes with files and with the versions of what compiles them.
+
+    Args:
+        name: what the key begins with.
+        files: the files that the code is made from.
+    """
+    digest = hashlib.sha256(repr(versions()).encode())
+    for file in files:
+        digest.update(Path(file).read_bytes())
+    return f"{name}_{digest.hexdigest()[:24]}"
+
+
+def versions() -> tuple[str, ...]:
+    """Return the versions of all that compiled code depends on; the processor comes beside."""
+    return numba.__version__, llvmlite.__version__, np.__version__, sys.version
+
+
+def check_memory() -> None:
+    """Refuse to compile where a limit leaves too little memory for it.
+
+    Beyond that limit the linear algebra that numba loads asks for memory for ever.
+
+    Raises:
+        MemoryError: `ulimit -v` is below what loading and compiling takes.
+    """
+    try:
+        import resource
+    except ImportError:  # Windows
+        return
+    allowed = resource.getrlimit(resource.RLIMIT_AS)[0]
+    needed = ADDRESSES + ADDRESSES_OF_CORE * (os.cpu_count() or 1)
+    if allowed != resource.RLIM_INFINITY and allowed < needed * 10**6:
+        raise MemoryError(
+            f"compiled code needs addresses for about {needed:,} MB, and the limit is "
+            f"{allowed // 10**6:,} MB; raise it with `ulimit -v`"
+        )
+
+
+class _KeptCode:
+    """The kept code of one function; numba calls these methods in place of its own cache's."""
+
+    def __init__(self, function: Callable[..., Any], key: str) -> None:
+        self._name = function.__qualname__.replace("<", "").replace(">", "")
+        self._line = function.__code__.co_firstlineno
+        self._key = key
+
+    @property
+    def cache_path(self) -> str:
+        """The folder of the function's code."""
+        return str(code_folder.cache_folder() or "")
+
+    def load_overload(self, signature: Any, target: Any) -> Any:
+        """Return the function compiled for a signature, or None."""
+        check_memory()
+        target.refresh()
+        content = code_folder.read(self._key, self._file(signature, target.codegen()))
+        if content is None:
+            return None
+        try:
+            return CompileResult._rebuild(target, *pickle.loads(content))
+        except Exception:  # of another numba, or half of what it refers to
+            return None
+
+    def save_overload(self, signature: Any, result: Any) -> None:
+        """Keep the function compiled for a signature."""
+        # Addresses of this process have no place in another.
+        if not result.library.has_dynamic_globals and all(one.can_cache for one in result.lifted):
+            file = self._file(signature, result.codegen)
+            code_folder.keep(self._key, file, dumps(result._reduce()))
+
+    def flush(self) -> None:
+        """Forget nothing: a key's code never changes."""
+
+    def _file(self, signature: Any, codegen: Any) -> str:
+        """Return the file's name, which says for which types and which processor the code is."""
+        made_for = hashlib.sha256(repr((signature, codegen.magic_tuple())).encode()).hexdigest()
+        return f"{self._name}-{self._line}-{made_for[:16]}.code"

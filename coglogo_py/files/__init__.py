@@ -1,0 +1,1 @@
+"""The files of cognitive schemes, read within limits and written."""

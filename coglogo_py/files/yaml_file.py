@@ -1,0 +1,274 @@
+"""Cognitive schemes in YAML, a form to read, comment and edit by hand. Reader and writer.
+
+docs/schemes.md describes the form.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+import yaml
+
+from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
+from coglogo_py.errors import SchemeError
+from coglogo_py.files.yaml_nodes import NOTHING, TRUTH, Nodes, composed
+from coglogo_py.scheme import GREY, CognitiveScheme, Cogniton, Culturon, Group, Role
+
+TOP_FIELDS = (
+    "name",
+    "decision_maker",
+    "breeds",
+    "plans",
+    "plan_positions",
+    "cognitons",
+    "groups",
+)
+LINK_FIELDS = ("influence", "conditional", "reinforcement")
+CULTURON_FIELDS = ("start", "colour", "position", *LINK_FIELDS)
+COGNITON_FIELDS = ("at_birth", *CULTURON_FIELDS)
+
+
+WIDTH = 100
+PLAIN = re.compile(r"[^\W\d][\w-]*( [\w-]+)*")
+"""Names that need no quotes, but for the words that YAML takes for something else."""
+TAKEN_WORDS = frozenset((*TRUTH, "y", "n", "null"))
+
+
+def parse(
+    text: str, file: str | Path, decision_makers: Iterable[type[DecisionMaker]] = ()
+) -> CognitiveScheme:
+    r"""Return the scheme that a YAML file describes.
+
+    Args:
+        text: the file's content.
+        file: its path, for messages.
+        decision_makers: decision makers of the modeller's own that the file may name.
+
+    Raises:
+        SchemeError: the text is no scheme; says at which line, in which field and why.
+
+    >>> text = "name: cows\ncognitons:\n  hunger: {influence: {eat: 2}, conditional: [eat]}\n"
+    >>> parse(text, "cows.yaml").plans
+    ('eat',)
+    """
+    return _scheme(Nodes(file), composed(text, file), decision_makers)
+
+
+def _decision_maker(
+    nodes: Nodes, node: yaml.Node, makers: Iterable[type[DecisionMaker]]
+) -> DecisionMaker:
+    name, bias, placed = node, 1.0, node
+    if isinstance(node, yaml.MappingNode):
+        given = nodes.fields(node, "decision_maker", ("name", "bias"))
+        if "name" not in given:
+            raise nodes.error(node, "decision_maker without a name", "name: and bias:")
+        name = placed = given["name"]
+        if "bias" in given:
+            placed = given["bias"]
+            bias = nodes.number(placed, "bias of decision_maker")
+    try:
+        return decision_maker_called(nodes.name(name, "decision_maker"), bias, makers)
+    except SchemeError as error:
+        line = (placed if not 0 < bias < math.inf else name).start_mark.line + 1
+        raise error.at(nodes.file, line) from None
+
+
+def _cogniton(nodes: Nodes, name: str, node: yaml.Node) -> Cogniton:
+    where = f"cogniton {name!r}"
+    given = nodes.fields(node, where, COGNITON_FIELDS)
+    birth = given.get("at_birth")
+    starting = True if birth is None else nodes.truth(birth, f"at_birth of {where}")
+    description = _described(nodes, name, given, where, Culturon(name))
+    return Cogniton(
+        name,
+        starting,
+        description.start_value,
+        description.colour,
+        description.position,
+        description.influence,
+        description.conditional,
+        description.reinforcement,
+    )
+
+
+def _described(
+    nodes: Nodes, name: str, given: dict[str, yaml.Node], where: str, otherwise: Culturon
+) -> Culturon:
+    """Return what the fields say, and where they say nothing what `otherwise` says."""
+    field, here = given.get, f"of {where}"
+    start, colour, position = field("start"), field("colour"), field("position")
+    influence, conditional = field("influence"), field("conditional")
+    reinforcement = field("reinforcement")
+    return Culturon(
+        name,
+        otherwise.start_value if start is None else nodes.number(start, f"start {here}"),
+        otherwise.colour if colour is None else nodes.colour(colour, f"colour {here}"),
+        otherwise.position if position is None else nodes.position(position, f"position {here}"),
+        nodes.weights(influence, f"influence {here}") if influence else {},
+        nodes.names(conditional, f"conditional {here}") if conditional else (),
+        nodes.weights(reinforcement, f"reinforcement {here}") if reinforcement else {},
+    )
+
+
+def _group(nodes: Nodes, name: str, node: yaml.Node) -> Group:
+    where = f"group {name!r}"
+    earlier: dict[str, Culturon] = {}
+    roles = []
+    for role, _, role_node in nodes.entries(node, where):
+        culturons = []
+        role_where = f"role {role!r} of {where}"
+        for culturon, _, culturon_node in nodes.entries(role_node, role_where):
+            here = f"culturon {culturon!r} of {role_where}"
+            given = nodes.fields(culturon_node, here, CULTURON_FIELDS)
+            first = earlier.get(culturon, Culturon(culturon))
+            earlier[culturon] = _described(nodes, culturon, given, here, first)
+            culturons.append(earlier[culturon])
+        roles.append(Role(role, tuple(culturons)))
+    return Group(name, tuple(roles))
+
+
+def _scheme(
+    nodes: Nodes, root: yaml.Node, decision_makers: Iterable[type[DecisionMaker]]
+) -> CognitiveScheme:
+    given = nodes.fields(root, "the scheme", TOP_FIELDS)
+    if "name" not in given:
+        raise nodes.error(root, "a scheme without a name", "name:", "begin with name:")
+    maker, plans = given.get("decision_maker"), given.get("plans", NOTHING)
+    return CognitiveScheme(
+        nodes.name(given["name"], "name of the scheme"),
+        tuple(
+            _cogniton(nodes, name, node)
+            for name, _, node in nodes.entries(given.get("cognitons", NOTHING), "cognitons")
+        ),
+        tuple(
+            _group(nodes, name, node)
+            for name, _, node in nodes.entries(given.get("groups", NOTHING), "groups")
+        ),
+        MaximumWeight() if maker is None else _decision_maker(nodes, maker, decision_makers),
+        nodes.names(given.get("breeds", NOTHING), "breeds"),
+        {
+            plan: nodes.position(node, f"position of plan {plan!r}")
+            for plan, _, node in nodes.entries(
+                given.get("plan_positions", NOTHING), "plan_positions"
+            )
+        },
+        None if nodes.is_nothing(plans) else nodes.names(plans, "plans"),
+    )
+
+
+HEADER = """\
+# A cognitive scheme for coglogo_py. docs/schemes.md describes the form.
+# The order of the plans decides between plans of equal weight.
+"""
+
+
+def written(scheme: CognitiveScheme) -> str:
+    """Return the YAML file of a scheme, which reads back as an equal scheme.
+
+    Args:
+        scheme: the scheme to write.
+
+    >>> print(written(CognitiveScheme("cows", (Cogniton("hunger", influence={"eat": 2}),))))
+    # A cognitive scheme for coglogo_py. docs/schemes.md describes the form.
+    # The order of the plans decides between plans of equal weight.
+    name: cows
+    decision_maker: {name: MaximumWeight, bias: 1}
+    plans: [eat]
+    cognitons:
+      hunger:
+        at_birth: true
+        start: 0
+        influence: {eat: 2}
+    <BLANKLINE>
+    """
+    maker = scheme.decision_maker
+    lines = [
+        f"name: {_text(scheme.name)}",
+        f"decision_maker: {{name: {_text(maker.name)}, bias: {_number(maker.bias)}}}",
+    ]
+    if scheme.breeds:
+        lines += _list("breeds", scheme.breeds, "")
+    order = scheme.linked_plans if scheme.plan_order is None else scheme.plan_order
+    lines += _list("plans", order, "")
+    positions = {plan: f"[{x}, {y}]" for plan, (x, y) in scheme.plan_positions.items()}
+    lines += _mapping("plan_positions", positions, "")
+    if scheme.cognitons:
+        lines.append("cognitons:")
+    for cogniton in scheme.cognitons:
+        lines.append(f"  {_text(cogniton.name)}:")
+        lines.append(f"    at_birth: {'true' if cogniton.starting else 'false'}")
+        lines += _rest(cogniton, "    ")
+    if scheme.groups:
+        lines.append("groups:")
+    for group in scheme.groups:
+        lines.append(f"  {_text(group.name)}:")
+        seen: list[str] = []
+        for role in group.roles:
+            lines.append(f"    {_text(role.name)}:")
+            for culturon in role.culturons:
+                if culturon.name in seen:
+                    lines.append(f"      {_text(culturon.name)}: # as described above")
+                    continue
+                seen.append(culturon.name)
+                lines.append(f"      {_text(culturon.name)}:")
+                lines += _rest(culturon, "        ")
+    return HEADER + "\n".join(lines) + "\n"
+
+
+def _rest(holder: Cogniton | Culturon, indent: str) -> list[str]:
+    """Return the lines of a cogniton or culturon from its start value on."""
+    lines = [f"{indent}start: {_number(holder.start_value)}"]
+    if holder.colour != GREY:
+        lines.append(indent + "colour: '#{:02x}{:02x}{:02x}'".format(*holder.colour))
+    if holder.position is not None:
+        lines.append(f"{indent}position: [{holder.position[0]}, {holder.position[1]}]")
+    influence = {plan: _number(weight) for plan, weight in holder.influence.items()}
+    reinforcement = {plan: _number(weight) for plan, weight in holder.reinforcement.items()}
+    lines += _mapping("influence", influence, indent)
+    if holder.conditional:
+        lines += _list("conditional", holder.conditional, indent)
+    return lines + _mapping("reinforcement", reinforcement, indent)
+
+
+def _mapping(field: str, values: dict[str, str], indent: str) -> list[str]:
+    """Return a field of name: value pairs, on one line if they fit; nothing if there are none."""
+    pairs = [f"{_text(name)}: {value}" for name, value in values.items()]
+    if not pairs:
+        return []
+    line = f"{indent}{field}: {{{', '.join(pairs)}}}"
+    return (
+        [line] if len(line) <= WIDTH else [f"{indent}{field}:", *(f"{indent}  {p}" for p in pairs)]
+    )
+
+
+def _list(field: str, names: Iterable[str], indent: str) -> list[str]:
+    """Return a field of several names, on one line if they fit."""
+    texts = [_text(name) for name in names]
+    line = f"{indent}{field}: [{', '.join(texts)}]"
+    return (
+        [line]
+        if len(line) <= WIDTH
+        else [f"{indent}{field}:", *(f"{indent}  - {t}" for t in texts)]
+    )
+
+
+def _number(value: float) -> str:
+    mantissa, e, exponent = repr(value).partition("e")
+    if not e:
+        return mantissa.removesuffix(".0")
+    # With a point, other readers of YAML know it for a number too.
+    return mantissa + ("" if "." in mantissa else ".0") + e + exponent
+
+
+def _text(name: str) -> str:
+    """Return a name as YAML, in quotes where it needs them."""
+    if PLAIN.fullmatch(name) and name.lower() not in TAKEN_WORDS:
+        return name
+    escaped = (
+        f"\\{char}" if char in '"\\' else char if char.isprintable() else f"\\U{ord(char):08x}"
+        for char in name
+    )
+    return f'"{"".join(escaped)}"'

@@ -1,0 +1,1 @@
+"""From typed rules to machine code: layout, lowering, modules and their cache."""

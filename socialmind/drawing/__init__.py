@@ -1,0 +1,1 @@
+"""How figures look: style, schemes, planes; functions that take and return Axes."""

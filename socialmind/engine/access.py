@@ -1,0 +1,295 @@
+"""How compiled rules reach a population, as text: agents, births and deaths, minds and plans."""
+
+from __future__ import annotations
+
+from coglogo_py.arrays import MindArrays, SchemeArrays
+from socialmind.compiling.layout import (
+    ENGINE_ARRAYS,
+    dtype_text,
+    population_arrays,
+    row_dtype,
+    view_text,
+)
+from socialmind.language.shape import PopulationShape
+from socialmind.language.typing.signatures import MIND, Named
+
+_POPULATION = """NAME_ROW = DTYPE
+
+
+@_inner
+def _rows_NAME(_model):
+    return carray(_as_pointer(_model._NAME_rows), (_model._NAME_room,), NAME_ROW)
+
+
+@_inner
+def _agent_NAME(_model, identity):
+    return _rows_NAME(_model)[_find_slot(_slot_of_NAME(_model), identity)]
+
+
+@_inner
+def _contains_NAME(_model, identity):
+    return _living(_slot_of_NAME(_model), identity)
+
+
+@_inner
+def _entries_NAME(_model):
+    return _counters_NAME(_model)[_bookkeeping.ENTRIES]
+
+
+@_inner
+def _living_NAME(_model):
+    return _counters_NAME(_model)[_bookkeeping.ALIVE]
+
+
+@_inner
+def _is_living_NAME(_model, place):
+    return _alive_NAME(_model)[_order_NAME(_model)[place]]
+
+
+@_inner
+def _entry_NAME(_model, place):
+    return _rows_NAME(_model)[_order_NAME(_model)[place]]
+
+
+@_inner
+def _one_of_NAME(_model, rng):
+    counters = _counters_NAME(_model)
+    if counters[_bookkeeping.ALIVE] == 0:
+        raise ValueError("one_of() of a population without agents")
+    place = _rng_integers(rng, 0, counters[_bookkeeping.ALIVE])
+    return _rows_NAME(_model)[
+        _nth_living(counters, _order_NAME(_model), _alive_NAME(_model), place)
+    ]
+
+
+@_inner
+def _place_for_NAME(_model):
+    slot = _born(
+        _counters_NAME(_model),
+        _order_NAME(_model),
+        _alive_NAME(_model),
+        _slot_of_NAME(_model),
+        _free_NAME(_model),
+    )
+    if slot < 0:
+        raise _bookkeeping.NoRoomError("more births in a tick than there is room for")
+    return slot
+
+
+@_inner
+def _named_NAME(_model, slot):
+    agent = _rows_NAME(_model)[slot]
+    agent._slot = slot
+    agent._id = _counters_NAME(_model)[_bookkeeping.NEXT_ID] - 1
+    return agent
+
+
+@_inner
+def _create_NAME(_model):
+    slot = _place_for_NAME(_model)
+    rows = _rows_NAME(_model)
+    rows[slot] = carray(_as_pointer(_model._NAME_default), (1,), NAME_ROW)[0]
+    agent = _named_NAME(_model, slot)
+    NEW_MIND
+    NEW_HIERARCHY
+    return agent
+
+
+@_inner
+def _hatch_NAME(_model, parent, keep_groups):
+    if not _alive_NAME(_model)[parent._slot]:
+        raise ValueError("hatch() of an agent that is dead")
+    slot = _place_for_NAME(_model)
+    rows = _rows_NAME(_model)
+    rows[slot] = parent
+    agent = _named_NAME(_model, slot)
+    HATCHED_MIND
+    HATCHED_HIERARCHY
+    return agent
+
+
+@_inner
+def _die_NAME(_model, agent):
+    alive = _alive_NAME(_model)
+    if alive[agent._slot]:
+        _died(_counters_NAME(_model), alive, _slot_of_NAME(_model), agent._slot, agent._id)
+        DEAD_MIND"""
+
+_MINDS = """@_inner
+def _mind_place_NAME(agent):
+    if agent._mind < 0:
+        raise ValueError("the mind of an agent that is dead")
+    return agent._mind
+
+
+@_inner
+def _mind_choose_next_plan_NAME(_model, agent):
+    plan = _decide_NAME(_model, agent)
+    agent._decided = _model._tick
+    if plan < 0:
+        if _model._idle == 0:
+            _model._idle_agent = agent._id
+            _model._idle_tick = _model._tick
+        _model._idle += 1
+    return plan"""
+
+_DECIDE = """@_inner
+def _decide_NAME(_model, agent):
+    return _choose_NAME(
+        _scheme_NAME(_model),
+        _minds_NAME(_model),
+        _mind_place_NAME(agent),
+        _weights_NAME(_model),
+        _plans_NAME(_model),
+    )
+
+
+_choose_NAME = _kernel.choose_next_plan"""
+
+_DECIDE_IN_STEPS = """@_inner
+def _decide_NAME(_model, agent):
+    slot = _mind_place_NAME(agent)
+    scheme = _scheme_NAME(_model)
+    minds = _minds_NAME(_model)
+    weights = _weights_NAME(_model)
+    plans = _plans_NAME(_model)
+    count = _kernel.available_weights(scheme, minds, slot, weights, plans)
+    WEIGH
+    return _choose_NAME(scheme, minds, slot, weights, plans, count)"""
+
+_WEIGH = """@_inner
+def _weigh_NAME(_model, agent, slot, minds, weights, plans, count):
+    sensor = _weighing_sensor_NAME(_model)
+    reach = _weighing_reach_NAME(_model)
+    for cogniton in range(len(sensor)):
+        if sensor[cogniton] >= 0:
+            read = _weights.sensed(minds.values[slot, cogniton], reach[cogniton])
+            _hierarchy_set_sensor_NAME(_model, agent._slot, sensor[cogniton], read)
+    _hierarchy_evaluate_NAME(_model, agent._slot)
+    actuator = _weighing_actuator_NAME(_model)
+    most = _weighing_plans_NAME(_model)[0]
+    for place in range(count):
+        command = _hierarchy_actuator_NAME(_model, agent._slot, actuator[plans[place]])
+        weights[place] = _weights.weighed(command, most)"""
+
+_CHOOSE_AMONG = "_choose_NAME = _kernel.choose_among"
+
+_CHOOSE_BY_OWN_MAKER = """from coglogo_py.compiled.own_maker import position_of as _position_of
+
+
+@_inner
+def _choose_NAME(scheme, minds, slot, weights, plans, count):
+    plan = -1
+    if count > 0:
+        u = _kernel.next_draw(minds, slot)
+        place = _own_NAME(weights[:count].copy(), scheme.maker[1], u)
+        plan = plans[_position_of(place, count)]
+    minds.draws[slot] += 1
+    return plan"""
+
+
+def population_text(population: PopulationShape, own_maker: bool) -> str:
+    """Return the functions by which compiled rules reach a population.
+
+    Args:
+        population: its shape.
+        own_maker: whether its minds have a decision maker of the modeller's own.
+    """
+    name = population.name
+    parts = []
+    for array, (kind, dimensions) in population_arrays(population).items():
+        if array.startswith(("scheme_", "minds_")):
+            continue
+        view = view_text(name, array, kind, dimensions)
+        parts.append(f"@_inner\ndef _{array}_{name}(_model):\n    return {view}")
+    fills = {
+        "NEW_MIND": "pass",
+        "HATCHED_MIND": "pass",
+        "DEAD_MIND": "pass",
+        "NEW_HIERARCHY": "pass",
+        "HATCHED_HIERARCHY": "pass",
+        "DTYPE": dtype_text(row_dtype(dict(population.fields), population)),
+    }
+    if population.minded:
+        for prefix, cls in (("scheme", SchemeArrays), ("minds", MindArrays)):
+            views = "".join(
+                f"        {view_text(name, f'{prefix}_{array}', *ENGINE_ARRAYS[array])},\n"
+                for array in cls._fields
+            )
+            made = f"_{cls.__name__}(\n{views}    )"
+            parts.append(f"@_inner\ndef _{prefix}_{name}(_model):\n    return {made}")
+        fills |= {
+            "NEW_MIND": (
+                f"agent._mind = _kernel.new_mind(_scheme_{name}(_model), _minds_{name}(_model))"
+            ),
+            "HATCHED_MIND": (
+                f"agent._mind = _kernel.hatch("
+                f"_scheme_{name}(_model), _minds_{name}(_model), parent._mind, keep_groups)"
+            ),
+            "DEAD_MIND": (
+                f"_kernel.die(_scheme_{name}(_model), _minds_{name}(_model), agent._mind)\n"
+                f"        agent._mind = -1"
+            ),
+        }
+        parts += [text.replace("NAME", name) for text in _decision(own_maker, population.weighed)]
+        parts.append(_MINDS.replace("NAME", name))
+        parts += [_command_text(name, command) for command in MIND if command != "choose_next_plan"]
+    if population.hierarchy:
+        fills |= {
+            "NEW_HIERARCHY": f"_begin_hierarchy_{name}(_model, slot)",
+            "HATCHED_HIERARCHY": f"_copy_hierarchy_{name}(_model, parent._slot, slot)",
+        }
+    if population.own:
+        born = f"born = carray(_as_pointer(_model._{name}_default), (1,), {name}_ROW)[0]"
+        lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
+        fills["HATCHED_MIND"] = "\n    ".join([*lines, fills["HATCHED_MIND"]])
+    text = _POPULATION
+    for mark, fill in fills.items():
+        text = text.replace(mark, fill)
+    return "\n\n\n".join([text.replace("NAME", name), *parts])
+
+
+def _decision(own_maker: bool, weighed: bool) -> list[str]:
+    """Return the functions that take a decision."""
+    if not own_maker and not weighed:
+        return [_DECIDE]
+    weigh = "_weigh_NAME(_model, agent, slot, minds, weights, plans, count)" if weighed else ""
+    steps = _DECIDE_IN_STEPS.replace("    WEIGH\n", f"    {weigh}\n" if weigh else "")
+    choose = _CHOOSE_BY_OWN_MAKER if own_maker else _CHOOSE_AMONG
+    return [*([_WEIGH] if weighed else []), choose, steps]
+
+
+_WITH_SCHEME = ("feed_back_from_plan", "create_and_join_group", "join_group")
+
+
+def _command_text(population: str, command: str) -> str:
+    arguments = "".join(
+        f", {one.part if isinstance(one, Named) else 'value'}" for one in MIND[command].arguments
+    )
+    scheme = f"_scheme_{population}(_model), " if command in _WITH_SCHEME else ""
+    return (
+        f"@_inner\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
+        f"    return _kernel.{command}({scheme}_minds_{population}(_model), "
+        f"_mind_place_{population}(agent){arguments})"
+    )
+
+
+def call_text(symbol: str, takes: tuple[str, ...]) -> str:
+    """Return the call of a rule with those of agent, model and stream that it takes."""
+    values = {"agent": "agent", "model": "_model", "rng": "rng"}
+    return f"{symbol}({', '.join(['_model', *(values[one] for one in takes)])})"
+
+
+def plans_text(population: str, entries: list[tuple[str, tuple[str, ...]]]) -> str:
+    """Return the dispatcher that carries out an agent's plan."""
+    lines = [
+        f"@_inner\ndef _run_plan_{population}(_model, agent, rng):",
+        "    plan = agent._plan",
+        "    if plan < 0:",
+        "        return",
+        f"    function = _functions_{population}(_model)[plan]",
+    ]
+    for place, (symbol, takes) in enumerate(entries):
+        word = "if" if place == 0 else "elif"
+        lines += [f"    {word} function == {place}:", f"        {call_text(symbol, takes)}"]
+    return "\n".join(lines)

@@ -1,0 +1,193 @@
+"""The engine of a society: its ticks, compiled or interpreted with the same results."""
+
+from __future__ import annotations
+
+import functools
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from numba.core.errors import NumbaError
+
+from coglogo_py.compiled.own_maker import refusal_of
+from coglogo_py.decision import BUILT_IN
+from socialmind.compiling.modules import compiled_module
+from socialmind.engine.module_text import module_text
+from socialmind.engine.ticks import run_setup, run_tick
+from socialmind.errors import SocialmindError
+from socialmind.society.connection import connect
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from coglogo_py.decision import DecisionMaker
+    from socialmind.model import Model
+
+CHUNK_SECONDS = 0.2
+"""How long compiled code runs before Ctrl-C is heard."""
+INTERPRETED_SETUP = 20_000
+"""Up to so many agents and patches the setup runs interpreted: faster than loading its code."""
+SNAPSHOT_BYTES = 8 * 2**20
+"""The largest state of which a copy is kept, to find the line of an error in compiled code."""
+
+
+class Engine:
+    """Runs the setup and the ticks of one society.
+
+    Args:
+        model: the society.
+        compiled: run its rules compiled, or interpreted.
+    """
+
+    def __init__(self, model: Model, compiled: bool) -> None:
+        self.model = model
+        self.compiled = compiled
+        self._functions: dict[str, Callable[..., Any]] | None = None
+        self._module: ModuleType | None = None
+        self._ticks_per_chunk = 1
+
+    @property
+    def module(self) -> Any:
+        """The compiled loops."""
+        if self._module is None:
+            model = self.model
+            own = {name: maker.choose for name, maker in self._own_makers().items()}
+            try:
+                self._module = compiled_module(module_text(model.program, frozenset(own)), own)
+            except NumbaError as error:
+                self._refuse_makers(error)
+            for table in model.tables.values():
+                if table.minds is not None:
+                    table.minds.compile()
+        return self._module
+
+    @property
+    def functions(self) -> dict[str, Callable[..., Any]]:
+        """The rules as interpreted Python."""
+        if self._functions is None:
+            world = {
+                "_in_radius": lambda world, x, y, radius: world.around(x, y, radius),
+                "_all_patches": lambda world: world.patches,
+            }
+            self._functions = self.model.program.interpreted(world)
+        return self._functions
+
+    def set_up(self) -> None:
+        """Run the setup."""
+        if self.compiled and self._entities() > INTERPRETED_SETUP:
+            connect(self.model)
+            self._guarded(lambda: self.module.prepare(self.model.contexts), run_setup)
+        else:
+            run_setup(self.model, self.functions)
+
+    def advance(self, ticks: int) -> None:
+        """Run a number of ticks.
+
+        Raises:
+            RuleError: a rule failed, with its file, line, agent and tick.
+        """
+        if not self.compiled:
+            for _ in range(ticks):
+                run_tick(self.model, self.functions)
+            return
+        if self.model.physics != "compiled":
+            self._advance_outside(ticks)
+            return
+        left = ticks
+        while left > 0:
+            begin = time.perf_counter()
+            wanted = min(left, self._ticks_per_chunk)
+            connect(self.model)
+            loop = functools.partial(self.module.advance, self.model.contexts, wanted)
+            done = self._guarded(loop, run_tick)
+            if done < wanted:
+                self._make_room()
+            left -= done
+            took = time.perf_counter() - begin
+            if done == wanted and took < CHUNK_SECONDS / 2:
+                self._ticks_per_chunk *= 2
+            elif took > CHUNK_SECONDS and self._ticks_per_chunk > 1:
+                self._ticks_per_chunk //= 2
+
+    def _advance_outside(self, ticks: int) -> None:
+        """Run a number of ticks whose motion is not compiled."""
+        model = self.model
+
+        def one() -> int:
+            # Within what is done again when it fails, so that nothing moves twice.
+            if model.arena is not None and model.over is None:
+                model.arena.move()
+            return int(self.module.advance(model.contexts, 1))
+
+        for _ in range(ticks):
+            self._make_room()
+            connect(model)
+            self._guarded(one, run_tick)
+            if model.arena is not None and model.arena.shifting:
+                model.arena.build()
+
+    def _make_room(self) -> None:
+        for name in self.model.program.births:
+            if self.model.tables[name].short_of_room:
+                self.model.tables[name].grow()
+
+    def _guarded(self, run: Callable[[], Any], again: Callable[..., None]) -> int:
+        """Run compiled code; when it fails, do its last tick again, interpreted.
+
+        The interpreted tick fails alike, and knows the line. If it does not fail, it was room for
+        births that the compiled one lacked, and the run goes on behind it.
+        """
+        model = self.model
+        begin = model.tick
+        # Births may outrun the room, whatever the size of the state.
+        copied = bool(model.program.births) or self._bytes() <= SNAPSHOT_BYTES
+        before = model.state() if copied else None
+        try:
+            return int(run() or 0)
+        except NumbaError as error:
+            # Nothing has run. If it is but what a maker returns, a tick in Python says who got it.
+            self._refuse_makers(error, lambda: again(model, self.functions))
+        except MemoryError:
+            raise  # it would be too little the second time as well
+        except Exception as error:
+            failed = model.tick
+            if before is None:
+                raise SocialmindError(
+                    f"{type(error).__name__} in tick {failed}: {error}; "
+                    "run with --interpreted to see where"
+                ) from error
+            model.restore(before)
+            connect(model)
+            if failed > begin:
+                self.module.advance(model.contexts, failed - begin)
+            again(model, self.functions)
+            return model.tick - begin
+
+    def _own_makers(self) -> dict[str, type[DecisionMaker]]:
+        """Return the decision makers of the modeller's own, by population."""
+        makers = {name: type(one.decision_maker) for name, one in self.model.schemes.items()}
+        return {name: maker for name, maker in makers.items() if maker not in BUILT_IN}
+
+    def _refuse_makers(
+        self, error: NumbaError, again: Callable[[], None] | None = None
+    ) -> NoReturn:
+        """Raise what a decision maker did that kept a loop from being compiled, else the error."""
+        for maker in self._own_makers().values():
+            refusal = refusal_of(maker)
+            if refusal is not None:
+                reason, runs = refusal
+                if runs and again is not None:
+                    again()
+                raise reason from None
+        raise error  # a fault of ours, not of a rule
+
+    def _entities(self) -> int:
+        grid, tables = self.model.grid, self.model.tables
+        patches = 0 if grid is None else len(grid.rows)
+        return patches + sum(len(table) for table in tables.values())
+
+    def _bytes(self) -> int:
+        grid, tables = self.model.grid, self.model.tables
+        arrays = [table.rows.nbytes + 64 * len(table.rows) for table in tables.values()]
+        arrays += [table.minds.bytes for table in tables.values() if table.minds is not None]
+        return sum(arrays) + (0 if grid is None else grid.rows.nbytes)

@@ -1,0 +1,57 @@
+"""Explaining a decision after the fact: the run is repeated up to it, from its seed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from socialmind.engine.ticks import run_tick
+from socialmind.errors import SocialmindError
+
+if TYPE_CHECKING:
+    from coglogo_py.receipts.receipt import Receipt
+    from socialmind.model import Model
+
+
+def explained(model: Model, agent: int, tick: int) -> Receipt:
+    """Explain the decision that was in force at a tick: an agent's last one up to it.
+
+    Args:
+        model: one with schemes; it stays as it is.
+        agent: the agent's identity, in the first population with minds.
+        tick: 1 or more.
+
+    Raises:
+        SocialmindError: there is no such agent at that tick, or it has not decided yet.
+    """
+    if not model.schemes:
+        steered = next(iter(model.assemblies), None)
+        if steered is not None:
+            raise SocialmindError(
+                f"the agents of {model.name} have hierarchies of skills and no schemes; explain "
+                f"what steers one: advance to the tick, then society.{steered}[{agent}].hierarchy"
+                ".influence(SKILL), .actuator(NAME) and .variable(NAME), or draw it"
+            )
+        raise SocialmindError(f"the agents of {model.name} have no minds")
+    population = next(iter(model.schemes))
+    if model.populations[population].weighing is not None:
+        raise SocialmindError(
+            f"the hierarchies of {population!r} in {model.name} weigh the plans, not the "
+            "cognitons; look at what they command: agent.hierarchy, agent.mind.plan_weights()"
+        )
+    seen = model.fresh()
+    seen.engine.advance(tick)
+    table = seen.tables[population]
+    if not table.contains(agent):
+        living = table.id
+        known = f"{living[0]} … {living[-1]}" if len(living) else "none"
+        raise SocialmindError(f"no agent {agent} lives at tick {tick}; the living are {known}")
+    decided = table.columns["_decided"].item(table[agent]._slot)
+    if decided < 0:
+        raise SocialmindError(f"agent {agent} has taken no decision up to tick {tick}")
+    again = model.fresh()
+    again.engine.advance(decided)
+    again.watch = (population, agent)
+    run_tick(again, again.engine.functions)
+    if again.watched is None:
+        raise SocialmindError(f"agent {agent} took no decision in tick {decided}")
+    return again.watched

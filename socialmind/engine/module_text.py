@@ -1,0 +1,201 @@
+"""The compiled module of a model: its rules for numba and the tick loop around them, as text.
+
+The text depends on the shape of the model and its rules alone. Parameters, schemes and sizes are
+data that the loop finds through the model's record, so a sweep over them compiles once.
+"""
+
+from __future__ import annotations
+
+from socialmind.compiling.layout import dtype_text, model_dtype, row_dtype
+from socialmind.compiling.lowering import lowered
+from socialmind.compiling.prelude import HEAD, runtime_names
+from socialmind.engine.access import call_text, plans_text, population_text
+from socialmind.language.program import Phase, Program
+from socialmind.language.shape import ModelShape
+from socialmind.streams import ORDER_TAG
+
+
+def module_text(program: Program, own_makers: frozenset[str]) -> str:
+    """Return the source of a program's compiled module.
+
+    Args:
+        program: the typed functions and phases.
+        own_makers: populations whose scheme has a decision maker of the modeller's own; the loader
+            puts its function into the module as `_own_<population>`.
+    """
+    shape = program.shape
+    parts = [HEAD, runtime_names(), f"MODEL = {dtype_text(model_dtype(shape))}"]
+    if shape.patch is not None:
+        parts.append(f"PATCH = {dtype_text(row_dtype(dict(shape.patch), None))}")
+        parts.append(_PATCHES)
+    parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
+    for population in shape.populations.values():
+        parts.append(population_text(population, population.name in own_makers))
+    minded = [name for name, one in shape.populations.items() if one.hierarchy]
+    robots = {} if shape.plane is None else shape.plane.robots
+    if minded:
+        from socialmind.mind.code import text as minds
+
+        parts += [
+            minds.HEAD,
+            *(minds.population_text(name, name in robots) for name in minded),
+        ]
+    for function in program.functions.values():
+        parts.append(f"@_inner\n{lowered(function, shape)}")
+    for name, plans in program.plans.items():
+        parts.append(plans_text(name, list(plans.values())))
+    parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]
+    if program.plane is not None:
+        from socialmind.worlds.plane.ticks.text import plane_text
+
+        parts.append(plane_text(program.plane, _phase_calls(program)))
+    parts.append(_loops_text(shape, program))
+    if program.plane is not None:
+        from socialmind.worlds.plane.ticks.lockstep_text import lockstep_text
+
+        setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
+        deciding = [name for name, one in shape.populations.items() if one.minded]
+        parts.append(lockstep_text(program.plane, setup, deciding))
+    return "\n\n\n".join(parts) + "\n"
+
+
+_PATCHES = """@_inner
+def _patches(_model):
+    size = _model._world_size
+    return carray(_as_pointer(_model._patches), (size * size,), PATCH)"""
+
+
+_SOME = """@_inner
+def _some_NAME(holder):
+    return _some(holder._has_NAME, holder.NAME)"""
+
+
+def _optional_names(shape: ModelShape) -> list[str]:
+    owners = [shape.variables, shape.patch or {}, *(p.fields for p in shape.populations.values())]
+    return sorted({field.name for own in owners for field in own.values() if field.optional})
+
+
+CACHED_AGENTS = 1000
+"""Up to so many agents the processor's cache holds a population without being asked."""
+FETCH_AHEAD = 4
+"""How many agents ahead the memory of a mind is asked for; that of its body twice as many."""
+
+
+def _phase_text(shape: ModelShape, phase: Phase) -> str:
+    function = f"_phase_{phase.tag}"
+    rng = "rng" in phase.takes
+    population = phase.shape.population
+    if population is None:
+        begin = f"    _begin(rng, {phase.tag}, 0, _model._tick)\n" if rng else ""
+        body = call_text(phase.symbol, phase.takes)
+        return f"@_inner\ndef {function}(_model, rng):\n{begin}    {body}"
+    lines = [
+        f"@_inner\ndef {function}(_model, rng):",
+        f"    counters = _counters_{population}(_model)",
+        f"    alive = _alive_{population}(_model)",
+        f"    rows = _rows_{population}(_model)",
+        "    count = counters[_bookkeeping.COUNT]",
+        f"    acting = _order_{population}(_model)",
+    ]
+    if phase.shape.shuffled:
+        minded = shape.populations[population].minded
+        lines += [
+            f"    acting = _acting_{population}(_model)",
+            f"    order = _order_{population}(_model)",
+            "    for place in range(count):",
+            "        acting[place] = order[place]",
+            f"    _begin(rng, {ORDER_TAG}, {phase.tag}, _model._tick)",
+            "    _shuffle(rng, acting, count)",
+        ]
+    if phase.shape.shuffled and minded:
+        lines.append(f"    values = _minds_{population}(_model).values")
+    if phase.shape.shuffled:
+        lines.append(f"    large = count > {CACHED_AGENTS}")
+    lines.append("    for place in range(count):")
+    if phase.shape.shuffled:
+        # First the row; when it is there, it tells where its mind is. Small populations are in
+        # the cache anyway.
+        lines += [
+            f"        if large and place + {2 * FETCH_AHEAD} < count:",
+            f"            _fetch_ahead(rows, acting[place + {2 * FETCH_AHEAD}])",
+        ]
+        if minded:
+            lines += [
+                f"            mind = rows[acting[place + {FETCH_AHEAD}]]._mind",
+                "            if mind >= 0:",
+                "                _fetch_ahead(values, mind)",
+            ]
+    lines += [
+        "        slot = acting[place]",
+        "        if alive[slot]:",
+        "            agent = rows[slot]",
+    ]
+    if rng:
+        lines.append(f"            _begin(rng, {phase.tag}, agent._id, _model._tick)")
+    lines.append(f"            {call_text(phase.symbol, phase.takes)}")
+    return "\n".join(lines)
+
+
+def _phase_calls(program: Program) -> str:
+    return "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.schedule)
+
+
+def _loops_text(shape: ModelShape, program: Program) -> str:
+    settle = "".join(
+        f"    _settle(_counters_{name}(_model), _order_{name}(_model), _alive_{name}(_model), "
+        f"_free_{name}(_model))\n"
+        for name in shape.populations
+    )
+    room = "".join(
+        f"    if _short_of_room(_counters_{name}(_model), _slot_of_{name}(_model)):\n"
+        "        return True\n"
+        for name in program.births
+    )
+    setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
+    tick = _phase_calls(program)
+    if program.plane is not None:
+        from socialmind.worlds.plane.ticks.text import TICK
+
+        tick = TICK
+    return f'''@_inner
+def _end_tick(_model):
+{settle}    return
+
+
+@_inner
+def _no_room(_model):
+{room}    return False
+
+
+@_inner
+def _tick(_model, rng):
+{tick}    _end_tick(_model)
+    _model._tick += 1
+
+
+def prepare(models):
+    """Run the setup."""
+    _prepare(models.view(MODEL))
+
+
+def advance(models, ticks):
+    """Run up to so many ticks; return how many, fewer when there is no room for births."""
+    return _advance(models.view(MODEL), ticks)
+
+
+@_kept(__name__)
+def _prepare(models):
+    _model = models[0]
+    rng = _stream(_model)
+{setup}    _end_tick(_model)
+
+
+@_kept(__name__, nogil=True)
+def _advance(models, ticks):
+    _model = models[0]
+    rng = _stream(_model)
+    for done in range(ticks):
+        if _no_room(_model):
+            return done
+        _tick(_model, rng)
+    return ticks'''

@@ -1,0 +1,106 @@
+"""The schedule: which rules run in a tick, in what order, and the tick as interpreted Python.
+
+Within a phase agents come in a fresh random order, one after another, and each sees what the
+earlier ones did (NetLogo's `ask`). Those born in a tick act from the next tick on, the dead no
+more.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from coglogo_py.errors import ChoiceError
+from socialmind.errors import RuleError, place_of
+from socialmind.society.phases import Rule
+from socialmind.streams import ORDER_TAG, Stream, shuffle
+
+if TYPE_CHECKING:
+    from socialmind.language.program import Phase
+    from socialmind.model import Model
+
+
+def run_setup(model: Model, functions: dict[str, Rule]) -> None:
+    """Run the setup of a model in interpreted Python."""
+    with model.following_rules():
+        for phase in model.program.setup:
+            _run(model, functions, phase)
+    _settle(model)
+
+
+def run_tick(model: Model, functions: dict[str, Rule]) -> None:
+    """Run one tick of a model in interpreted Python."""
+    with model.following_rules():
+        if model.arena is None:
+            _run_schedule(model, functions)
+        else:
+            _run_plane(model, functions)
+    _settle(model)
+    model.context["_tick"] += 1
+
+
+def _run_schedule(model: Model, functions: dict[str, Rule]) -> None:
+    for phase in model.program.schedule:
+        _run(model, functions, phase)
+
+
+def _run_plane(model: Model, functions: dict[str, Rule]) -> None:
+    """Run a tick on a plane, on which nothing happens any more after an interruption."""
+    from socialmind.worlds.plane.ticks.interpreted import before_minds, settle_rewards, think
+
+    over = model.over
+    if over is None:
+        before_minds(model, functions)
+    if model.over is None:
+        think(model)
+        _run_schedule(model, functions)
+        if model.arena is not None and model.arena.shifting:
+            model.arena.build()
+    settle_rewards(model, functions, model.over != over)
+
+
+def _run(model: Model, functions: dict[str, Rule], phase: Phase) -> None:
+    stream = Stream(model.seed)
+    rule = functions[phase.symbol]
+    if phase.shape.population is None:
+        stream.begin(phase.tag, 0, model.tick)
+        _follow(model, rule, phase, None, stream)
+        return
+    table = model.tables[phase.shape.population]
+    acting = table.acting_order
+    if phase.shape.shuffled:
+        stream.begin(ORDER_TAG, phase.tag, model.tick)
+        shuffle(stream, acting, len(acting))
+    for slot in acting.tolist():
+        if table.alive[slot]:
+            agent = table.row_class(table, slot)
+            stream.begin(phase.tag, agent.id, model.tick)
+            _follow(model, rule, phase, agent, stream)
+
+
+def _follow(model: Model, rule: Rule, phase: Phase, agent: Any, stream: Stream) -> None:
+    """Let an agent, or the model, follow a rule; what fails is said with its place."""
+    try:
+        rule(*taken(phase.takes, agent, model, stream).values())
+    except MemoryError:
+        raise  # of no rule's doing, nor of one agent
+    except Exception as error:
+        if agent is None:
+            who = f"the model's rule {phase.shape.rule.__name__!r}"
+        else:
+            who = f"agent {agent.id} of {phase.shape.population!r}"
+        what = f"{type(error).__name__}: {error}"
+        place = place_of(error)
+        if isinstance(error, ChoiceError):  # what is wrong is not where the decision was asked for
+            what, place = error.found, error.place
+        raise RuleError(what, place, model.tick, who) from error
+
+
+def taken(takes: tuple[str, ...], agent: Any, model: Model, rng: Stream) -> dict[str, Any]:
+    """Return those of agent, model and stream that a rule takes, in its order."""
+    values = {"agent": agent, "model": model, "rng": rng}
+    return {name: values[name] for name in takes}
+
+
+def _settle(model: Model) -> None:
+    for table in model.tables.values():
+        table.settle()

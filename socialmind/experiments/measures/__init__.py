@@ -1,0 +1,1 @@
+"""What is measured of societies: specialisation, settling, recovery, effects, intervals."""

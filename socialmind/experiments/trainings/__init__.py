@@ -1,0 +1,1 @@
+"""Trainings as plans: made from nothing or from what is kept, and rechecked."""

@@ -1,0 +1,134 @@
+"""Whether kept trainings are still those of today's model, after its files were edited.
+
+`resume` goes on with a training only if its model's files are the very ones it was begun with,
+comments included. Here the winners of all kept lessons are judged once more in the worlds of their
+finals: if each comes to the same score, to the last bit, the edit changed nothing that learning
+sees, and the kept training takes the hash of today's files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from socialmind.catalogue import model_folder, source_hash
+from socialmind.errors import SocialmindError
+from socialmind.experiments.trainings.store import LESSONS, differences
+from socialmind.learning.lessons.keys import FINAL, seeds_for
+from socialmind.learning.lessons.lesson import Lesson
+from socialmind.learning.training import archive
+from socialmind.learning.training.attempt import load_result, result_file
+from socialmind.learning.training.finalists import individual_of
+from socialmind.learning.training.result import Training
+from socialmind.learning.training.teaching import ground_of
+from socialmind.mind import MindDescription
+from socialmind.runs.capsule import MANIFEST, replace_file
+
+if TYPE_CHECKING:
+    from socialmind.experiments.trainings.plans import Plan
+
+
+class Judged(NamedTuple):
+    """A kept lesson whose winner was judged again.
+
+    Attributes:
+        attempt: of the training.
+        lesson: its name.
+        before: the score that is kept.
+        now: what the winner comes to today.
+        file: where the score is kept.
+    """
+
+    attempt: int
+    lesson: str
+    before: float
+    now: float
+    file: Path
+
+
+def recheck(kept: Path, plan: Plan) -> int:
+    """Judge a kept training's winners again, and take today's model for its own if all agree.
+
+    Args:
+        kept: its folder.
+        plan: what it was made by.
+
+    Returns:
+        How many lessons were judged.
+
+    Raises:
+        SocialmindError: the lessons are others, or a winner comes to another score.
+    """
+    training, judged = Training(kept), 0
+    for one in _judged(training, plan):
+        if one.now != one.before:
+            raise SocialmindError(
+                f"{training.folder}: attempt {one.attempt} comes to {one.now} in the finals of "
+                f"{one.lesson}, {one.before} when it was trained: the model or the engine "
+                "differs; train anew, or rescore where a fault of the scoring was mended"
+            )
+        judged += 1
+    hashed = source_hash(model_folder(plan.model))
+    manifest = training.manifest
+    model = {key: one for key, one in manifest.model.items() if key != "sources"}
+    changed = replace(manifest, model={**model, "source_sha256": hashed})
+    replace_file(training.folder / MANIFEST, changed.content())
+    return judged
+
+
+def rescore(kept: Path, plan: Plan) -> list[Judged]:
+    """Judge a kept training's winners again, and keep the scores that they come to today.
+
+    For a fault of the scoring that was mended: what was learned stays, and who was chosen.
+
+    Args:
+        kept: its folder.
+        plan: what it was made by.
+
+    Returns:
+        The lessons whose scores are others now.
+
+    Raises:
+        SocialmindError: the lessons are others.
+    """
+    others = [one for one in _judged(Training(kept), plan) if one.now != one.before]
+    for one in others:
+        record, arrays = archive.load(one.file)
+        archive.save(one.file, {**record, "score": one.now}, arrays, compressed=True)
+    return others
+
+
+def _judged(training: Training, plan: Plan) -> Iterator[Judged]:
+    """Judge the winners of all kept lessons once more, in the worlds of their finals."""
+    if LESSONS in differences(training, plan):
+        raise SocialmindError(f"{training.folder}: of other lessons than the plan has; train anew")
+    lessons = list(plan.curriculum().lessons)
+    for attempt in training.attempts:
+        mind = MindDescription.load(training.folder / "mind")
+        done = len(training.lessons[training.lessons["attempt"] == attempt])
+        folder = training.folder / "attempts" / str(attempt)
+        for number, lesson in enumerate(lessons[:done], 1):
+            record, arrays = load_result(folder, number)
+            winner = individual_of(archive.part(arrays, "winner/"))
+            key = training.manifest.seed, attempt
+            found = _finals(lesson, mind, winner.genome, key, training)
+            file = result_file(folder, number)
+            yield Judged(attempt, lesson.name, record["score"], found, file)
+            learned = winner.given_to([mind.skill(one) for one in lesson.skills])
+            mind = mind.with_modules(skills=learned)
+
+
+def _finals(
+    lesson: Lesson,
+    mind: MindDescription,
+    genome: np.ndarray,
+    key: tuple[int, int],
+    training: Training,
+) -> float:
+    episodes = ground_of(lesson, mind, training.manifest.engine).episodes()
+    worlds = seeds_for(lesson.finals, FINAL, *key, lesson.name, 1)
+    return float(episodes.run(genome[None], worlds).score.mean(axis=1)[0])

@@ -1,0 +1,149 @@
+"""Keeping what trainings came to, small enough for a repository, and going on from it.
+
+What is kept is a training's folder of its own, which `Training` reads and `resume` goes on with:
+only the generations of lessons that were in hand are not in it, and what can be made anew. It may
+be kept again and again while the training is going on.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from socialmind.catalogue import model_folder, source_hash
+from socialmind.errors import SocialmindError
+from socialmind.learning.episodes.evaluation import files_of
+from socialmind.learning.training import archive
+from socialmind.learning.training.attempt import CHECKPOINT, result_file
+from socialmind.learning.training.capsule import TrainingManifest
+from socialmind.learning.training.result import Training
+from socialmind.runs.capsule import FINISHED, INTERRUPTED, MANIFEST, replace_file
+
+if TYPE_CHECKING:
+    from socialmind.experiments.trainings.plans import Plan
+
+LESSONS, SOURCE = "the lessons", "the model's source"
+
+
+def keep(folder: Path, home: Path) -> Path:
+    """Keep the finished lessons of a training; it may still be going on.
+
+    Args:
+        folder: the training's, called as its plan.
+        home: where trainings are kept.
+
+    Returns:
+        The folder in which it is kept.
+
+    Raises:
+        SocialmindError: another training of this name is kept.
+    """
+    training = Training(folder)
+    target = home / training.folder.name
+    known = TrainingManifest.load(target / MANIFEST) if target.is_dir() else None
+    if known is not None and identity(known) != identity(training.manifest):
+        raise SocialmindError(
+            f"{target}: of other lessons, another mind, model or seed than {folder}; "
+            "remove it to keep this one"
+        )
+    if known is None:
+        shutil.copytree(training.folder / "mind", target / "mind")
+    for number in training.attempts:
+        _keep_attempt(_attempt(training.folder, number), _attempt(target, number))
+    replace_file(target / MANIFEST, _manifest(training.manifest, known, target).content())
+    return target
+
+
+def _attempt(folder: Path, number: int) -> Path:
+    return folder / "attempts" / str(number)
+
+
+def _keep_attempt(source: Path, target: Path) -> None:
+    """Keep an attempt as it was after its last finished lesson."""
+    record, arrays = archive.load(source / CHECKPOINT)
+    before = archive.load(target / CHECKPOINT)[0]["done"] if target.is_dir() else 0
+    if record["done"] <= before:
+        return
+    target.mkdir(parents=True, exist_ok=True)
+    for number in range(before + 1, record["done"] + 1):
+        archive.save(
+            result_file(target, number), *archive.load(result_file(source, number)), compressed=True
+        )
+    # Without the lesson in hand: it begins anew, and comes to the same.
+    lasting = {name: one for name, one in arrays.items() if not name.startswith("teaching/")}
+    archive.save(target / CHECKPOINT, {**record, "in_hand": None}, lasting, compressed=True)
+
+
+def _manifest(
+    manifest: TrainingManifest, known: TrainingManifest | None, target: Path
+) -> TrainingManifest:
+    """Return the manifest of what is kept: without paths of the machine that it was made on."""
+    records = [archive.load(one)[0] for one in sorted(target.glob(f"attempts/*/{CHECKPOINT}"))]
+    finished = sum(record["position"] is None for record in records)
+    attempts = max(manifest.attempts, known.attempts if known else 0)
+    platforms = list(known.platforms) if known else []
+    platforms += [one for one in manifest.platforms if one not in platforms]
+    return replace(
+        manifest,
+        model={**manifest.model, "path": manifest.model["name"]},
+        attempts=attempts,
+        finished=finished,
+        status=FINISHED if finished == attempts else INTERRUPTED,
+        error=None,
+        curve={},
+        timings={
+            **manifest.timings,
+            "seconds": round(sum(float(record["seconds"]) for record in records), 3),
+        },
+        platforms=platforms,
+    )
+
+
+def identity(manifest: TrainingManifest) -> dict[str, Any]:
+    """Return what two trainings have in common whose attempts are interchangeable."""
+    return {
+        "model": (manifest.model["name"], manifest.model["source_sha256"]),
+        "lessons": manifest.lessons,
+        "changes": manifest.changes,
+        "mind": manifest.mind["sha256"],
+        "seed": manifest.seed,
+        "engine": manifest.engine,
+        "version": manifest.versions.get("socialmind"),
+    }
+
+
+def take_out(kept: Path, folder: Path) -> bool:
+    """Copy a kept training to where it can be gone on with.
+
+    Args:
+        kept: where it is kept.
+        folder: the one to make.
+
+    Returns:
+        Whether it is kept at all.
+    """
+    if not (kept / MANIFEST).is_file():
+        return False
+    shutil.copytree(kept, folder)
+    return True
+
+
+def differences(training: Training, plan: Plan) -> list[str]:
+    """Return in what a training is another one than its plan would give today."""
+    manifest = training.manifest
+    lessons = json.loads(json.dumps(plan.curriculum().record(), default=str))
+    mind = {
+        path.relative_to(training.folder / "mind").as_posix(): path.read_bytes()
+        for path in (training.folder / "mind").rglob("*")
+        if path.is_file()
+    }
+    same = {
+        SOURCE: manifest.model["source_sha256"] == source_hash(model_folder(plan.model)),
+        LESSONS: manifest.lessons == lessons,
+        "the mind to begin from": mind == files_of(plan.mind()),
+        "the seed": manifest.seed == plan.seed,
+    }
+    return [what for what, agrees in same.items() if not agrees]

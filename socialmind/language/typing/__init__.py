@@ -1,0 +1,1 @@
+"""Typing of rules: what every expression and statement is."""

@@ -1,0 +1,360 @@
+"""Typing of calls: the author's functions, and what agents, minds and the world can do."""
+
+from __future__ import annotations
+
+import ast
+import types as python_types
+from typing import TYPE_CHECKING, Any
+
+from socialmind.errors import close, nearest
+from socialmind.language import hints
+from socialmind.language.nodes import Typed, call, constant, marked
+from socialmind.language.refusals import METHODS, MODULES, NAMES
+from socialmind.language.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    MODEL,
+    NONE,
+    AnyType,
+    HierarchyType,
+    MindType,
+    OptionalType,
+    PatchType,
+    PlanType,
+    PopulationType,
+    RowType,
+    TableType,
+    TextType,
+    TupleType,
+    Type,
+    WorldType,
+)
+from socialmind.language.types import RNG as RNG_TYPE
+from socialmind.language.typing.built_in import (
+    BUILT_IN,
+    built_in,
+    fitted,
+    math_function,
+    without_keywords,
+)
+from socialmind.language.typing.draws import typed_draw
+from socialmind.language.typing.hierarchies import hierarchy_call
+from socialmind.language.typing.signatures import CHOSEN, MIND, Signature
+from socialmind.worlds.torus import geometry as torus
+
+if TYPE_CHECKING:
+    from socialmind.language.typing.expressions import ExpressionTyper
+
+
+def typed_call(typer: ExpressionTyper, node: ast.Call) -> Typed:
+    """Return a call as both speeds run it, and the type of its result."""
+    for argument in node.args:
+        if isinstance(argument, ast.Starred):
+            typer.refuse_syntax(argument)
+    if any(keyword.arg is None for keyword in node.keywords):
+        typer.refuse(node, "** in a call", "write the arguments out")
+    if isinstance(node.func, ast.Name):
+        return _called_by_name(typer, node, node.func.id)
+    if isinstance(node.func, ast.Attribute):
+        owner = node.func.value
+        if isinstance(owner, ast.Name) and owner.id not in typer.variables:
+            module = typer.source.names.get(owner.id)
+            if isinstance(module, python_types.ModuleType):
+                return _called_in_module(typer, node, module, node.func.attr)
+        return _method(typer, node, node.func)
+    return typer.refuse(node, "a call of something without a name", "call a function by its name")
+
+
+def _called_by_name(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
+    if name in typer.variables:
+        typer.refuse(
+            node, f"a call of {name!r}, which is {typer.variables[name]}", "call a function"
+        )
+    value = typer.source.names.get(name)
+    if value is not None:
+        return _called_value(typer, node, name, value)
+    if name in BUILT_IN:
+        return built_in(typer, node, name)
+    if name in NAMES:
+        typer.refuse(node, f"{name}() in the rule {typer.source.name!r}", NAMES[name])
+    advice = hints.for_function(typer, name, BUILT_IN)
+    return typer.refuse(node, f"the unknown function {name!r}", advice)
+
+
+def _called_in_module(
+    typer: ExpressionTyper, node: ast.Call, module: python_types.ModuleType, name: str
+) -> Typed:
+    full = f"{module.__name__}.{name}"
+    root = module.__name__.split(".")[0]
+    if root in MODULES:
+        typer.refuse(node, f"{full}() in a rule", MODULES[root])
+    names = typer.program.module_names(module)
+    if module.__name__ != "math" and name not in names:
+        typer.refuse(node, f"the unknown function {full!r}", nearest(name, dir(module)))
+    return _called_value(typer, node, full, names.get(name))
+
+
+def _called_value(typer: ExpressionTyper, node: ast.Call, name: str, value: Any) -> Typed:
+    if isinstance(value, python_types.FunctionType):
+        return helper(typer, node, value)
+    module = _module_of(value)
+    if isinstance(value, python_types.BuiltinFunctionType) and module == "math":
+        return math_function(typer, node, value.__name__)
+    if value is None and name.startswith("math."):
+        return math_function(typer, node, name.removeprefix("math."))
+    if module in MODULES:
+        typer.refuse(node, f"{name}() in a rule", MODULES[module])
+    if isinstance(value, type):
+        typer.refuse(
+            node,
+            f"{name}(), which makes an object",
+            "agents are born by `model.humans.create()` or `agent.hatch()`; a rule holds numbers",
+        )
+    return typer.refuse(
+        node, f"a call of {name!r}", "call a plain function of the file or of `math`"
+    )
+
+
+def _module_of(value: Any) -> str:
+    """Return the module that a function, a method or a class comes from, up to its first dot."""
+    owner = getattr(value, "__self__", None)
+    if owner is not None and not isinstance(owner, python_types.ModuleType):
+        value = type(owner)  # `random.random` is a method of a hidden generator
+    return str(getattr(value, "__module__", None) or "").split(".")[0]
+
+
+def helper(
+    typer: ExpressionTyper, node: ast.Call, function: Any, first: list[Typed] | None = None
+) -> Typed:
+    """Type the call of a plain function, which becomes part of the program itself."""
+    source = typer.program.source(function)
+    names = source.parameters
+    written = list(first or [])
+    written += [typer.several(argument) for argument in node.args]
+    if len(written) > len(names):
+        typer.refuse(
+            node,
+            f"{len(written)} arguments for {source.name}()",
+            f"it takes {', '.join(names) or 'none'}",
+            f"{len(names)}",
+        )
+    given = dict(zip(names, written, strict=False))
+    for keyword in node.keywords:
+        if keyword.arg not in names or keyword.arg in given:
+            typer.refuse(
+                node,
+                f"the argument {keyword.arg!r} of {source.name}()",
+                nearest(str(keyword.arg), [name for name in names if name not in given]),
+            )
+        given[str(keyword.arg)] = typer.several(keyword.value)
+    for name, default in source.defaults.items():
+        if name not in given:
+            given[name] = typer.module_value(node, f"{source.name}({name}=…)", default)
+    missing = [name for name in names if name not in given]
+    if missing:
+        typer.refuse(
+            node, f"{source.name}() without {', '.join(missing)}", "give each parameter a value"
+        )
+    arguments: list[ast.expr] = []
+    keywords: list[ast.keyword] = []
+    kinds: dict[str, AnyType] = {}
+    # In the order in which they are written, which is the order in which Python finds their values.
+    for place, (name, (value, kind)) in enumerate(given.items()):
+        if isinstance(kind, OptionalType):
+            value, kind = typer.present(value, kind)
+        if kind == NONE or isinstance(kind, TupleType):
+            typer.refuse(
+                node, f"{kind} for {name!r} of {source.name}()", "give each parameter one value"
+            )
+        kinds[name] = kind
+        if isinstance(kind, TextType | TableType):
+            continue  # a constant is part of which function this is, not an argument of it
+        if place < len(written):
+            arguments.append(value)
+        else:
+            keywords.append(ast.keyword(name, value))
+    symbol, result = typer.program.specialised(
+        source, tuple(kinds[name] for name in names), typer, node
+    )
+    made = call(symbol, arguments, node)
+    made.keywords = keywords
+    return marked(ast.fix_missing_locations(made), ("helper", symbol)), result
+
+
+# Methods ------------------------------------------------------------------------------------------
+
+
+def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Typed:
+    base, kind = typer.expression(func.value)
+    name = func.attr
+    if kind == RNG_TYPE:
+        return typed_draw(typer, node, base, name)
+    if isinstance(kind, MindType):
+        return _mind(typer, node, base, kind, name)
+    if isinstance(kind, HierarchyType):
+        return hierarchy_call(typer, node, base, kind, name)
+    if isinstance(kind, RowType):
+        return _agent(typer, node, base, kind, name)
+    if isinstance(kind, PopulationType):
+        return _population(typer, node, base, kind, name)
+    if isinstance(kind, WorldType):
+        return _world(typer, node, base, kind, name)
+    if name in METHODS:
+        typer.refuse(node, f".{name}() in a rule", METHODS[name])
+    if kind == MODEL:
+        advice = f"write it as a function of the file, and call it: {name}(model)"
+        if name in hints.MODEL and name not in hints.AGENT:
+            advice = hints.for_model(typer, name)
+        typer.refuse(node, f"{name}() of the model", advice)
+    return typer.refuse(node, f"{name}() of {kind}", "see docs/rules.md for what can be called")
+
+
+def _made(node: ast.Call, base: ast.expr, name: str, arguments: list[ast.expr], mark: Any) -> Any:
+    func = ast.copy_location(ast.Attribute(base, name, ast.Load()), node)
+    return marked(ast.copy_location(ast.Call(func, arguments, []), node), mark)
+
+
+def _mind(
+    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: MindType, name: str
+) -> Typed:
+    if name not in MIND:
+        typer.refuse(node, f"the mind's {name}()", nearest(name, MIND))
+    without_keywords(typer, node, f"mind.{name}")
+    signature = MIND[name]
+    if len(node.args) != len(signature.arguments):
+        typer.refuse(
+            node,
+            f"{len(node.args)} arguments for mind.{name}()",
+            "see docs/coglogo_py.md",
+            f"{len(signature.arguments)}",
+        )
+    arguments: list[ast.expr] = []
+    places: list[int | None] = []
+    group = ""
+    for argument, wanted in zip(node.args, signature.arguments, strict=True):
+        if isinstance(wanted, Type):
+            arguments.append(typer.fitted(argument, wanted, f"mind.{name}()"))
+            places.append(None)
+            continue
+        value, found = typer.expression(argument)
+        if wanted.part == "plan" and isinstance(found, PlanType):
+            arguments.append(value)
+            places.append(None)
+            continue
+        if not isinstance(found, TextType):
+            typer.refuse(
+                argument,
+                f"{found} as the name of a {wanted.part}",
+                f"write the {wanted.part}'s name as a text",
+            )
+        group = found.value if wanted.part == "group" else group
+        keys = (group, found.value) if wanted.part in ("role", "culturon") else (found.value,)
+        arguments.append(constant(found.value, argument))
+        places.append(typer.name(argument, kind.population, wanted.part, keys))
+    result: AnyType = signature.result
+    if result == CHOSEN:
+        result = PlanType(kind.population)
+    return _made(
+        node, base, name, arguments, ("mind", kind.population, name, tuple(places))
+    ), result
+
+
+def _agent(
+    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: RowType, name: str
+) -> Typed:
+    population = kind.population
+    if name in ("die", "hatch"):
+        typer.program.changes(population)
+    if name == "die":
+        fitted(typer, node, "die", Signature((), NONE))
+        without_keywords(typer, node, "die")
+        return _made(node, base, name, [], ("die", population)), NONE
+    if name == "hatch":
+        keep = False
+        for keyword in node.keywords:
+            if keyword.arg != "keep_groups" or not isinstance(keyword.value, ast.Constant):
+                typer.refuse(
+                    node, f"hatch({keyword.arg}=…)", "write hatch() or hatch(keep_groups=True)"
+                )
+            else:
+                keep = bool(keyword.value.value)
+        _alone(typer, node, "hatch", f"{ast.unparse(base)}.hatch()")
+        typer.program.bears(population)
+        made = _made(node, base, name, [constant(keep, node)], ("hatch", population, keep))
+        return made, kind
+    if name == "run_plan":
+        if not typer.shape.populations[population].minded:
+            typer.refuse(node, f"run_plan() of {kind}", "give the population a mind and plans")
+        kinds = [typer.expression(argument) for argument in node.args]
+        if [found for _, found in kinds] != [MODEL, RNG_TYPE] or node.keywords:
+            typer.refuse(
+                node, "run_plan() with other arguments", "write agent.run_plan(model, rng)"
+            )
+        typer.program.runs_plans(population, typer, node)
+        return _made(
+            node, base, name, [value for value, _ in kinds], ("run_plan", population)
+        ), NONE
+    if name in typer.shape.populations[population].fields:
+        typer.refuse(node, f"a call of the field {name!r}", "read it without ()")
+    return typer.refuse(
+        node,
+        f"{name}() of {kind}",
+        hints.for_agents_method(typer, ast.unparse(base), name),
+    )
+
+
+def _alone(typer: ExpressionTyper, node: ast.Call, name: str, written: str) -> None:
+    """Refuse what is given to a birth: how many are born, or with what fields."""
+    fields = [one.arg for one in node.keywords if one.arg != "keep_groups"]
+    if node.args:
+        typer.refuse(
+            node,
+            f"{name}() of several",
+            f"each call is one birth: `for k in range({ast.unparse(node.args[0])}): {written}`",
+        )
+    if fields:
+        advice = f"write `{written}`, then `new.{fields[0]} = …`"
+        typer.refuse(node, f"{name}() with {fields[0]}=", advice)
+
+
+def _population(
+    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: PopulationType, name: str
+) -> Typed:
+    row = RowType(kind.population)
+    if name == "create":
+        _alone(typer, node, "create", f"new = model.{kind.population}.create()")
+        typer.program.bears(kind.population)
+        typer.program.changes(kind.population)
+        return _made(node, base, name, [], ("create", kind.population)), row
+    if name == "one_of":
+        kinds = [typer.expression(argument) for argument in node.args]
+        if [found for _, found in kinds] != [RNG_TYPE]:
+            typer.refuse(node, "one_of() without the random stream", "write model.cows.one_of(rng)")
+        return _made(node, base, name, [kinds[0][0]], ("one_of", kind.population)), row
+    if name == "contains":
+        index = [typer.fitted(argument, INT, "contains()") for argument in node.args]
+        if len(index) != 1:
+            typer.refuse(node, "contains() of other than one identity", "write contains(id)")
+        return _made(node, base, name, index, ("contains", kind.population)), BOOL
+    advice = close(name, ("create", "one_of", "contains")) if name not in hints.POPULATION else None
+    return typer.refuse(
+        node,
+        f"{name}() of {kind}",
+        advice or hints.for_population(typer, kind.population, name),
+    )
+
+
+def _world(
+    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: WorldType, name: str
+) -> Typed:
+    if name == "patch":
+        arguments = fitted(typer, node, "patch", Signature((FLOAT, FLOAT), NONE))
+        return _made(node, base, name, arguments, ("patch_at",)), PatchType()
+    if name in torus.COMMANDS:
+        return helper(typer, node, torus.COMMANDS[name], first=[(base, kind)])
+    if name in ("in_radius", "patches"):
+        loop = "patches" if name == "patches" else "in_radius(agent, radius)"
+        typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{loop}:`")
+    advice = hints.for_world(typer, name, [*torus.COMMANDS, "patch", "in_radius"])
+    return typer.refuse(node, f"the world's {name}()", advice)

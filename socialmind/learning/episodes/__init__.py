@@ -1,0 +1,1 @@
+"""Episodes: genomes judged in worlds, many at once."""

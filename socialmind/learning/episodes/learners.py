@@ -1,0 +1,197 @@
+"""Whose minds learn in episodes: a population, its skills that learn, and their genomes.
+
+What episodes on a plane and episodes of societies have in common.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.mind.description import MindDescription
+from socialmind.mind.steering import Steering
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
+
+
+@dataclass(frozen=True, eq=False)
+class Pupils:
+    """The minds of a model of which some skills learn.
+
+    Attributes:
+        population: the name of the population that learns.
+        skills: the skills that learn; their genomes stand one after another.
+        steerings: the minds of all populations that have some; zeros stand for genomes that are
+            still to be learned.
+    """
+
+    population: str
+    skills: tuple[str, ...]
+    steerings: Mapping[str, Steering]
+
+    @property
+    def description(self) -> MindDescription:
+        """The mind that learns."""
+        return _described(self.steerings[self.population])
+
+    @property
+    def genome_size(self) -> int:
+        """How many weights the skills that learn have together."""
+        return sum(self.description.skills[name].genome_size for name in self.skills)
+
+    def rows(self, genomes: ArrayLike | None) -> NDArray[np.float64]:
+        """Return genomes as (individuals, genome_size), none for None.
+
+        Raises:
+            ModelError: another shape, or numbers that are not finite.
+        """
+        if genomes is None:
+            return np.zeros((0, self.genome_size))
+        rows = np.ascontiguousarray(genomes, np.float64)
+        if rows.ndim != 2 or rows.shape[1] != self.genome_size:
+            raise ModelError(
+                f"genomes of the shape {rows.shape}",
+                f"(individuals, {self.genome_size}), the weights of {', '.join(self.skills)}",
+            )
+        if not np.isfinite(rows).all():
+            raise ModelError("a genome with a weight that is not finite", "finite numbers")
+        return rows
+
+    def parts(self, genome: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+        """Return the weights of each skill that learns, cut out of a genome."""
+        sizes = [self.description.skills[name].genome_size for name in self.skills]
+        return dict(zip(self.skills, np.split(genome, np.cumsum(sizes)[:-1]), strict=True))
+
+    def taught(self, genome: ArrayLike | None) -> dict[str, Steering]:
+        """Return the minds of all populations, with a genome in that which learns."""
+        steerings = dict(self.steerings)
+        if genome is not None:
+            row = self.rows(np.atleast_2d(np.asarray(genome)))[0]
+            mind = with_genomes(self.description, self.skills, row)
+            steerings[self.population] = replace(steerings[self.population], mind=mind)
+        return steerings
+
+
+def pupils_of(
+    model_class: type[Model],
+    minded: Sequence[str],
+    hierarchy: Any = None,
+    master: str | None = None,
+    skill: str | Sequence[str] | None = None,
+    drive: Any = None,
+    population: str | None = None,
+) -> Pupils:
+    """Return who learns in a model.
+
+    Args:
+        model_class: the model.
+        minded: the names of its populations that may learn.
+        hierarchy: their mind instead of the model's own; for several populations a mapping.
+        master: the name of the master skill instead of the population's own.
+        skill: the skill that learns, or several.
+        drive: a drive module instead of the population's own.
+        population: whose minds these are; the first one by default.
+
+    Raises:
+        ModelError: no such population or skill, or a skill that the master does not reach.
+    """
+    skills = (skill,) if isinstance(skill, str) else tuple(skill or ())
+    name = population or (minded[0] if minded else "")
+    if name not in minded:
+        hint = nearest(name, minded) if minded else "none has a hierarchy"
+        raise ModelError(
+            f"the population {name!r} of {model_class.name!r}", "one with a hierarchy", hint
+        )
+    given = hierarchy
+    if hierarchy is not None and not isinstance(hierarchy, Mapping):
+        given = {name: hierarchy}
+    steerings = model_class.steerings(given)
+    led = steerings[name]
+    mine = _described(led)
+    for one in skills:
+        mine.skill(one)
+    mine, top, drive = _filled(mine, skills), master or led.master, drive or led.drive
+    if drive is not None and top is not None:
+        mine = _ready(mine, top)
+    steerings[name] = Steering(mine, top, drive)
+    reached = steerings[name].assembly.skills
+    for one in skills:
+        if one not in reached:
+            raise mine.skill(one).refused(
+                f"which the master {steerings[name].master!r} does not reach"
+            )
+    return Pupils(name, skills, steerings)
+
+
+def length_of(model_class: type[Model], ticks: int | None) -> int:
+    """Return the ticks of an episode: those given, or the model's own.
+
+    Raises:
+        SocialmindError: fewer than 1.
+    """
+    length = model_class.ticks if ticks is None else int(ticks)
+    if length < 1:
+        raise SocialmindError(f"ticks: found {ticks!r}; expected a whole number, 1 or more")
+    return length
+
+
+def _described(steering: Steering) -> MindDescription:
+    mind = steering.mind
+    return mind if isinstance(mind, MindDescription) else MindDescription.load(mind)
+
+
+def _filled(description: MindDescription, skills: Sequence[str]) -> MindDescription:
+    """Return a mind whose learning skills have some genome."""
+    size = sum(description.skills[name].genome_size for name in skills)
+    unset = [name for name in skills if description.skills[name].genome is None]
+    if not unset:
+        return description
+    zeros = np.zeros(size)
+    return with_genomes(description, skills, zeros, only=unset)
+
+
+def _ready(description: MindDescription, master: str) -> MindDescription:
+    """Return a mind without what is not learned yet and no part of the master's hierarchy.
+
+    A drive reaches all skills of a mind, so all of them are made ready to run, and those still to
+    be learned cannot be. What stands above one goes with it.
+    """
+    reached = set(description.below(*({master} & set(description.skills))))
+    unset = {n for n, one in description.skills.items() if one.genome_size and one.genome is None}
+    left = [
+        name
+        for name in description.skills
+        if name not in reached and unset.difference(reached).intersection(description.below(name))
+    ]
+    return description.with_modules(without=left) if left else description
+
+
+def with_genomes(
+    description: MindDescription,
+    skills: Sequence[str],
+    genome: NDArray[np.float64],
+    only: Sequence[str] | None = None,
+) -> MindDescription:
+    """Return a mind with other weights of some skills.
+
+    Args:
+        description: the mind.
+        skills: whose genomes stand one after another in `genome`.
+        genome: (their sizes together,).
+        only: those to be replaced; all by default.
+    """
+    changed = []
+    first = 0
+    for name in skills:
+        skill = description.skills[name]
+        part = genome[first : first + skill.genome_size]
+        first += skill.genome_size
+        if only is None or name in only:
+            changed.append(replace(skill, genome=part))
+    return description.with_modules(skills=changed)

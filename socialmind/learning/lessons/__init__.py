@@ -1,0 +1,1 @@
+"""Lessons and curricula: what is taught, in which order."""

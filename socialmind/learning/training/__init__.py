@@ -1,0 +1,1 @@
+"""Trainings as folders: attempts, safe on disk after every generation."""

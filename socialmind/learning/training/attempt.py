@@ -1,0 +1,324 @@
+"""One attempt at a curriculum: its lessons in order, safe on disk after every generation.
+
+Its files lie in a folder of its own:
+
+- `checkpoint.npz`: the lesson in hand at its last generation, the weights learned so far, and how
+  many lessons are done;
+- `lesson-001.npz` …: what came of each lesson that is done.
+
+A file of a lesson counts once the checkpoint says so.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from socialmind.learning.episodes.evaluators import Stop, Workers
+from socialmind.learning.lessons.curriculum import Position
+from socialmind.learning.lessons.lesson import Lesson
+from socialmind.learning.training import archive
+from socialmind.learning.training.course import Course
+from socialmind.learning.training.finalists import arrays_of
+from socialmind.learning.training.teaching import Result, Teaching
+from socialmind.mind.functions.neat.graph import NeatGraph
+from socialmind.runs.record import (
+    NUMBER,
+    TEXT,
+    Each,
+    Fields,
+    Kind,
+    Many,
+    check_record,
+    optional,
+    whole,
+)
+
+CHECKPOINT = "checkpoint.npz"
+
+
+@dataclass(frozen=True)
+class News:
+    """What a generation came to.
+
+    Attributes:
+        attempt: its number, from 1.
+        lesson: the lesson.
+        position: where it stands in the curriculum.
+        generation: how many of its generations are done.
+        best, mean: of the generation's scores.
+        ticks: of the generation.
+        seconds: that it took.
+        population: how many individuals it had.
+    """
+
+    attempt: int
+    lesson: Lesson
+    position: Position
+    generation: int
+    best: float
+    mean: float
+    ticks: int
+    seconds: float
+    population: int
+
+
+class Attempt:
+    """An attempt, as its folder has it.
+
+    Args:
+        folder: of the attempt; made by the first checkpoint.
+        number: of the attempt, from 1; its draws hang on it.
+        course: what is learned.
+
+    Raises:
+        SocialmindError: its files are not whole.
+    """
+
+    def __init__(self, folder: Path, number: int, course: Course) -> None:
+        self.folder = folder
+        self.number = number
+        self.course = course
+        self.mind = course.mind
+        self.done = 0
+        self.seconds = 0.0
+        self._item_ticks = 0
+        self._at: Position | None = Position()
+        self._teaching: Teaching | None = None
+        if (folder / CHECKPOINT).exists():
+            with archive.reading(folder / CHECKPOINT):
+                self._restore()
+
+    @property
+    def finished(self) -> bool:
+        """Whether all lessons are done."""
+        return self._at is None
+
+    @property
+    def position(self) -> Position | None:
+        """Where in the curriculum it is; None behind the end."""
+        return self._at
+
+    @property
+    def generation(self) -> int:
+        """How many generations of the lesson in hand are done."""
+        return 0 if self._teaching is None else self._teaching.generation
+
+    def go(
+        self,
+        workers: Workers,
+        stop: Stop,
+        on_generation: Callable[[News], None],
+        on_lesson: Callable[[Lesson, Result], None],
+    ) -> None:
+        """Go on to the end of the curriculum.
+
+        Args:
+            workers: who judge.
+            stop: asked now and then whether to drop what is in hand.
+            on_generation: called after each generation, when it is safe on disk.
+            on_lesson: called after each lesson, likewise.
+
+        Raises:
+            Stopped: `stop` said so; the last checkpoint stands.
+        """
+        while self._at is not None:
+            begun = time.perf_counter()
+            if self._teaching is None:
+                self._teaching = self._taught(self._at)
+            teaching, position = self._teaching, self._at
+            while not (teaching.over or self._cycle_over):
+                teaching.advance(workers, stop)
+                self.seconds += time.perf_counter() - begun
+                begun = time.perf_counter()
+                self._checkpoint()
+                on_generation(self._news(teaching, position))
+            result = teaching.result(workers, stop)
+            self.seconds += time.perf_counter() - begun
+            self._conclude(teaching, result)
+            on_lesson(teaching.lesson, result)
+
+    @property
+    def _cycle_over(self) -> bool:
+        """Whether the budget of the cycle in hand is used up."""
+        cycle = None if self._at is None else self.course.curriculum.cycle_at(self._at)
+        if cycle is None or cycle.budget is None or self.generation == 0:
+            return False
+        in_hand = 0 if self._teaching is None else self._teaching.ticks
+        return self._item_ticks + in_hand >= cycle.budget
+
+    def _taught(self, position: Position, resumed: bool = False) -> Teaching:
+        lesson = self.course.curriculum.at(position)
+        key = (self.course.seed, self.number, lesson.name, position.cycle)
+        return Teaching(lesson, self.mind, key, self.course.engine, resumed)
+
+    def _conclude(self, teaching: Teaching, result: Result) -> None:
+        """Freeze what a lesson has given, and turn to the next one."""
+        self.mind = self.mind.with_modules(skills=teaching.learned(result.winner))
+        position = self._at or Position()
+        write_result(self.folder, self.done + 1, teaching.lesson, position, result)
+        self.done += 1
+        self._item_ticks += result.ticks
+        self._teaching = None
+        self._turn_from(position)
+        self._checkpoint(position)
+
+    def _turn_from(self, position: Position) -> None:
+        """Turn to the lesson behind a position."""
+        cycle = self.course.curriculum.cycle_at(position)
+        over = cycle is not None and cycle.budget is not None and self._item_ticks >= cycle.budget
+        self._at = self.course.curriculum.next(position, over)
+        if self._at is not None and self._at.item != position.item:
+            self._item_ticks = 0
+
+    def _checkpoint(self, last: Position | None = None) -> None:
+        """Make all that is done safe.
+
+        Args:
+            last: the position of the lesson that has just been concluded.
+        """
+        changed = {
+            name: skill
+            for name, skill in self.mind.skills.items()
+            if skill is not self.course.mind.skills[name]
+        }
+        graphs = {
+            name: skill.function.to_lines()
+            for name, skill in changed.items()
+            if isinstance(skill.function, NeatGraph)
+        }
+        record = {
+            "position": self._at,
+            "last": last,
+            "done": self.done,
+            "item_ticks": self._item_ticks,
+            "seconds": self.seconds,
+            "in_hand": None if self._teaching is None else self._teaching.lesson.name,
+            "graphs": graphs,
+        }
+        arrays: dict[str, Any] = {f"learned/{name}": one.genome for name, one in changed.items()}
+        if self._teaching is not None:
+            arrays |= archive.under("teaching/", self._teaching.state())
+        self.folder.mkdir(parents=True, exist_ok=True)
+        archive.save(self.folder / CHECKPOINT, record, arrays)
+
+    def _restore(self) -> None:
+        record, arrays = load_checkpoint(self.folder)
+        skills = []
+        for name, genome in archive.part(arrays, "learned/").items():
+            skill = self.mind.skill(name)
+            function = skill.function
+            if name in record["graphs"]:
+                function = NeatGraph.from_lines(record["graphs"][name])
+            skills.append(skill.changed(function=function, genome=genome))
+        self.mind = self.mind.with_modules(skills=skills)
+        self.done = record["done"]
+        self.seconds = record["seconds"]
+        self._item_ticks = record["item_ticks"]
+        if record["position"] is not None:
+            self._at = Position(*record["position"])
+        else:
+            # A cycle may go round more often than when the attempt was finished.
+            self._turn_from(Position(*record["last"]))
+        if record["in_hand"] and self._at is not None:
+            self._teaching = self._taught(self._at, resumed=True)
+            self._teaching.restore(archive.part(arrays, "teaching/"))
+
+    def _news(self, teaching: Teaching, position: Position) -> News:
+        before = teaching.rows[-2][5] if len(teaching.rows) > 1 else 0.0
+        _, best, mean, _, _, ticks, seconds, *_ = teaching.rows[-1]
+        population = teaching.optimiser.population
+        return News(
+            self.number, teaching.lesson, position, teaching.generation, best, mean,
+            int(ticks - before), seconds, population,
+        )  # fmt: skip
+
+
+_CHECKPOINT = Fields(
+    {
+        "position": Kind(
+            "a position in the curriculum, or null", lambda one: one is None or _at(one)
+        ),
+        "done": whole(0, 10**6),
+        "item_ticks": whole(),
+        "seconds": NUMBER,
+        "in_hand": optional(TEXT),
+        "graphs": Each(Many(TEXT)),
+    },
+    {"last": Kind("a position in the curriculum, or null", lambda one: one is None or _at(one))},
+)
+_RESULT = Fields(
+    {
+        "lesson": TEXT,
+        "cycle": whole(),
+        "skills": Many(TEXT),
+        "ticks": whole(),
+    },
+    {},
+)
+
+
+def _at(value: Any) -> bool:
+    length = len(Position._fields)
+    return isinstance(value, list) and len(value) == length and all(map(whole().holds, value))
+
+
+def load_checkpoint(folder: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the record and the arrays that an attempt goes on from.
+
+    Raises:
+        SocialmindError: the file is not what a training wrote.
+    """
+    record, arrays = archive.load(folder / CHECKPOINT)
+    check_record(record, _CHECKPOINT, str(folder / CHECKPOINT))
+    return record, arrays
+
+
+def load_result(folder: Path, number: int) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return what came of an attempt's lesson, counted from 1.
+
+    Raises:
+        SocialmindError: the file is not what a training wrote.
+    """
+    path = result_file(folder, number)
+    record, arrays = archive.load(path)
+    check_record(record, _RESULT, str(path))
+    return record, arrays
+
+
+def write_result(
+    folder: Path, number: int, lesson: Lesson, position: Position, result: Result
+) -> None:
+    """Write what came of a lesson.
+
+    Args:
+        folder: of the attempt.
+        number: which lesson of the attempt it was, from 1.
+        lesson: the lesson.
+        position: where it stands in the curriculum.
+        result: what came of it.
+    """
+    record = {
+        "lesson": lesson.name,
+        "cycle": position.cycle,
+        "skills": lesson.skills,
+        "score": result.score,
+        "deviation": result.deviation,
+        "finalists": result.finalists,
+        "ticks": result.ticks,
+    }
+    arrays: Mapping[str, Any] = {
+        "rows": result.rows,
+        **archive.under("winner/", arrays_of(result.winner)),
+        **archive.under("best/", arrays_of(result.best)),
+    }
+    folder.mkdir(parents=True, exist_ok=True)
+    archive.save(result_file(folder, number), record, arrays)
+
+
+def result_file(folder: Path, number: int) -> Path:
+    """Return the file of what came of an attempt's lesson, counted from 1."""
+    return folder / f"lesson-{number:03d}.npz"

@@ -1,0 +1,123 @@
+"""Individuals that are judged once more after the last generation of a lesson.
+
+Where each generation meets other worlds, the highest score of all is luck in part: one that was
+judged on easy worlds. So the foremost are compared on common ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.mind.functions.neat.graph import NeatGraph
+from socialmind.mind.modules import Skill
+
+
+@dataclass(frozen=True, eq=False)
+class Individual:
+    """What a lesson found, and how well it did in its generation.
+
+    Attributes:
+        genome: the weights of the skills that learn, one after the other.
+        graph: the function of the skill, where that was found as well.
+        score: its mean score in the generation.
+        generation: the generation, from 1; 0 for what the lesson began from.
+    """
+
+    genome: NDArray[np.float64]
+    graph: NeatGraph | None
+    score: float
+    generation: int
+
+    def same(self, other: Individual) -> bool:
+        """Whether both do the same."""
+        return self.graph == other.graph and np.array_equal(self.genome, other.genome)
+
+    def given_to(self, skills: Sequence[Skill]) -> list[Skill]:
+        """Return the skills that learned, with what was found."""
+        if self.graph is not None:
+            return [skills[0].changed(function=self.graph, genome=self.genome)]
+        ends = np.cumsum([skill.genome_size for skill in skills])
+        parts = np.split(self.genome, ends[:-1])
+        return [skill.changed(genome=own) for skill, own in zip(skills, parts, strict=True)]
+
+
+class Finalists:
+    """The individuals with the highest scores, and the best of each of the last generations.
+
+    Args:
+        count: how many distinct ones go into the finals, 1 or more: half of them, rounded up, by
+            score and the others from the last generation back.
+
+    >>> some = [Individual(np.array([x]), None, y, g) for x, y, g in [(1, 5, 1), (2, 3, 2)]]
+    >>> finalists = Finalists(2)
+    >>> for one in (*some, Individual(np.array([9.0]), None, 1.0, 3)):
+    ...     finalists.add(one)
+    >>> [one.generation for one in finalists.chosen()]
+    [1, 3]
+    """
+
+    def __init__(self, count: int) -> None:
+        self.count = count
+        self.highest: list[Individual] = []
+        self.last: list[Individual] = []
+
+    def add(self, best: Individual) -> None:
+        """Take the best individual of a generation."""
+        known = [one for one in self.highest if one.same(best)]
+        if not known or known[0].score < best.score:
+            others = [one for one in self.highest if not one.same(best)]
+            ranked = sorted([*others, best], key=lambda one: (-one.score, one.generation))
+            self.highest = ranked[: -(-self.count // 2)]
+        others = [one for one in self.last if not one.same(best)]
+        self.last = [*others, best][-self.count :]
+
+    def chosen(self) -> list[Individual]:
+        """Return those that go into the finals, by generation."""
+        chosen = list(self.highest)
+        for one in reversed(self.last):
+            if len(chosen) == self.count:
+                break
+            if not any(one.same(other) for other in chosen):
+                chosen.append(one)
+        return sorted(chosen, key=lambda one: one.generation)
+
+    def state(self) -> dict[str, Any]:
+        """Return all that `restore` needs, as arrays by name."""
+        arrays: dict[str, Any] = {}
+        for name, some in (("highest", self.highest), ("last", self.last)):
+            arrays[f"{name}/count"] = np.array(len(some))
+            for number, one in enumerate(some):
+                arrays |= {f"{name}/{number}/{key}": value for key, value in arrays_of(one).items()}
+        return arrays
+
+    def restore(self, arrays: Mapping[str, Any]) -> None:
+        """Go on from what `state` gave."""
+        for name, some in (("highest", self.highest), ("last", self.last)):
+            some.clear()
+            for number in range(int(arrays[f"{name}/count"])):
+                prefix = f"{name}/{number}/"
+                own = {key: arrays[prefix + key] for key in ("genome", "graph", "place")}
+                some.append(individual_of(own))
+
+
+def arrays_of(individual: Individual) -> dict[str, Any]:
+    """Return an individual as arrays by name."""
+    graph = individual.graph
+    return {
+        "genome": individual.genome,
+        "graph": np.array("" if graph is None else "\n".join(graph.to_lines())),
+        "place": np.array([individual.score, individual.generation], np.float64),
+    }
+
+
+def individual_of(arrays: Mapping[str, Any]) -> Individual:
+    """Return the individual of arrays that `arrays_of` gave."""
+    lines = str(arrays["graph"])
+    score, generation = arrays["place"]
+    graph = NeatGraph.from_lines(lines.splitlines()) if lines else None
+    return Individual(np.array(arrays["genome"]), graph, float(score), int(generation))

@@ -1,0 +1,1 @@
+"""A society as a `mesa.Model`, over the same rows."""

@@ -1,0 +1,1 @@
+"""Networks whose topology evolves, as neat-python has them (thesis, A.3.1)."""

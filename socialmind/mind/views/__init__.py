@@ -1,0 +1,1 @@
+"""What is to be seen of a mind: drawings, and the account of an evaluation."""

@@ -1,0 +1,504 @@
+"""Running a model into a capsule, and going on with a capsule.
+
+The loop advances the model to the next tick that is recorded, in pieces of at most about a
+quarter of a second; between two pieces it reports progress, writes a checkpoint when one is due,
+and sees whether the user wants to stop. What is computed never depends on where the pieces end.
+"""
+
+from __future__ import annotations
+
+import errno
+import inspect
+import os
+import shutil
+import time
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import asdict, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
+from socialmind.agents.agent_columns import as_before
+from socialmind.catalogue import failure_in_model
+from socialmind.errors import SocialmindError
+from socialmind.runs import capsule as capsules
+from socialmind.runs.arrays_file import make_room, refuse_folder
+from socialmind.runs.capsule import Capsule, Manifest
+from socialmind.runs.checkpoint import Checkpoint
+from socialmind.runs.record import LONGEST
+from socialmind.runs.sources import (
+    mind_copies,
+    model_of,
+    model_source,
+    physics_of,
+    scheme_copies,
+    with_late_reads,
+)
+from socialmind.runs.tables import (
+    AGENTS,
+    SERIES,
+    TABLES,
+    GrowingTable,
+    check_content,
+    merge,
+    part_name,
+    seal,
+)
+from socialmind.sources.provenance import sources_of
+from socialmind.sources.trust import remember
+from socialmind.work.signals import deferred_signals
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
+    from socialmind.runs.sources import HierarchyArgument, SchemeArgument
+
+Progress = Callable[[int, int], None]
+
+RECORDED = 500
+"""Rows of the series, by default, in a run of its whole length."""
+AGENTS_EVERY = 10
+"""Rows of the series for one recording of the agents, by default."""
+CHUNK_SECONDS = 0.2
+"""Length aimed at for one piece of the loop: Ctrl-C and progress wait for it."""
+PROGRESS_SECONDS = 0.1
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+CHECKPOINT_COST = 20
+"""Checkpoints lie at least this many times their own cost apart."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """The user stopped a run; its capsule stands and can be gone on with.
+
+    Args:
+        folder: the run's.
+        tick: ticks that are safe.
+        signal_number: what stopped it.
+    """
+
+    def __init__(self, folder: Path, tick: int, signal_number: int) -> None:
+        super().__init__(f"stopped at tick {tick}")
+        self.folder = folder
+        self.tick = tick
+        self.signal_number = signal_number
+
+
+def run(
+    model_class: type[Model],
+    ticks: int | None = None,
+    seed: int = 0,
+    parameters: Mapping[str, Any] | None = None,
+    scheme: SchemeArgument = None,
+    hierarchy: HierarchyArgument = None,
+    every: int | None = None,
+    agents_every: int | None = None,
+    out: str | Path | None = None,
+    compiled: bool = True,
+    on_progress: Progress | None = None,
+    checkpoint_every: float = 5.0,
+    engine: str = "compiled",
+) -> Path:
+    """Run a model into a folder of its own.
+
+    Args:
+        model_class: the model, for example from `socialmind.catalogue.load_model`.
+        ticks: length of the run, at least 0; the model's own by default.
+        seed: of every random draw; 0 … 2**64 − 1.
+        parameters: values by name; the model's defaults for the rest.
+        scheme: a cognitive scheme or its file in place of the model's own; for a model with
+            several populations that have minds, a mapping from their names.
+        hierarchy: a mind's folder or YAML file, or a `MindDescription`, in place of the model's
+            own hierarchy of skills; for a model with several, a mapping from their populations.
+        every: ticks between two rows of the series, at least 1; by default such that about 500
+            are recorded. The last tick is always recorded.
+        agents_every: ticks between two recordings of the agents; by default ten times `every`.
+        out: folder to make, or an empty one; by default the next number under ``runs/``.
+        compiled: False runs the rules in plain Python, with the same result.
+        on_progress: called with the ticks done and the length, about ten times a second.
+        checkpoint_every: seconds between two checkpoints.
+        engine: on a plane, what moves the bodies: "compiled", or "pymunk", the reference.
+
+    Returns:
+        The run's folder.
+
+    Raises:
+        SocialmindError: an unknown parameter, a value out of range, a folder in use.
+        Interrupted: Ctrl-C; what was done is safe, `resume` goes on.
+    """
+    started = time.perf_counter()
+    length = _whole("ticks", model_class.ticks if ticks is None else ticks, 0)
+    step = _whole("every", max(1, -(-length // RECORDED)) if every is None else every, 1)
+    agents_step = min(step * AGENTS_EVERY, LONGEST) if agents_every is None else agents_every
+    agents_step = _whole("agents_every", agents_step, 1)
+    seed = _whole("seed", seed, 0, 2**64 - 1)
+    target = None if out is None else Path(out)
+    if target is not None:
+        capsules.refuse_unless_free(target.expanduser())
+
+    given = dict(parameters or {})
+    model = model_class(
+        seed=seed,
+        compiled=compiled,
+        scheme=scheme,
+        hierarchy=hierarchy,
+        **physics_of(engine),
+        **given,
+    )
+    schemes, scheme_files = scheme_copies(model, scheme)
+    minds, mind_files = mind_copies(model)
+    manifest = Manifest(
+        model=model_source(model_class),
+        parameters=dict(model.parameter_values()),
+        seed=seed,
+        compiled=compiled,
+        engine=engine,
+        schemes=schemes,
+        minds=minds,
+        ticks=length,
+        every=step,
+        agents_every=agents_step,
+        timings={"created": datetime.now(UTC).isoformat(timespec="seconds")},
+        versions=capsules.versions(),
+        platforms=[capsules.fingerprint()],
+    )
+    copies = sources_of(model_class).copies()
+    remember({path: content for path, content in copies.items() if path.endswith(".py")})
+    files = {**scheme_files, **mind_files, **copies}
+    capsule = Capsule.create(target, manifest, files)
+    with capsule.locked():
+        _Execution(capsule, model, None, started).go(length, on_progress, checkpoint_every)
+    return capsule.folder
+
+
+def resume(
+    folder: str | Path,
+    ticks: int | None = None,
+    compiled: bool | None = None,
+    model_class: type[Model] | None = None,
+    on_progress: Progress | None = None,
+    checkpoint_every: float = 5.0,
+    kept: bool = False,
+    trust: bool = False,
+) -> Path:
+    """Go on with a run that was stopped, or make a finished one longer.
+
+    The tables become those of one run that was never stopped.
+
+    Args:
+        folder: the run's.
+        ticks: length of the whole run, not less than the ticks done; as it was by default.
+        compiled: speed from here on; as it was by default.
+        model_class: the model; loaded from where the run says it stands by default.
+        on_progress: as for `run`.
+        checkpoint_every: as for `run`.
+        kept: whether to take the copies of the model's source that the run keeps.
+        trust: run programs that this user has neither named nor run before.
+
+    Returns:
+        The run's folder.
+
+    Raises:
+        SocialmindError: no run's folder, in use, its model or scheme was changed since, or it
+            holds unknown programs.
+        Interrupted: Ctrl-C; what was done is safe.
+    """
+    started = time.perf_counter()
+    capsule = Capsule(folder)
+    with capsule.locked():
+        checkpoint = _checked(capsule)
+        # Killed between its last tick and its last file: only the files are missing.
+        if (
+            checkpoint is not None
+            and capsule.manifest.status != capsules.FINISHED
+            and checkpoint.tick == capsule.manifest.ticks
+            and all(tick == checkpoint.tick for tick in checkpoint.recorded.values())
+        ):
+            _finish(capsule, checkpoint)
+        done = _ticks_done(capsule.manifest, checkpoint)
+        length = capsule.manifest.ticks if ticks is None else _whole("ticks", ticks, 0)
+        if length < done:
+            raise SocialmindError(
+                f"{capsule.folder}: {done} ticks are done, {length} asked for; "
+                "a run can be made longer, not shorter"
+            )
+        if capsule.manifest.status == capsules.FINISHED:
+            shutil.rmtree(capsule.parts, ignore_errors=True)
+            if length == done:
+                return capsule.folder
+        model = model_of(capsule, model_class, compiled, kept, trust)
+        if checkpoint is not None:
+            _restore(model, checkpoint, capsule.checkpoint)
+        if capsule.manifest.status == capsules.FINISHED:
+            checkpoint = _reopen(capsule, checkpoint, length)
+        machine = capsules.fingerprint()
+        known = capsule.manifest.platforms
+        capsule.update(
+            status=capsules.RUNNING,
+            ticks=length,
+            error=None,
+            compiled=capsule.manifest.compiled if compiled is None else compiled,
+            platforms=known if machine in known else [*known, machine],
+        )
+        _Execution(capsule, model, checkpoint, started).go(length, on_progress, checkpoint_every)
+    return capsule.folder
+
+
+class _Execution:
+    """One process's work on a run, from a checkpoint or the start to the last tick."""
+
+    def __init__(
+        self, capsule: Capsule, model: Model, checkpoint: Checkpoint | None, started: float
+    ) -> None:
+        self._capsule = capsule
+        self._model = model
+        self._every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
+        parts = checkpoint.parts if checkpoint else {}
+        self._tables = {
+            name: GrowingTable(
+                name,
+                capsule.parts,
+                parts.get(name, ()),
+                _source_of(model, name),
+                checkpoint.sums if checkpoint else None,
+            )
+            for name in TABLES
+        }
+        self._begun_with = self._tables[AGENTS].columns
+        self._first = next(iter(getattr(model, "populations", {})), None)
+        self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(TABLES, -1)
+        self._loop_seconds = checkpoint.loop_seconds if checkpoint else 0.0
+        self._started = started - (checkpoint.seconds if checkpoint else 0.0)
+
+    def go(self, length: int, on_progress: Progress | None, checkpoint_every: float) -> None:
+        """Run to the last tick and leave a finished capsule."""
+        with deferred_signals() as arrived:
+            try:
+                self._loop(length, on_progress, checkpoint_every, arrived)
+                _finish(self._capsule, self._checkpoint())
+            except Interrupted:
+                raise
+            except Exception as error:
+                # The state is in mid-tick: the last checkpoint stays the truth.
+                known = isinstance(error, SocialmindError | OSError)
+                failure = error if known else self._failure(error)
+                with suppress(OSError):  # there may be no room to say so
+                    self._capsule.update(status=capsules.FAILED, error=str(failure))
+                if isinstance(error, OSError) and error.errno in NO_ROOM:
+                    raise SocialmindError(
+                        f"{self._capsule.folder}: {os.strerror(error.errno)} at tick "
+                        f"{self._model.tick}; what the last checkpoint holds is safe: make room "
+                        "and go on with --resume"
+                    ) from error
+                if known:
+                    raise
+                raise failure from error
+
+    def _failure(self, error: Exception) -> SocialmindError:
+        """An error of the model's own Python, with its place there."""
+        path = Path(inspect.getfile(type(self._model)))
+        return failure_in_model(error, path, f"the run at tick {self._model.tick}")
+
+    def _loop(
+        self,
+        length: int,
+        on_progress: Progress | None,
+        checkpoint_every: float,
+        arrived: list[int],
+    ) -> None:
+        chunk = 1
+        clock = time.perf_counter
+        next_report = 0.0
+        next_checkpoint = clock() + checkpoint_every
+        while True:
+            tick = self._model.tick
+            if self._model.stopped:
+                length = tick
+            self._record(tick, length)
+            now = clock()
+            if on_progress and (now >= next_report or tick >= length):
+                on_progress(tick, length)
+                next_report = now + PROGRESS_SECONDS
+            if tick >= length:
+                return
+            if arrived:
+                self._checkpoint(status=capsules.INTERRUPTED)
+                raise Interrupted(self._capsule.folder, tick, arrived[0])
+            if now >= next_checkpoint:
+                self._checkpoint()
+                cost = clock() - now
+                next_checkpoint = clock() + max(checkpoint_every, CHECKPOINT_COST * cost)
+            stop = min(length, *(tick - tick % k + k for k in self._every.values()))
+            count = min(stop - tick, chunk)
+            begin = clock()
+            self._model.advance(count)
+            elapsed = clock() - begin
+            self._loop_seconds += elapsed
+            # A first chunk of one tick holds the compilation; growth by four finds the pace soon.
+            rate = count / max(elapsed, 1e-9)
+            chunk = max(1, min(int(rate * CHUNK_SECONDS), 4 * chunk))
+
+    def _record(self, tick: int, length: int) -> None:
+        """Take down what is due at this tick and not in the tables yet."""
+        for name, every in self._every.items():
+            if tick > self._recorded[name] and (tick % every == 0 or tick == length):
+                columns: Any = self._model.series() if name == SERIES else self._model.agents()
+                if name == SERIES and hasattr(columns, "items"):
+                    columns = {column: [value] for column, value in columns.items()}
+                elif self._begun_with is not None and isinstance(columns, Mapping):
+                    columns = as_before(columns, self._begun_with, self._first)
+                self._tables[name].add(tick, columns)
+                self._recorded[name] = tick
+
+    def _checkpoint(self, status: str = capsules.RUNNING) -> Checkpoint:
+        """Make everything up to now safe."""
+        for table in self._tables.values():
+            table.flush()
+        idle = self._model.idle
+        checkpoint = Checkpoint(
+            tick=self._model.tick,
+            recorded=dict(self._recorded),
+            parts={name: list(table.parts) for name, table in self._tables.items()},
+            idle={
+                "count": idle.count,
+                "first_agent": idle.first_agent,
+                "first_tick": idle.first_tick,
+            },
+            loop_seconds=self._loop_seconds,
+            seconds=time.perf_counter() - self._started,
+            state=self._model.state(),
+            sums={part: one for table in self._tables.values() for part, one in table.sums.items()},
+            run=self._capsule.manifest.identity(),
+        )
+        checkpoint.save(self._capsule.checkpoint)
+        model = with_late_reads(self._capsule.manifest.model, type(self._model))
+        changes = _so_far(self._capsule.manifest, checkpoint)
+        self._capsule.update(status=status, model=model, **changes)
+        return replace(checkpoint, state={})  # a large society's state is not kept in memory
+
+
+def _checked(capsule: Capsule) -> Checkpoint | None:
+    """A run's checkpoint, when all that it goes on from is as the run wrote it.
+
+    Raises:
+        SocialmindError: a part or a table is missing or was changed; nothing is written yet.
+    """
+    manifest = capsule.manifest
+    checkpoint = None
+    if capsule.checkpoint.exists() or capsule.checkpoint.is_symlink():
+        checkpoint = Checkpoint.load(capsule.checkpoint)
+        if checkpoint.run not in (None, manifest.identity()):
+            raise SocialmindError(
+                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not "
+                f"those that {capsule.checkpoint.name} was written with; put them back"
+            )
+    if manifest.status == capsules.FINISHED:
+        for name in TABLES:
+            check_content(capsule.table(name), manifest.tables[name]["sha256"])
+        return checkpoint
+    for name in TABLES:
+        refuse_folder(capsule.table(name))
+    if checkpoint is not None:
+        checkpoint.check_parts(capsule.parts)
+    elif capsule.parts.exists() and not capsule.parts.is_dir():
+        raise SocialmindError(f"{capsule.parts}: is a file, in the place of a folder; remove it")
+    return checkpoint
+
+
+def _restore(model: Model, checkpoint: Checkpoint, path: Path) -> None:
+    """Put a model where a run's checkpoint says it was.
+
+    Raises:
+        SocialmindError: the checkpoint is not one of this model with these parameters.
+    """
+    try:
+        before = model.parameter_values()
+        model.restore(dict(checkpoint.state))
+        if model.parameter_values() != before or model.tick != checkpoint.tick:
+            raise ValueError("it holds other parameters or another tick than the run")
+    except (SocialmindError, ValueError, KeyError, TypeError, IndexError) as error:
+        raise SocialmindError(
+            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy "
+            "of the folder, or delete it and the run starts again from its first tick"
+        ) from error
+
+
+def _source_of(model: Model, name: str) -> str:
+    """The method that gives a table's rows, with the file and line where it is written."""
+    written = getattr(getattr(type(model), name), "__code__", None)
+    place = "" if written is None else f"{written.co_filename}:{written.co_firstlineno}: "
+    return f"{place}{name}()"
+
+
+def _finish(capsule: Capsule, checkpoint: Checkpoint) -> None:
+    """Merge the parts and declare the run finished; killed anywhere in here, it can be repeated."""
+    contents = {}
+    for name in TABLES:
+        parts = [capsule.parts / part for part in checkpoint.parts[name]]
+        contents[name] = asdict(merge(parts, capsule.table(name), name))
+    capsule.update(
+        status=capsules.FINISHED, tables=contents, **_so_far(capsule.manifest, checkpoint)
+    )
+    shutil.rmtree(capsule.parts, ignore_errors=True)
+
+
+def _reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Checkpoint:
+    """Turn a finished run's tables into parts of a longer run.
+
+    A last row off the grid of recorded ticks was there because the run ended; the longer run
+    does not have it. Until the manifest says otherwise the old tables are the truth.
+    """
+    if checkpoint is None or checkpoint.tick != capsule.manifest.ticks_done:
+        raise SocialmindError(
+            f"{capsule.folder}: {capsule.checkpoint.name} is missing or of another run, so the "
+            f"run cannot be made longer; run anew with --ticks {length}"
+        )
+    every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
+    capsule.parts.mkdir(exist_ok=True)
+    parts, recorded, sums = {}, {}, {}
+    for name, step in every.items():
+        part = part_name(name, 0)
+        off_grid = checkpoint.tick % step
+        merge(
+            [capsule.table(name)],
+            make_room(capsule.parts / part),
+            name,
+            drop_tick=checkpoint.tick if off_grid else None,
+        )
+        parts[name] = [part]
+        sums[part] = seal(capsule.parts / part)
+        recorded[name] = checkpoint.tick - off_grid
+    reopened = replace(checkpoint, parts=parts, recorded=recorded, sums=sums)
+    reopened.save(capsule.checkpoint)
+    capsule.update(status=capsules.RUNNING, ticks=length, tables={})
+    for name in TABLES:
+        capsule.table(name).unlink(missing_ok=True)
+    return reopened
+
+
+def _so_far(manifest: Manifest, checkpoint: Checkpoint) -> dict[str, Any]:
+    """The manifest's fields that a checkpoint moves on."""
+    return {
+        "ticks_done": checkpoint.tick,
+        "idle": checkpoint.idle,
+        "timings": {
+            **manifest.timings,
+            "seconds": round(checkpoint.seconds, 3),
+            "loop_seconds": round(checkpoint.loop_seconds, 3),
+        },
+    }
+
+
+def _ticks_done(manifest: Manifest, checkpoint: Checkpoint | None) -> int:
+    if manifest.status == capsules.FINISHED:
+        return manifest.ticks_done
+    return checkpoint.tick if checkpoint else 0
+
+
+def _whole(name: str, value: Any, low: int, high: int | None = None) -> int:
+    """Return a whole number as Python's, which a manifest can hold."""
+    if not is_whole(value) or value < low or value > (LONGEST if high is None else high):
+        bound = f"from {low} up" if high is None else f"from {low} to 2**64 - 1"
+        raise SocialmindError(f"{name} {shown(value)}; expected a whole number {bound}")
+    return int(value)

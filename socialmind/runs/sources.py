@@ -1,0 +1,335 @@
+"""What a run was made from: the files of its model, and its copies of schemes and minds."""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import socialmind
+from socialmind.catalogue import (
+    MODEL_FILE,
+    catalogue,
+    load_model,
+    load_script,
+    modules_from,
+    source_hash,
+)
+from socialmind.errors import SocialmindError
+from socialmind.sources.provenance import KEPT, difference, difference_of_copies, sources_of
+from socialmind.sources.trust import programs_in, remember, require
+
+if TYPE_CHECKING:
+    from coglogo_py.scheme import CognitiveScheme
+    from socialmind.mind.description import MindDescription
+    from socialmind.model import Model
+    from socialmind.runs.capsule import Capsule
+
+    SchemeArgument = str | Path | CognitiveScheme | Mapping[str, Any] | None
+    HierarchyArgument = str | Path | MindDescription | Mapping[str, Any] | None
+
+
+def model_source(model_class: type[Model]) -> dict[str, Any]:
+    """Where a model stands and what it is made from, as the manifest records it.
+
+    A class defined in a ``model.py`` stands for its folder; one of another file for that file;
+    one typed into a notebook or interpreter has no path.
+
+    Raises:
+        SocialmindError: a file was edited since it was loaded.
+    """
+    try:
+        path: Path | None = Path(inspect.getfile(model_class)).resolve()
+    except (OSError, TypeError):
+        path = None
+    if path is not None and path.name == MODEL_FILE:
+        path = path.parent
+    there = path is not None and path.exists()
+    return {
+        "name": path.name if path is not None and path.is_dir() else model_class.__name__,
+        "path": str(path) if there else None,
+        "source_sha256": source_hash(path) if path is not None and there else None,
+        "sources": sources_of(model_class).record(),
+    }
+
+
+def with_late_reads(record: dict[str, Any], model_class: type[Model]) -> dict[str, Any]:
+    """A manifest's record of a model, with the files that the model has read since it was made."""
+    sources = record.get("sources")
+    if sources is None:
+        return record
+    found = sources_of(model_class).late(sources["files"])
+    return {**record, "sources": {**sources, "files": {**sources["files"], **found}}}
+
+
+def recorded_folder(capsule: Capsule) -> Path | None:
+    """The folder of a run's model: where it stood, or the one of that name that ships."""
+    name, path = capsule.manifest.model["name"], capsule.manifest.model["path"]
+    if path is not None and (Path(path) / MODEL_FILE).is_file():
+        return Path(path)
+    return catalogue().get(name or "")
+
+
+def _script(capsule: Capsule) -> Path | None:
+    """The script that defines a run's model, where it stood."""
+    path = capsule.manifest.model["path"]
+    return Path(path) if path is not None and Path(path).is_file() else None
+
+
+def recorded_class(capsule: Capsule, kept: bool = False, trust: bool = False) -> type[Model]:
+    """The model class of a run, loaded from where its manifest says, or from the run's copies.
+
+    Args:
+        capsule: the run.
+        kept: from the copies that the run keeps.
+        trust: run programs that this user has neither named nor run before.
+
+    Raises:
+        SocialmindError: the model is not there, or it holds unknown programs.
+    """
+    record = capsule.manifest.model
+    path = None if record["path"] is None else Path(record["path"])
+    if kept:
+        return _kept_class(capsule, path, trust)
+    folder = recorded_folder(capsule)
+    if folder is not None:
+        require(programs_in(folder), trust, f"{capsule.folder}: its model at {folder}")
+        return _with_minds(capsule, load_model(folder), trust)
+    if path is not None and path.is_file():
+        require(programs_in(path), trust, f"{capsule.folder}: its model at {path}")
+        return _with_minds(capsule, load_script(path, record["name"]), trust)
+    where = "was typed into a notebook or interpreter" if path is None else f"is not at {path}"
+    remedy = "give the class as model_class in Python"
+    if (capsule.folder / KEPT).is_dir():
+        remedy += ", or take the run's own copy: --source kept"
+    raise SocialmindError(f"{capsule.folder}: its model {record['name']} {where}; {remedy}")
+
+
+def _with_minds(capsule: Capsule, cls: type[Model], trust: bool) -> type[Model]:
+    """The class, whose minds may lie beside its folder."""
+    for population in cls.populations.values():
+        if isinstance(population.hierarchy, str | Path):
+            mind = cls.folder() / population.hierarchy
+            require(programs_in(mind), trust, f"{capsule.folder}: the mind at {mind}")
+    return cls
+
+
+def _kept_class(capsule: Capsule, path: Path | None, trust: bool) -> type[Model]:
+    home = capsule.folder / KEPT
+    if path is None or not home.is_dir():
+        raise SocialmindError(
+            f"{capsule.folder}: keeps no copy of its model's source; give the class as model_class"
+        )
+    changed = difference_of_copies(capsule.manifest.model["sources"], capsule.folder)
+    if changed:
+        raise SocialmindError(changed)
+    require(programs_in(home), trust, f"{capsule.folder}: its copy of the model's source")
+    with modules_from(home / "modules"):
+        if (home / "model" / MODEL_FILE).is_file():
+            return load_model(home / "model")
+        return load_script(home / "model" / path.name, capsule.manifest.model["name"])
+
+
+def require_minds(capsule: Capsule, trust: bool) -> None:
+    """Refuse unknown programs in a run's copies of its minds, unless they are trusted.
+
+    Raises:
+        SocialmindError: there are some; lists them.
+    """
+    for path in capsule.minds.values():
+        require(programs_in(path), trust, f"{capsule.folder}: its copy of a mind")
+
+
+def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
+    """What differs between the run's model or schemes and the files as they are, or None."""
+    record = capsule.manifest.model
+    if _is_kept(capsule, model_class):
+        changed = difference_of_copies(record["sources"], capsule.folder)
+    elif "sources" in record:
+        changed = difference(record["sources"], sources_of(model_class))
+    else:  # a run from before modules and data elsewhere were looked at
+        found = model_source(model_class)
+        same = found["source_sha256"] == record["source_sha256"]
+        changed = None if same else f"{found['path']}: is not the source the run was made with"
+    if changed:
+        return changed
+    for population, path in capsule.schemes.items():
+        if not path.is_file():
+            return f"{path}: the run's copy of its scheme is missing"
+        if _sha256(path.read_bytes()) != capsule.manifest.schemes[population]["sha256"]:
+            return f"{path}: the run's copy of its scheme was changed"
+    for population, path in capsule.minds.items():
+        if not path.is_dir():
+            return f"{path}: the run's copy of its mind is missing"
+        if _hash_of(_files_in(path)) != capsule.manifest.minds[population]["sha256"]:
+            return f"{path}: the run's copy of its mind was changed"
+    return None
+
+
+def edited(record: Mapping[str, Any], place: Path) -> str | None:
+    """What differs between a record and the files of a model, found without running any of them.
+
+    Args:
+        record: what a manifest says of the model.
+        place: the model's folder, or the script that defines it.
+    """
+    folder = place.parent if place.is_file() else place
+    for label, hashed in (record.get("sources") or {"files": {}})["files"].items():
+        kind, _, name = label.partition("/")
+        if kind == "model" and name.endswith(".py"):
+            file = folder / name
+            if not file.is_file() or _sha256(file.read_bytes()) != hashed:
+                return f"{file}: is not the file that the run was made with"
+    if record.get("sources") is None and source_hash(place) != record["source_sha256"]:
+        return f"{place}: is not the source the run was made with"
+    return None
+
+
+def _is_kept(capsule: Capsule, model_class: type[Model]) -> bool:
+    """Return whether a class was loaded from a run's own copies."""
+    try:
+        return Path(inspect.getfile(model_class)).is_relative_to(capsule.folder / KEPT)
+    except (OSError, TypeError):
+        return False
+
+
+def model_of(
+    capsule: Capsule,
+    model_class: type[Model] | None = None,
+    compiled: bool | None = None,
+    kept: bool = False,
+    trust: bool = False,
+) -> Model:
+    """A run's model at tick 0.
+
+    Args:
+        capsule: the run.
+        model_class: its class; loaded from where the manifest says by default.
+        compiled: speed; the run's by default.
+        kept: load the class from the copies that the run keeps.
+        trust: run programs that this user has neither named nor run before.
+
+    Raises:
+        SocialmindError: the model is missing, or it, its scheme or socialmind was changed since;
+            or model or minds hold unknown programs.
+    """
+    manifest = capsule.manifest
+    require_minds(capsule, trust)
+    cls = model_class
+    # Said before anything is run, or asked about.
+    place = recorded_folder(capsule) or _script(capsule)
+    changed = None if kept or cls is not None or place is None else edited(manifest.model, place)
+    if cls is None and not changed:
+        cls = recorded_class(capsule, kept, trust)
+    changed = changed or (None if cls is None else changes_since(capsule, cls))
+    if changed or cls is None:
+        remedies = ["put the old file back", "start another run"]
+        if (capsule.folder / KEPT).is_dir():
+            remedies.insert(1, "take the run's own copies (--source kept)")
+        remedy = f"{', '.join(remedies[:-1])}, or {remedies[-1]}"
+        raise SocialmindError(f"{changed}; {remedy}")
+    then, today = manifest.versions.get("socialmind"), socialmind.__version__
+    if then != today:
+        raise SocialmindError(
+            f"{capsule.folder}: made by socialmind {then}, this is {today}, whose runs may differ; "
+            f"install {then}, or start another run"
+        )
+    return cls(
+        seed=manifest.seed,
+        compiled=manifest.compiled if compiled is None else compiled,
+        scheme=capsule.schemes or None,
+        hierarchy=capsule.minds or None,
+        **physics_of(manifest.engine),
+        **manifest.parameters,
+    )
+
+
+def physics_of(engine: str) -> dict[str, Any]:
+    """What a model is made with for an engine; only a model on a plane can take another one."""
+    return {} if engine == "compiled" else {"physics": engine}
+
+
+def scheme_copies(
+    model: Model, given: SchemeArgument
+) -> tuple[dict[str, dict[str, str]], dict[str, bytes]]:
+    """The schemes of a model as its run keeps them.
+
+    A file is kept byte for byte, comments and all; a scheme made in Python as YAML.
+
+    Args:
+        model: the run's model.
+        given: what the user gave in place of the model's own.
+
+    Returns:
+        For each population with minds, the manifest's record of its scheme; and the content of
+        each file.
+    """
+    records, files = {}, {}
+    for population, scheme in model.schemes.items():
+        source = given.get(population) if isinstance(given, Mapping) else given
+        if source is None:
+            source = model.populations[population].mind
+            if isinstance(source, str | Path):
+                source = model.folder() / source
+        if isinstance(source, str | Path):
+            suffix, content = Path(source).suffix, Path(source).expanduser().read_bytes()
+        else:
+            suffix, content = ".yaml", _as_yaml(scheme)
+        alone = len(model.schemes) == 1
+        file = f"scheme{suffix}" if alone else f"scheme-{population}{suffix}"
+        records[population] = {"name": scheme.name, "file": file, "sha256": _sha256(content)}
+        files[file] = content
+    return records, files
+
+
+def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, bytes]]:
+    """The hierarchies of skills of a model as its run keeps them: each a mind's folder.
+
+    Args:
+        model: the run's model.
+
+    Returns:
+        For each population with hierarchies, the manifest's record of its mind; and the content
+        of each file.
+    """
+    records: dict[str, dict[str, str]] = {}
+    files: dict[str, bytes] = {}
+    for population, assembly in model.assemblies.items():
+        with tempfile.TemporaryDirectory() as place:
+            assembly.description.save(Path(place) / "mind")
+            found = _files_in(Path(place) / "mind")
+        folder = f"minds/{population}"
+        name, sha256 = assembly.description.name, _hash_of(found)
+        remember({path: content for path, content in found.items() if path.endswith(".py")})
+        records[population] = {"name": name, "folder": folder, "sha256": sha256}
+        files |= {f"{folder}/{path}": content for path, content in found.items()}
+    return records, files
+
+
+def _files_in(folder: Path) -> dict[str, bytes]:
+    """The files of a folder but what Python leaves there, by their paths in it."""
+    paths = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in paths
+        if "__pycache__" not in path.parts
+    }
+
+
+def _hash_of(files: Mapping[str, bytes]) -> str:
+    whole = "".join(f"{name} {_sha256(content)}\n" for name, content in sorted(files.items()))
+    return _sha256(whole.encode())
+
+
+def _as_yaml(scheme: CognitiveScheme) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scheme.yaml"
+        scheme.save(path)
+        return path.read_bytes()
+
+
+def _sha256(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()

@@ -1,0 +1,1 @@
+"""A running society: what was declared, and its agents as rows of arrays."""

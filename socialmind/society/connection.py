@@ -1,0 +1,139 @@
+"""The connection of a model's arrays to its compiled code: addresses and sizes in one record."""
+
+from __future__ import annotations
+
+import operator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from coglogo_py import CognitiveScheme
+from coglogo_py.arrays import MindArrays, SchemeArrays, culturons_of
+from socialmind.errors import ModelError
+from socialmind.language.program import Program
+
+if TYPE_CHECKING:
+    from socialmind.mind.evaluation.arrays import Assembly
+    from socialmind.model import Model
+
+
+def connect(model: Model) -> None:
+    """Write into the model's record where its arrays are, and how large, unless it knows.
+
+    The arrays are kept: while they are, no other array can take an address that was written.
+    """
+    arrays = _all_arrays(model)
+    known = model.connected
+    if len(known) == len(arrays) and all(map(operator.is_, known, arrays.values())):
+        return
+    context = model.context
+    context["_stream"] = _address(model.stream)
+    if model.grid is not None:
+        context["_world_size"] = model.grid.size
+        context["_world_low"] = model.grid.low
+        context["_world_high"] = model.grid.high
+    for name, table in model.tables.items():
+        context[f"_{name}_room"] = len(table.rows)
+    for name, array in arrays.items():
+        context[f"_{name}"] = _address(array)
+        if array.dtype.names is None:
+            for axis, length in enumerate(array.shape):
+                context[f"_{name}_{axis}"] = length
+    model.connected = list(arrays.values())
+    if model.arena is not None:
+        model.arena.connect()
+
+
+def connected_arrays(model: Model) -> list[Any]:
+    """Return the arrays of a model that change in a run, beside its record and its minds."""
+    return [
+        array
+        for name, array in _all_arrays(model).items()
+        if not name.endswith(("_names", "_default", "_hierarchy"))
+    ]
+
+
+def _address(array: Any) -> int:
+    return int(array.__array_interface__["data"][0])
+
+
+def _all_arrays(model: Model) -> dict[str, Any]:
+    """Return the arrays of a model by the names that the record gives their addresses."""
+    arrays: dict[str, Any] = {}
+    if model.grid is not None:
+        arrays["patches"] = model.grid.rows
+    for name, table in model.tables.items():
+        for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
+            arrays[f"{name}_{part}"] = getattr(table, part)
+        arrays[f"{name}_names"] = model.names[name]
+        if table.minds is not None:
+            arrays[f"{name}_hierarchy"] = table.minds.record.record
+        if table.society is not None:
+            for part, array in table.scratch(model.program).items():
+                arrays[f"{name}_{part}"] = array
+            for part, array in zip(SchemeArrays._fields, table.society.arrays, strict=True):
+                arrays[f"{name}_scheme_{part}"] = array
+            for part, array in zip(MindArrays._fields, table.society.minds, strict=True):
+                arrays[f"{name}_minds_{part}"] = array
+    return arrays
+
+
+def names_of_minds(
+    program: Program,
+    population: str,
+    scheme: CognitiveScheme | None,
+    assembly: Assembly | None = None,
+) -> list[int]:
+    """Return where in a scheme and a hierarchy the names stand that a population's rules write.
+
+    Raises:
+        ModelError: a rule names what the minds do not have, or a plan has no function.
+    """
+    tables: dict[str, dict[Any, int]] = {}
+    owners: dict[str, str] = {}
+    if scheme is not None:
+        _check_plans(program, population, scheme)
+        tables |= _parts_of_scheme(scheme)
+        owners |= dict.fromkeys(tables, f"the scheme {scheme.name!r}")
+    if assembly is not None:
+        from socialmind.mind.code.drive import tables_of
+
+        parts = tables_of(assembly)
+        tables |= parts
+        owners |= dict.fromkeys(parts, f"the mind {assembly.description.name!r}")
+    return program.placed(population, tables, owners)
+
+
+def _parts_of_scheme(scheme: CognitiveScheme) -> dict[str, dict[Any, int]]:
+    """Return the places of a scheme's parts by part and name."""
+    tables: dict[str, dict[Any, int]] = {
+        "plan": {name: place for place, name in enumerate(scheme.plans)},
+        "cogniton": {one.name: place for place, one in enumerate(scheme.cognitons)},
+        "group": {one.name: place for place, one in enumerate(scheme.groups)},
+        "role": {},
+        "culturon": {},
+    }
+    for group in scheme.groups:
+        for role in group.roles:
+            tables["role"][group.name, role.name] = len(tables["role"])
+        for culturon in culturons_of(group):
+            tables["culturon"][group.name, culturon.name] = len(tables["culturon"])
+    return tables
+
+
+def _check_plans(program: Program, population: str, scheme: CognitiveScheme) -> None:
+    """Refuse a plan of a scheme that has no function."""
+    if population in program.plans:
+        for plan in scheme.plans:
+            if plan not in program.plans[population]:
+                raise ModelError(
+                    f"the plan {plan!r} of the scheme {scheme.name!r}, which has no function",
+                    "a function for each plan",
+                    f"the population {population!r} has {', '.join(program.plans[population])}",
+                )
+
+
+def plan_functions(program: Program, population: str, scheme: CognitiveScheme) -> Any:
+    """Return the number of each plan's function, in the scheme's order."""
+    known = {plan: place for place, plan in enumerate(program.plans.get(population, {}))}
+    return np.array([known.get(plan, -1) for plan in scheme.plans], np.int64)

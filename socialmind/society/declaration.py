@@ -1,0 +1,274 @@
+"""What a model's class declares: its parts, read and checked when the class is made."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping
+from types import FunctionType
+from typing import Any, NamedTuple
+
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
+from socialmind.agents.attributes import ArrayField, HeldArray
+from socialmind.errors import ModelError, nearest
+from socialmind.fields import Field, declared, place_of_field, presence
+from socialmind.society.parameter import Parameter
+from socialmind.society.phases import PhaseDeclaration
+from socialmind.society.population import Population
+from socialmind.values import fitted
+from socialmind.worlds.plane.devices import Interruption, Reward
+from socialmind.worlds.plane.measures import RESERVED, Measure
+from socialmind.worlds.plane.plane import Plane
+from socialmind.worlds.torus.torus import Torus
+
+OWN_NAMES = frozenset(
+    (
+        "compiled",
+        "connected",
+        "context",
+        "contexts",
+        "engine",
+        "grid",
+        "hierarchy",
+        "arena",
+        "assemblies",
+        "before_setup",
+        "steerings",
+        "physics",
+        "over",
+        "minded",
+        "names",
+        "program",
+        "scheme",
+        "schemes",
+        "seed",
+        "shape",
+        "stream",
+        "tables",
+        "watch",
+        "watched",
+        "without",
+        "world",
+    )
+)
+"""What an instance keeps under these names, and what it is made with."""
+SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
+    "name": ((str,), "a text"),
+    "ticks": ((int,), "a whole number, 0 or more"),
+    "score_every": ((int,), "a whole number, 0 or more"),
+    "setup": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
+    "schedule": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
+    "rewards": ((dict,), "rewards by name, on a plane"),
+    "interruptions": ((dict,), "interruptions by name, on a plane"),
+    "measures": ((dict,), "measures by name, on a plane"),
+}
+"""The class attributes of `Model` that a modeller sets, and what they are."""
+
+
+class Variable:
+    """A variable of a model (a NetLogo global), readable and writable on its instances."""
+
+    def __init__(self, field: Field) -> None:
+        self.field = field
+
+    def __get__(self, model: Any, owner: type) -> Any:
+        if model is None:
+            return self
+        if self.field.size is not None:
+            values = model.context[self.field.name]
+            return ArrayField(values) if model._in_rules else HeldArray(values, self.field)
+        if self.field.optional and not model.context[presence(self.field.name)]:
+            return None
+        return model.context[self.field.name].item()
+
+    def __set__(self, model: Any, value: Any) -> None:
+        if not model._in_rules:
+            value = fitted(self.field, value, f"the variable {self.field.name!r} of {model.name}")
+        if self.field.optional:
+            model.context[presence(self.field.name)] = value is not None
+            value = 0 if value is None else value
+        model.context[self.field.name] = value
+
+
+class Declaration(NamedTuple):
+    """The parts that a model's class and its bases declare, by name."""
+
+    parameters: dict[str, Parameter]
+    variables: dict[str, Field]
+    populations: dict[str, Population]
+    torus: Torus | None
+    plane: Plane | None
+    rewards: dict[str, Reward]
+    interruptions: dict[str, Interruption]
+    measures: dict[str, Measure]
+
+
+def declaration_of(cls: type, model: type) -> Declaration:
+    """Read what a model's class declares, and put a `Variable` where a variable stands.
+
+    Args:
+        cls: the class.
+        model: `Model`, whose names are taken.
+
+    Raises:
+        ModelError: a part of a wrong kind or under a name that is taken, with file and line.
+    """
+    annotations = {
+        name: kind
+        for name, kind in inspect.get_annotations(cls, eval_str=True).items()
+        if not str(kind).startswith("typing.ClassVar")
+    }
+    for name, value in list(vars(cls).items()):
+        _check_attribute(cls, model, name, value)
+    for name, kind in annotations.items():
+        value = cls.__dict__.get(name)
+        if isinstance(value, Parameter):
+            _check_kind(cls, value, kind)
+        elif not isinstance(value, Population | Torus | Plane) and name not in SETTINGS:
+            _check_name(cls, model, name, "a variable")
+            missing: tuple[Any, ...] = () if name not in cls.__dict__ else (value,)
+            setattr(cls, name, Variable(declared(cls, name, kind, *missing)))
+    own = {name: value for base in reversed(cls.__mro__) for name, value in vars(base).items()}
+    world = own.get("world")
+    found = Declaration(
+        {name: value for name, value in own.items() if isinstance(value, Parameter)},
+        {name: value.field for name, value in own.items() if isinstance(value, Variable)},
+        {name: value for name, value in own.items() if isinstance(value, Population)},
+        world if isinstance(world, Torus) else None,
+        world if isinstance(world, Plane) else None,
+        dict(own.get("rewards", {})),
+        dict(own.get("interruptions", {})),
+        dict(own.get("measures", {})),
+    )
+    _check_sizes(cls, found)
+    _check_plane(cls, model, found)
+    for name in ("setup", "schedule"):
+        _check_phases(cls, name, own.get(name, ()), found.populations)
+    return found
+
+
+def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
+    """Refuse an attribute of a class that is of a wrong kind or hides what models use."""
+    if isinstance(value, Parameter | Population | Torus | Plane):
+        if not isinstance(value, Torus | Plane):
+            _check_name(cls, model, name, "a part of the model")
+        elif name != "world":
+            kind = type(value).__name__
+            _refuse(cls, name, f"a {kind.lower()} called {name!r}", "world", f"world = {kind}(…)")
+        try:
+            value.check()
+        except ModelError as error:
+            if error.file is not None:
+                raise
+            _refuse(cls, name, error.found, error.expected, error.remedy)
+    elif name in SETTINGS:
+        kinds, expected = SETTINGS[name]
+        right = is_whole(value) and value >= 0 if int in kinds else isinstance(value, kinds)
+        if not right:
+            alone = isinstance(value, PhaseDeclaration)
+            remedy = f"write {name} = (…,), with a comma" if alone else None
+            _refuse(cls, name, f"{name} = {value if alone else shown(value)}", expected, remedy)
+    elif name in OWN_NAMES or (hasattr(model, name) and not name.startswith("__")):
+        there = getattr(model, name, None)
+        allowed: tuple[type, ...] = ()
+        if isinstance(there, property):
+            allowed = (property,)
+        elif inspect.isroutine(there):
+            allowed = (FunctionType, classmethod, staticmethod)
+        if not isinstance(value, allowed):
+            what = "a method" if inspect.isroutine(there) else "something"
+            _refuse(
+                cls,
+                name,
+                f"a class attribute {name!r}, which hides {what} that every model has",
+                None,
+                "call it something else",
+            )
+
+
+def _check_name(cls: type, model: type, name: str, what: str) -> None:
+    if name.startswith("_"):
+        _refuse(cls, name, f"{what} called {name!r}", "a name without a leading underscore")
+    if name in OWN_NAMES or hasattr(model, name):
+        _refuse(cls, name, f"{what} called {name!r}", "a name that models do not use")
+
+
+def _check_kind(cls: type, parameter: Parameter, kind: Any) -> None:
+    """Hold a parameter's default against its annotation; a whole number may stand for a float."""
+    if kind is float and parameter.kind is int:
+        parameter.default = float(parameter.default)
+    elif kind is not parameter.kind:
+        wanted = getattr(kind, "__name__", kind)
+        _refuse(
+            cls,
+            parameter.name,
+            f"{parameter.default!r} as the default of the parameter {parameter.name!r}",
+            f"a value of {wanted}"
+            if kind in (float, int, bool)
+            else "float, int or bool, or str with choices=",
+        )
+
+
+def _check_sizes(cls: type, found: Declaration) -> None:
+    """Refuse a size that is neither a number nor a parameter of whole numbers."""
+    sized: list[tuple[str, Any, int]] = [(n, p.size, 0) for n, p in found.populations.items()]
+    if found.torus is not None:
+        sized.append(("world", found.torus.size, 1))
+    whole = [name for name, one in found.parameters.items() if one.kind is int]
+    for name, size, least in sized:
+        if isinstance(size, str):
+            if size not in whole:
+                expected = "a number or the name of a parameter of whole numbers"
+                _refuse(cls, name, f"the size {size!r}", expected, nearest(size, whole))
+        elif not is_whole(size) or size < least:
+            _refuse(cls, name, f"the size {shown(size)}", f"a whole number, {least} or more")
+
+
+def _check_plane(cls: type, model: type, found: Declaration) -> None:
+    """Refuse what belongs to a plane where there is none, and a half-width that is no parameter."""
+    kinds = {"rewards": Reward, "interruptions": Interruption, "measures": Measure}
+    for name, kind in kinds.items():
+        for key, device in getattr(found, name).items():
+            if not isinstance(device, kind):
+                _refuse(cls, name, f"{device!r} as {key!r}", f"one of the {name} of socialmind")
+            if found.plane is None:
+                _refuse(cls, name, f"{name} without a plane", None, "write world = Plane(…)")
+    for key in found.measures:
+        if key in RESERVED:
+            _refuse(cls, "measures", f"a measure called {key!r}", "another name: a score has it")
+    if found.plane is None:
+        for name, one in found.populations.items():
+            if one.body is not None or one.sensors or one.actuators:
+                _refuse(cls, name, f"bodies of {name!r} without a plane", "world = Plane(…)")
+        return
+    if cls.stop_when is not model.stop_when:  # type: ignore[attr-defined]  # models have it
+        _refuse(cls, "stop_when", "stop_when() on a plane", "interruptions = {…}")
+    if isinstance(found.plane.half_width, str):
+        wide, numbers = found.plane.half_width, [n for n, p in found.parameters.items()
+                                                 if p.kind is float]  # fmt: skip
+        if wide not in numbers:
+            what = "a number or the name of a parameter of numbers"
+            _refuse(cls, "world", f"the half-width {wide!r}", what, nearest(wide, numbers))
+
+
+def _check_phases(cls: type, name: str, phases: Any, populations: dict[str, Population]) -> None:
+    """Refuse what is no phase, and a phase for a population of another class."""
+    for phase in phases:
+        if not isinstance(phase, PhaseDeclaration):
+            _refuse(cls, name, f"{phase!r} in {name}", "each(population, rule) or once(rule)")
+        who = phase.population
+        # One that a subclass declares anew keeps the phases of that in whose place it stands.
+        if who is not None and not any(vars(base).get(who.name) is who for base in cls.__mro__):
+            _refuse(
+                cls,
+                name,
+                f"a phase in {name} for a population that the class does not have",
+                f"one of {', '.join(populations)}" if populations else "once(rule): it has none",
+            )
+
+
+def _refuse(
+    cls: type, name: str, found: str, expected: str | None, remedy: str | None = None
+) -> None:
+    file, line = place_of_field(cls, name)
+    raise ModelError(found, expected, remedy, file, line)

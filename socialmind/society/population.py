@@ -1,0 +1,206 @@
+"""Populations: what a modeller declares of agents.
+
+- `Agent`: the base of annotated classes; every agent has a place and a heading.
+- `Population`: the declaration in a model: which agents, how many, with what mind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from numbers import Real
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_truth, is_whole
+from socialmind.agents.agent import Agent
+from socialmind.errors import ModelError
+from socialmind.fields import class_fields, place_of_field
+from socialmind.language.shape import PopulationShape
+from socialmind.society.table import Table
+
+if TYPE_CHECKING:
+    from coglogo_py import CognitiveScheme
+    from socialmind.mind.description import MindDescription
+    from socialmind.mind.weighing import Weighing
+    from socialmind.worlds.plane.bodies import Disc
+    from socialmind.worlds.plane.devices import Act, Sense
+    from socialmind.worlds.plane.sensors import RangeFinder
+
+
+TAKEN_NAMES = frozenset(
+    (
+        "id",
+        "mind",
+        "plan",
+        "run_plan",
+        "die",
+        "hatch",
+        "hierarchy",
+        "minds",
+        "acting",
+        "alive",
+        "columns",
+        "counters",
+        "default",
+        "dtype",
+        "edge",
+        "free",
+        "model",
+        "order",
+        "row_class",
+        "rows",
+        "shape",
+        "slot_of",
+        "society",
+        "weighing",
+    )
+)
+"""What an agent, and a population's table, keep under these names beside its methods."""
+
+
+class Population:
+    """The declaration of a population, as an attribute of a model.
+
+    Args:
+        agent: the annotated class of its agents, which inherits from `Agent`.
+        size: how many there are at the start: a number, or the name of a parameter.
+        mind: the scheme of their minds: a file beside the model, or a `CognitiveScheme`.
+        plans: the function of each plan, by the plan's name in the scheme.
+        decision_makers: decision makers of the modeller's own that the scheme's file may name.
+        hierarchy: the hierarchy of skills of its agents (MIND): a folder or YAML file beside the
+            model, or a `MindDescription`. An agent may have both kinds of mind.
+        master: the name of the hierarchy's master skill; may be left out where no other skill
+            influences exactly one.
+        drive: the hierarchy's drive module, a plain function `drive(mind)`.
+        own_genomes: whether each agent has its own weights.
+        instances: how many instances there are of the groups that share variables.
+        weighing: how the hierarchy weighs the plans of the minds, in place of the scheme's
+            influence links; None where it does not.
+        body: what its bodies are made of, where the world is a plane and they move on it.
+        sensors: the sensors of each body, by name.
+        actuators: the actuators of each body, by name.
+        bounds: the smallest and largest value that the model's rules let cognitons take, by name
+            (`{"Fear": (0.0, 10.0)}`); `explain` proposes no change beyond them.
+    """
+
+    def __init__(
+        self,
+        agent: type,
+        size: int | str,
+        mind: str | Path | CognitiveScheme | None = None,
+        plans: Mapping[str, Callable[..., Any]] | None = None,
+        decision_makers: tuple[Any, ...] = (),
+        hierarchy: str | Path | MindDescription | None = None,
+        master: str | None = None,
+        drive: Callable[..., None] | None = None,
+        own_genomes: bool = False,
+        instances: int = 0,
+        weighing: Weighing | None = None,
+        body: Disc | None = None,
+        sensors: Mapping[str, Sense | RangeFinder] | None = None,
+        actuators: Mapping[str, Act] | None = None,
+        bounds: Mapping[str, tuple[float, float]] | None = None,
+    ) -> None:
+        self.agent = agent
+        self.size = size
+        self.mind = mind
+        self.plans = dict(plans or {})
+        self.decision_makers = decision_makers
+        self.hierarchy = hierarchy
+        self.master = master
+        self.drive = drive
+        self.own_genomes = own_genomes
+        self.instances = instances
+        self.weighing = weighing
+        self.body = body
+        self.sensors = dict(sensors or {})
+        self.actuators = dict(actuators or {})
+        self.bounds = dict(bounds or {})
+        self.name = ""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def check(self) -> None:
+        """Refuse agents of a wrong class, names that are taken, and plans without a mind.
+
+        Raises:
+            ModelError: so it is.
+        """
+        name = self.name
+        if not (isinstance(self.agent, type) and issubclass(self.agent, Agent)):
+            raise ModelError(
+                f"{self.agent!r} as the agents of {name!r}",
+                "a class that inherits from socialmind.Agent",
+                "write class Human(Agent): …",
+            )
+        if self.plans and self.mind is None:
+            raise ModelError(
+                f"plans for {name!r}, which has no mind",
+                None,
+                "name its scheme: mind='scheme.yaml'",
+            )
+        self._check_hierarchy()
+        for cogniton, ends in self.bounds.items():
+            pair = isinstance(ends, tuple | list) and len(ends) == 2
+            real = pair and all(isinstance(end, Real) and not is_truth(end) for end in ends)
+            if self.mind is None or not real or not ends[0] <= ends[1]:
+                raise ModelError(
+                    f"the bounds {shown(ends)} of {cogniton!r} in {name!r}",
+                    "a smallest and a largest value of a cogniton of its minds",
+                    "write bounds={'Fear': (0.0, 10.0)}",
+                )
+        for field in class_fields(self.agent).values():
+            file, line = place_of_field(self.agent, field.name)
+            found = f"a field called {field.name!r}"
+            if field.name in TAKEN_NAMES or hasattr(Table, field.name):
+                expected = "a name that agents and populations do not use"
+                raise ModelError(found, expected, None, file, line)
+            if field.name in Agent.__annotations__ and (field.storage, field.size) != ("f8", None):
+                raise ModelError(found, "a float, as in every agent", None, file, line)
+
+    def _check_hierarchy(self) -> None:
+        """Refuse what belongs to a hierarchy where there is none, and wrong instances."""
+        number = self.instances
+        if not is_whole(number) or number < 0:
+            found = f"instances={shown(number)} for {self.name!r}"
+            raise ModelError(found, "a whole number, 0 or more")
+        self.instances = int(number)
+        given = {"master": self.master, "drive": self.drive, "own_genomes": self.own_genomes,
+                 "instances": number}  # fmt: skip
+        for setting, value in given.items():
+            if value and self.hierarchy is None:
+                raise ModelError(
+                    f"{setting}= for {self.name!r}, which has no hierarchy",
+                    None,
+                    "give it one: hierarchy='mind'",
+                )
+        if self.weighing is not None and (self.mind is None or self.hierarchy is None):
+            raise ModelError(
+                f"weighing= for {self.name!r}, which has not both kinds of mind",
+                "a scheme, whose plans a hierarchy weighs",
+                "give it both: mind='scheme.yaml', hierarchy='mind'",
+            )
+        if self.weighing is not None and self.body is not None:
+            raise ModelError(
+                f"weighing= for {self.name!r}, whose hierarchies move bodies on a plane",
+                "a population without bodies",
+                "let a skill of the hierarchy be a CognitonScheme",
+            )
+
+    def __get__(self, model: Any, owner: type) -> Any:
+        return self if model is None else model.tables[self.name]
+
+    @property
+    def shape(self) -> PopulationShape:
+        """What rules may know of the population."""
+        fields = class_fields(self.agent)
+        return PopulationShape(
+            self.name,
+            fields,
+            self.mind is not None,
+            self.plans,
+            self.hierarchy is not None,
+            self.weighing is not None,
+        )

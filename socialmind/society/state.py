@@ -1,0 +1,68 @@
+"""The state of a model as arrays: what a checkpoint holds, and a run goes on from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import NDArray
+
+from socialmind.society.state_check import check_state
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
+
+
+def state_of(model: Model) -> dict[str, NDArray[Any]]:
+    """Return copies of all arrays of a model that change in a run, by name.
+
+    Args:
+        model: at any tick.
+    """
+    context = model.contexts.copy()
+    for name in model._addresses:
+        context[name] = 0  # `connect` finds them anew
+    state: dict[str, NDArray[Any]] = {"context": context}
+    if model.grid is not None:
+        state["world.rows"] = model.grid.rows.copy()
+    for name, table in model.tables.items():
+        for part, array in table.snapshot().items():
+            state[f"{name}.{part}"] = array
+        if table.society is not None:
+            for part, array in table.society.state().items():
+                state[f"{name}.minds.{part}"] = array
+        if table.minds is not None:
+            for part, array in table.minds.snapshot().items():
+                state[f"{name}.hierarchy.{part}"] = array
+    return state
+
+
+def restore(model: Model, state: Mapping[str, NDArray[Any]]) -> None:
+    """Put a model into a state.
+
+    Args:
+        model: of the class and the parameters of the one whose state it is.
+        state: as `state_of` returns it.
+
+    Raises:
+        SocialmindError: the state is that of another model.
+    """
+    check_state(model, state)
+    model.contexts[:] = state["context"]
+    model.connected = []
+    if model.grid is not None:
+        model.grid.restore({"rows": state["world.rows"]})
+    for name, table in model.tables.items():
+        own = _part(state, name)
+        table.restore({key: array for key, array in own.items() if "." not in key})
+        if table.society is not None:
+            table.society.restore(_part(own, "minds"))
+        if table.minds is not None:
+            table.minds.restore(_part(own, "hierarchy"))
+    if model.arena is not None:
+        model.arena.build()
+
+
+def _part(state: Mapping[str, NDArray[Any]], name: str) -> dict[str, NDArray[Any]]:
+    begin = f"{name}."
+    return {key.removeprefix(begin): value for key, value in state.items() if key.startswith(begin)}

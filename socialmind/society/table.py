@@ -1,0 +1,468 @@
+"""The arrays of a population of a running model, and the agents in them as rows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coglogo_py.errors import shown
+from coglogo_py.numbers import is_whole
+from socialmind.agents.attributes import unknown
+from socialmind.agents.bookkeeping import (
+    ALIVE,
+    COUNT,
+    ENTRIES,
+    FREE,
+    NEXT_ID,
+    SIZE,
+    born,
+    died,
+    is_living,
+    nth_living,
+    settle,
+    short_of_room,
+    slot_of_agent,
+)
+from socialmind.agents.rows import Row, held_class, inside, row_class
+from socialmind.columns import check_fields, column, columns_of
+from socialmind.compiling.layout import row_dtype
+from socialmind.compiling.lowering import PLACES
+from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
+from socialmind.fields import Field, presence, set_default
+from socialmind.language.arithmetic import brought_back, turned
+from socialmind.language.shape import PopulationShape
+from socialmind.society.connection import plan_functions
+from socialmind.values import fitted_column
+
+if TYPE_CHECKING:
+    from coglogo_py import Mind, Society
+    from socialmind.language.program import Program
+    from socialmind.mind.population_minds import PopulationMinds
+    from socialmind.mind.weighing import WeighingPlaces
+    from socialmind.model import Model
+
+
+KEPT_BY_TABLES = frozenset(
+    (
+        "acting", "alive", "columns", "counters", "default", "dtype", "free", "minds", "model",
+        "edge", "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
+    )
+)  # fmt: skip
+"""What a table keeps under names without an underscore; users assign to fields alone."""
+
+
+class Table:
+    """A population of a running model.
+
+    It is what `model.humans` gives: the number of the living, an agent by its identity, a loop
+    over all of them, and each field as a NumPy array over the living in order of birth, which is a
+    copy. Assigning to the field writes it, one value for all or an array:
+
+        model.humans.wheat.sum()
+        for human in model.humans: ...
+        model.humans[3].wheat
+        model.humans.wheat = 0.0
+        model.humans.wheat *= 2
+
+    Args:
+        model: the model.
+        shape: the population's shape.
+        size: how many agents there are at the start.
+        society: the minds, or None.
+        minds: makes the hierarchies for so many agents, or None.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        shape: PopulationShape,
+        size: int,
+        society: Society | None,
+        minds: Callable[[int], PopulationMinds] | None = None,
+    ) -> None:
+        self.model = model
+        self.shape = shape
+        self.society = society
+        self.minds = None if minds is None else minds(max(size, 1))
+        self.dtype = row_dtype(dict(shape.fields), shape)
+        self.default = np.zeros(1, self.dtype)
+        for field in shape.fields.values():
+            set_default(self.default, field)
+        self._turns = True
+        self._wraps = model.grid is not None
+        self.edge = _edge_of(model, shape.name)
+        for name in ("x", "y", "heading"):
+            self.default[name] = self._kept_within(name, self.default[name])
+        if shape.minded:
+            self.default["_mind"] = self.default["_plan"] = self.default["_decided"] = -1
+        capacity = max(size, 1)
+        self.rows = np.zeros(capacity, self.dtype)
+        self.order = np.zeros(capacity, np.int64)
+        self.acting = np.zeros(capacity, np.int64)
+        self.alive = np.zeros(capacity, np.bool_)
+        self.slot_of = np.full(capacity, -1, np.int64)
+        self.free = np.arange(capacity - 1, -1, -1, dtype=np.int64)
+        self.counters = np.zeros(SIZE, np.int64)
+        # The founders take the first slots, in order.
+        self.rows[:size] = self.default[0]
+        founders = np.arange(size)
+        for array in (self.order, self.slot_of, self.rows["_slot"], self.rows["_id"]):
+            array[:size] = founders
+        self.alive[:size] = True
+        self.counters[FREE] = capacity - size
+        self.counters[[COUNT, ENTRIES, ALIVE, NEXT_ID]] = size
+        if society is not None:
+            self.rows["_mind"][:size] = society.new_minds(size)
+        self.weighing: WeighingPlaces | None = None
+        weighing = model.populations[shape.name].weighing
+        if weighing is not None and society is not None and self.minds is not None:
+            description = self.minds.assembly.description
+            self.weighing = weighing.places(society.scheme, description)
+        self._bare = row_class(shape, self._wraps, self._turns, self.edge > 0)
+        self._held = held_class(self._bare, shape)
+        self.row_class: type[Row] = self._held
+        self._scratch: dict[str, NDArray[Any]] = {}
+        self._see_columns()
+
+    def _see_columns(self) -> None:
+        names = self.dtype.names or ()
+        self.columns = {name: self.rows[name] for name in names}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _population_of, (self.model, self.shape.name)
+
+    # The living -------------------------------------------------------------------------------
+
+    def __len__(self) -> int:
+        return int(self.counters[ALIVE])
+
+    def __iter__(self) -> Iterator[Any]:
+        for place in range(int(self.counters[ENTRIES])):
+            slot = int(self.order[place])
+            if self.alive[slot]:
+                yield self.row_class(self, slot)
+
+    def __getitem__(self, identity: int) -> Any:
+        try:
+            slot = int(slot_of_agent(self.slot_of, int(identity)))
+        except IndexError:
+            raise IndexError(
+                f"no living agent of {self.shape.name!r} has the identity {identity}"
+            ) from None
+        return self.row_class(self, slot)
+
+    def __getattr__(self, name: str) -> NDArray[Any]:
+        """Return a field of the living agents, in order of birth: a copy, and read-only."""
+        shape = self.__dict__.get("shape")
+        if shape is None or name.startswith("_"):
+            raise AttributeError(f"no attribute {name!r}")
+        if name != "id" and name not in shape.fields:
+            raise unknown(name, shape.name, type(self), ["id", *shape.fields])
+        values = self.columns["_id" if name == "id" else name][self.slots]
+        field: Field | None = shape.fields.get(name)
+        if field is not None and field.optional:
+            values = values.astype(object)
+            values[~self.holds(name)] = None
+        return column(values, f"society.{shape.name}.{name}")
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Set a field of all the living: one value for all, or an array in order of birth."""
+        shape = self.__dict__.get("shape")
+        if shape is not None and name in shape.fields:
+            self.set(**{name: value})
+        elif name.startswith("_") or name in KEPT_BY_TABLES:
+            object.__setattr__(self, name, value)
+        else:
+            raise unknown(name, self.shape.name, type(self), self.shape.fields)
+
+    def set(self, **fields: Any) -> None:
+        """Set fields of all the living.
+
+        Nothing is written unless all of it can be.
+
+        Args:
+            fields: by name, one value for all, or a value for each in order of birth; of an array
+                field one row for all, or a row for each. None stands for none, and in columns of
+                numbers for optional fields NaN too.
+
+        Raises:
+            UnknownNameError: there is no such field.
+            ValueRefusedError: too many or few values, or one that the field cannot hold.
+        """
+        self._put(fields, self.slots)
+
+    def set_from(self, data: Any, by: str | None = None) -> None:
+        """Set fields of the living from a table of data, one row for an agent.
+
+        Nothing is written unless all of it can be.
+
+        Args:
+            data: a data frame, an Arrow table or a mapping; its columns are called as the fields.
+            by: the column that holds the agents' identities; unless given, one called `agent` or
+                `id`. Agents that no row is for stay as they are. Without such a column the rows
+                are for all the living, in order of birth.
+
+        Raises:
+            UnknownNameError: a column is no field.
+            ValueRefusedError: a row is for no living agent, two are for one, or a value is one
+                that the field cannot hold, with the row.
+        """
+        what = f"data for {self.shape.name!r}"
+        columns = columns_of(data, what)
+        if by is None:
+            by = next((name for name in ("agent", "id") if name in columns), None)
+        elif by not in columns:
+            raise UnknownNameError(f"{what} without the column {by!r}; {nearest(by, columns)}")
+        if by is None:
+            self._put(columns, self.slots)
+            return
+        identities = np.asarray(columns.pop(by))
+        slots = np.zeros(len(identities), np.int64)
+        seen: dict[int, int] = {}
+        for row, identity in enumerate(identities.tolist()):
+            whole = is_whole(identity) or (isinstance(identity, float) and identity.is_integer())
+            if not whole or not self.contains(int(identity)):
+                raise ValueRefusedError(
+                    f"{what}, row {row}: found {shown(identity)} as {by}; expected the identity of "
+                    f"a living agent{_ends(self.id)}"
+                )
+            if int(identity) in seen:
+                raise ValueRefusedError(
+                    f"{what}, row {row}: agent {int(identity)} again, as in row "
+                    f"{seen[int(identity)]}; expected one row for each"
+                )
+            seen[int(identity)] = row
+            slots[row] = slot_of_agent(self.slot_of, int(identity))
+        self._put(columns, slots)
+
+    def _put(self, fields: Mapping[str, Any], slots: NDArray[np.int64]) -> None:
+        """Write fields of the agents in some slots, once all of them are checked."""
+        check_fields(fields, self.shape.fields, repr(self.shape.name))
+        checked = {}
+        identities = self.columns["_id"][slots]
+        for name, values in fields.items():
+            field = self.shape.fields[name]
+            found, there = fitted_column(
+                field,
+                values,
+                len(slots),
+                f"the field {name!r} of {self.shape.name!r}",
+                lambda place: f"agent {identities[place]} (row {place})",
+            )
+            checked[name] = self._kept_within(name, found), there
+        for name, (found, there) in checked.items():
+            self.columns[name][slots] = found
+            if self.shape.fields[name].optional:
+                self.columns[presence(name)][slots] = there
+
+    def _kept_within(self, name: str, values: NDArray[Any]) -> NDArray[Any]:
+        """Return places and headings as agents keep them, one by one as rules set them."""
+        grid = self.model.grid
+        if self._wraps and name in PLACES and grid is not None:
+            low, size = grid.low, grid.size
+            return np.array([brought_back(one, low, size) for one in values.tolist()], float)
+        if self._turns and name == "heading":
+            return np.array([turned(one) for one in values.tolist()], float)
+        if self.edge > 0 and name in PLACES:
+            for place, one in enumerate(values.tolist()):
+                inside(name, one, self.edge, f"{self.shape.name!r} (row {place})")
+        return values
+
+    def hand_out(self, bare: bool) -> None:
+        """Give out agents as rules hold them, or, as else, as users do."""
+        self.row_class = self._bare if bare else self._held
+
+    def holds(self, name: str) -> NDArray[np.bool_]:
+        """Say for each of the living whether an optional field holds a value."""
+        column: NDArray[np.bool_] = self.columns[presence(name)][self.slots]
+        return column
+
+    def filled(self, name: str, missing: float = 0) -> NDArray[Any]:
+        """Return an optional field of the living as numbers, with a number where it is None."""
+        return np.where(self.holds(name), self.columns[name][self.slots], missing)
+
+    @property
+    def slots(self) -> NDArray[np.int64]:
+        """The slots of the living, in order of birth."""
+        order = self.order[: int(self.counters[ENTRIES])]
+        return order[self.alive[order]]
+
+    def cogniton(self, name: str) -> NDArray[np.float64]:
+        """Return a cogniton's value in each living mind, NaN where it is inactive.
+
+        Raises:
+            SocialmindError: the scheme has no such cogniton, or there are no minds.
+        """
+        # A society without minds is false, as everything empty.
+        cognitons = () if self.society is None else self.society.scheme.cognitons
+        names = [one.name for one in cognitons]
+        if self.society is None or name not in names:
+            hint = nearest(name, names)
+            raise SocialmindError(f"{self.shape.name!r} has no cogniton {name!r}; {hint}")
+        slots = self.columns["_mind"][self.slots]
+        column: NDArray[np.float64] = self.society.minds.values[slots, names.index(name)]
+        return column
+
+    def contains(self, identity: int) -> bool:
+        """Say whether an agent of this identity lives."""
+        return bool(is_living(self.slot_of, identity))
+
+    def one_of(self, rng: Any) -> Any:
+        """Return an agent drawn at random from the living."""
+        if not len(self):
+            raise ValueError("one_of() of a population without agents")
+        place = rng.integers(0, len(self))
+        return self.row_class(self, int(nth_living(self.counters, self.order, self.alive, place)))
+
+    # Births and deaths ------------------------------------------------------------------------
+
+    def create(self) -> Any:
+        """Bring a new agent into the world, with default fields and a mind at birth."""
+        slot = self._place()
+        self.rows[slot] = self.default[0]
+        agent = self._named(slot)
+        if self.society is not None:
+            self.columns["_mind"][slot] = self.society.new_mind().slot
+        if self.minds is not None:
+            self.minds.begin(slot)
+        return agent
+
+    def hatch(self, parent: Any, keep_groups: bool = False) -> Any:
+        """Bring an agent into the world that is its parent's copy, body and mind."""
+        if not self.alive[parent._slot]:
+            raise ValueError("hatch() of an agent that is dead")
+        slot = self._place()
+        self.rows[slot] = self.rows[parent._slot]
+        for name in self.shape.own:
+            self.columns[name][slot] = self.default[name][0]
+        agent = self._named(slot)
+        if self.society is not None:
+            self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
+        if self.minds is not None:
+            self.minds.copy(parent._slot, slot)
+        return agent
+
+    def die(self, agent: Any) -> None:
+        """Take an agent out of the world; its mind leaves its groups."""
+        slot = agent._slot
+        if self.alive[slot]:
+            died(self.counters, self.alive, self.slot_of, slot, agent.id)
+            if self.society is not None:
+                self.mind_of(slot).die()
+                self.columns["_mind"][slot] = -1
+
+    def _place(self) -> int:
+        slot = int(born(self.counters, self.order, self.alive, self.slot_of, self.free))
+        if slot < 0:
+            self.grow()
+            slot = int(born(self.counters, self.order, self.alive, self.slot_of, self.free))
+        return slot
+
+    def _named(self, slot: int) -> Any:
+        self.columns["_slot"][slot] = slot
+        self.columns["_id"][slot] = self.counters[NEXT_ID] - 1
+        return self.row_class(self, slot)
+
+    def settle(self) -> None:
+        """End a tick: the dead leave, the new-born act from now on."""
+        settle(self.counters, self.order, self.alive, self.free)
+
+    @property
+    def short_of_room(self) -> bool:
+        """Whether the next tick could bring more births than there is room for."""
+        return bool(short_of_room(self.counters, self.slot_of))
+
+    def grow(self) -> None:
+        """Make room for twice as many agents (the new slots are taken last)."""
+        old = len(self.rows)
+        capacity = max(2 * old, 256)
+        for name in ("rows", "order", "acting", "alive"):
+            array = getattr(self, name)
+            larger = np.zeros(capacity, array.dtype)
+            larger[:old] = array
+            setattr(self, name, larger)
+        identities = np.full(max(2 * len(self.slot_of), capacity), -1, np.int64)
+        identities[: len(self.slot_of)] = self.slot_of
+        self.slot_of = identities
+        free = np.zeros(capacity, np.int64)
+        added = capacity - old
+        count = int(self.counters[FREE])
+        free[:added] = np.arange(capacity - 1, old - 1, -1)
+        free[added : added + count] = self.free[:count]
+        self.free = free
+        self.counters[FREE] = count + added
+        self._see_columns()
+        if self.society is not None:
+            self.society.reserve(added)
+        if self.minds is not None:
+            self.minds.grow(capacity)
+
+    # State ------------------------------------------------------------------------------------
+
+    _STATE = ("rows", "order", "alive", "slot_of", "free", "counters")
+
+    def snapshot(self) -> dict[str, NDArray[Any]]:
+        """Return copies of the arrays that a checkpoint keeps."""
+        return {name: getattr(self, name).copy() for name in self._STATE}
+
+    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
+        """Take the arrays of a checkpoint."""
+        for name in self._STATE:
+            setattr(self, name, np.array(state[name]))
+        if self.rows.dtype != self.dtype:
+            raise SocialmindError(
+                f"the checkpoint's agents of {self.shape.name!r} have other fields than the model's"
+            )
+        self.acting = np.zeros(len(self.rows), np.int64)
+        self._see_columns()
+
+    def scratch(self, program: Program) -> dict[str, NDArray[Any]]:
+        """Return the arrays that a compiled decision needs beside the minds."""
+        if not self._scratch and self.society is not None:
+            scheme = self.society.scheme
+            self._scratch = {
+                "weights": np.zeros(len(scheme.plans)),
+                "plans": np.zeros(len(scheme.plans), np.int64),
+                "functions": plan_functions(program, self.shape.name, scheme),
+            }
+            if self.weighing is not None:
+                self._scratch |= vars(self.weighing)
+        return self._scratch
+
+    @property
+    def acting_order(self) -> NDArray[np.int64]:
+        """The slots of those who act in this tick, in order of birth (a copy)."""
+        return self.order[: int(self.counters[COUNT])].copy()
+
+    def mind_of(self, slot: int) -> Mind:
+        """Return the mind of the agent in a slot."""
+        if self.society is None:
+            raise AttributeError(f"the agents of {self.shape.name!r} have no minds")
+        mind = int(self.columns["_mind"][slot])
+        if mind < 0:
+            identity = int(self.columns["_id"][slot])
+            raise ValueError(
+                f"the mind of agent {identity} of {self.shape.name!r}, which is dead; "
+                "read what you need of it before it dies"
+            )
+        return self.society.mind_in(mind)
+
+
+def _edge_of(model: Model, population: str) -> float:
+    """Return how far from the middle the bodies of a population may be put; 0 for anywhere."""
+    plane = model.shape.plane
+    if plane is None or population not in plane.bodies:
+        return 0.0
+    wide = plane.half_width
+    return float(model.context[wide] if isinstance(wide, str) else wide)
+
+
+def _ends(identities: NDArray[np.int64]) -> str:
+    return f", {identities[0]} … {identities[-1]}" if len(identities) else "; none lives"
+
+
+def _population_of(model: Model, name: str) -> Table:
+    return model.tables[name]

@@ -1,0 +1,273 @@
+"""The plane of a running model: where its bodies are moved, and what its minds are told."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.fields import place_of_field
+from socialmind.society.connection import connect
+from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
+from socialmind.worlds.plane.kernel.code import kernel
+from socialmind.worlds.plane.plane import CELL, PlaneShape, RobotShape
+from socialmind.worlds.plane.sensors import RangeFinder
+
+if TYPE_CHECKING:
+    from socialmind.mind.evaluation.arrays import Assembly
+    from socialmind.model import Model
+    from socialmind.worlds.plane.devices import Device
+
+ENGINES = ("compiled", "pymunk")
+"""What moves the bodies."""
+_MOTION = ("x", "y", "angle", "push_x", "push_y", "torque")
+
+
+class Arena:
+    """The plane of a running model.
+
+    Args:
+        model: the model, with its tables made.
+
+    Attributes:
+        half_width: from the middle to a border, 0 without borders.
+        arrays: what the compiled engine works on.
+
+    Raises:
+        SocialmindError: an engine that there is not.
+        ModelError: a mind that wants sensors or actuators that the body lacks.
+    """
+
+    def __init__(self, model: Model) -> None:
+        if model.shape.plane is None:
+            raise SocialmindError(f"{model.name} has no plane")
+        if model.physics not in ENGINES:
+            hint = nearest(model.physics, ENGINES)
+            raise SocialmindError(f"physics: found {model.physics!r}; {hint}")
+        self._model = model
+        self.shape: PlaneShape = model.shape.plane
+        wide = self.shape.half_width
+        self.half_width = float(model.context[wide]) if isinstance(wide, str) else float(wide)
+        program: Any = model.program.plane
+        given = {name: float(model.context[name]) for name in model.shape.parameters}
+        self.settings: NDArray[np.float64] = program.settings_of(given)
+        self.shifting: bool = program.shifting
+        self.senses: dict[str, NDArray[np.int64]] = {}
+        self.motors: dict[str, NDArray[np.int64]] = {}
+        for name, robots in self.shape.robots.items():
+            if robots.hierarchy:
+                places = places_of(robots, model.assemblies[name])
+                self.senses[name], self.motors[name] = places
+        self._eyes = self._seeing()
+        try:
+            self.arrays: PlaneArrays = self._arrays()
+        except ModelError as error:
+            place = place_of_field(type(model), "world")
+            raise ModelError(error.found, error.expected, error.remedy, *place) from None
+        self._known = {kind: table.rows for kind, table in self._attached()}
+        self._motion: Any = None
+
+    def _arrays(self) -> PlaneArrays:
+        tables = self._model.tables
+        bodies = []
+        for name, disc in self.shape.bodies.items():
+            table = tables[name]
+            bodies.append(Bodies(name, disc, table.rows, table.alive, _offset(table.dtype)))
+        obstacles = None
+        if self.shape.obstacles is not None:
+            table = tables[self.shape.obstacles]
+            obstacles = Obstacles(table.rows, table.alive, _offset(table.dtype))
+        eyes = tuple(self._eyes.values())
+        return PlaneArrays(self.half_width, self.shape.dt, CELL, bodies, obstacles, eyes)
+
+    def _seeing(self) -> dict[str, Eyes]:
+        """Return the range finders of the populations that have some."""
+        eyes = {}
+        for name, robots in self.shape.robots.items():
+            radius = self.shape.bodies[name].radius
+            rays = [
+                one.lines(radius, number)
+                for number, one in enumerate(robots.sensors.values())
+                if isinstance(one, RangeFinder)
+            ]
+            if rays:
+                fields: Any = self._model.tables[name].dtype.fields
+                readings = fields["readings"][1] - fields["x"][1]
+                eyes[name] = Eyes(robots.kind, np.concatenate(rays), readings)
+        return eyes
+
+    def _attached(self) -> list[tuple[int | None, Any]]:
+        """Return the numbers and tables of the bodies, and of the obstacles."""
+        found: list[tuple[int | None, Any]] = [
+            (kind, self._model.tables[name]) for kind, name in enumerate(self.shape.bodies)
+        ]
+        if self.shape.obstacles is not None:
+            found.append((None, self._model.tables[self.shape.obstacles]))
+        return found
+
+    def reach_of(self, device: Device) -> float:
+        """Return how far a device of this model sees."""
+        reach = device.reach
+        return float(self._model.context[reach]) if isinstance(reach, str) else reach
+
+    def eyes_of(self, name: str) -> int:
+        """Return the address of the range finders of a population, 0 where it has none."""
+        return self._eyes[name].address if name in self._eyes else 0
+
+    def connect(self) -> None:
+        """Write into the model's record where the plane's arrays are."""
+        context = self._model.context
+        for kind, table in self._attached():
+            if self._known.get(kind) is not table.rows:
+                self._known[kind] = table.rows
+                self.arrays.attach(kind, table.rows, table.alive, _offset(table.dtype))
+                if kind is None:
+                    self.arrays.build()
+        module = kernel()
+        context["_plane"] = self.arrays.address
+        for name in ("build", "move", "look"):
+            context[f"_{name}"] = getattr(module, name).address
+        context["_outside"] = self._model.physics != "compiled"
+        context["_settings"], context["_settings_0"] = _address(self.settings), len(self.settings)
+        for name in self.shape.robots:
+            context[f"_{name}_eyes"] = self.eyes_of(name)
+            for part in ("senses", "motors"):
+                array = getattr(self, part).get(name)
+                if array is not None:
+                    context[f"_{name}_{part}"] = _address(array)
+                    context[f"_{name}_{part}_0"] = len(array)
+
+    def build(self) -> None:
+        """Look at where the obstacles are, after the setup or a restored state."""
+        connect(self._model)
+        self.arrays.build()
+        if self._model.physics == "pymunk":
+            self.motion.build()
+
+    def move(self) -> None:
+        """Move the bodies by one tick."""
+        if self._model.physics == "pymunk":
+            self.motion.move()
+            return
+        connect(self._model)
+        fault = kernel().move.ctypes(self.arrays.address, 0, 0)
+        if fault:
+            raise self._not_finite(fault - 1)
+
+    def settle(self) -> None:
+        """Pay robots what is still due to them: an episode ends here.
+
+        The engine does so itself where an interruption ends it, not at a limit of ticks, which it
+        does not know.
+        """
+        from socialmind.worlds.plane.ticks.interpreted import settle_rewards
+
+        settle_rewards(self._model, self._model.engine.functions, ended=True)
+
+    def _not_finite(self, place: int) -> SocialmindError:
+        """Return the error for a body, by its place among the slots of all bodies."""
+        for name in self.shape.bodies:
+            table = self._model.tables[name]
+            if place < len(table.rows):
+                row = table.rows[place]
+                values = ", ".join(f"{field}={row[field].item()}" for field in _MOTION)
+                return ModelError(
+                    f"agent {row['_id']} of {name!r}, whose motion is not finite in tick "
+                    f"{self._model.tick}: {values}",
+                    "numbers up to a thousand million",
+                )
+            place -= len(table.rows)
+        return SocialmindError("the motion of a body is not finite")
+
+    def steer(self, population: str, commands: ArrayLike | None) -> None:
+        """Steer robots from outside, in place of their minds; see `Model.steer`."""
+        robots = self.shape.robots
+        if population not in robots:
+            raise SocialmindError(
+                f"no robots called {population!r} in {self._model.name}; "
+                f"{nearest(population, robots)}"
+            )
+        steered = f"_{population}_steered"
+        if commands is None:
+            if not self._model.minded:
+                raise SocialmindError(
+                    f"robots of {self._model.name} without minds, which was made with "
+                    "hierarchy=False; steer them with commands"
+                )
+            self._model.context[steered] = 0
+            return
+        table, count = self._model.tables[population], len(robots[population].actuators)
+        given, slots = np.asarray(commands, np.float64), table.slots
+        if given.shape not in ((count,), (len(slots), count)):
+            raise SocialmindError(
+                f"commands of shape {given.shape}; expected {(len(slots), count)}, a row for each "
+                f"robot of {population!r} with {', '.join(robots[population].actuators) or 'none'}"
+            )
+        if not ((given >= 0.0) & (given <= 1.0)).all():
+            raise SocialmindError(f"commands {given.tolist()}; expected numbers, 0 … 1")
+        table.rows["commands"][slots, :count] = given
+        self._model.context[steered] = 1
+
+    @property
+    def motion(self) -> Any:
+        """The reference engine."""
+        if self._motion is None:
+            from socialmind.worlds.plane.pymunk_motion import motion_of
+
+            self._motion = motion_of(self._model)
+        return self._motion
+
+
+def places_of(
+    robots: RobotShape, assembly: Assembly
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return which reading each sensor of a mind is, and which actuator each of a body's is.
+
+    Args:
+        robots: the body.
+        assembly: the mind.
+
+    Returns:
+        For each sensor of the mind the number of the body's; for each actuator of the body the
+        number of the mind's, -1 for one that the mind does not have.
+
+    Raises:
+        ModelError: the mind reads a sensor, or commands an actuator, that the body lacks.
+    """
+    description = assembly.description
+    commanded = {
+        one.name
+        for skill in assembly.skills
+        for one in description.skills[skill].outputs
+        if one.module == "actuator"
+    }
+    used: list[tuple[str, Any, Any]] = [
+        ("sensor", assembly.required, robots.sensors),
+        ("actuator", sorted(commanded), robots.actuators),
+    ]
+    for part, needed, own in used:
+        for name in needed:
+            if name not in own:
+                raise ModelError(
+                    f"the {part} {name!r} of the mind {description.name!r}, "
+                    f"which the bodies of {robots.name!r} do not have",
+                    f"one of {', '.join(own) or 'none'}",
+                    nearest(name, own),
+                )
+    sensors = list(robots.sensors)
+    senses = [sensors.index(one) if one in sensors else 0 for one in description.sensors]
+    commands = list(description.actuators)
+    motors = [commands.index(one) if one in commands else -1 for one in robots.actuators]
+    return np.array(senses, np.int64), np.array(motors, np.int64)
+
+
+def _offset(dtype: np.dtype[Any]) -> int:
+    """Return the bytes from the begin of a row to its column x."""
+    fields: Any = dtype.fields
+    return int(fields["x"][1])
+
+
+def _address(array: NDArray[Any]) -> int:
+    return int(array.__array_interface__["data"][0])

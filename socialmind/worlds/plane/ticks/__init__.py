@@ -1,0 +1,1 @@
+"""The stages of a tick on a plane, at both speeds."""

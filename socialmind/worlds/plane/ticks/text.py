@@ -1,0 +1,363 @@
+"""The stages of a tick on a plane as text, for the compiled module of a model."""
+
+from __future__ import annotations
+
+from socialmind.worlds.plane.ticks.stages import PLACED, Call, PlaneProgram, Seek, Stage
+
+HEAD = """import math as _math
+from coglogo_py.compiled.machine_code import kept_callback as _kept_callback
+from socialmind.compiling.memory import call_at as _call
+from socialmind.worlds.plane import relative as _relative
+
+_mounted = _inner(_relative.mounted)
+_bearing_of = _inner(_relative.bearing_of)
+_bounded = _inner(_relative.bounded)
+_counted = _inner(_relative.counted)
+
+
+@_inner
+def _settings(_model):
+    return carray(_as_pointer(_model._settings), (_model._settings_0,), np.float64)"""
+
+_NEAREST = """@_inner
+def _nearest_NAME(_model, x, y, reach, own, carrier, kind, free):
+    rows = _rows_NAME(_model)
+    alive = _alive_NAME(_model)
+    nearest = -1
+    least = reach * reach
+    for slot in range(len(rows)):
+        if not alive[slot] or slot == own:
+            continue
+        row = rows[slot]
+        CARRIEDdx = row.x - x
+        dy = row.y - y
+        away = dx * dx + dy * dy
+        if away < least or (nearest < 0 and away <= least):
+            nearest = slot
+            least = away
+    return nearest"""
+
+_CARRIED = """if row.carrier_kind >= 0:
+            if free or row.carrier != carrier or row.carrier_kind != kind:
+                continue
+        """
+
+_MINDS = """@_inner
+def _inform_NAME(_model):
+    mind = _record_NAME(_model)
+    state = _state_NAME(mind)
+    lanes = state.fresh.shape[1]
+    rows = _rows_NAME(_model)
+    alive = _alive_NAME(_model)
+    senses = _senses_NAME(_model)
+    for slot in range(len(rows)):
+        if alive[slot]:
+            readings = rows[slot].readings
+            number = _model._NAME_first + slot
+            for place in range(len(senses)):
+                state.sensors[number // lanes, place, number % lanes] = readings[senses[place]]
+        elif state.group.shape[1] > 0:
+            number = _model._NAME_first + slot
+            for shared in range(state.group.shape[1]):  # the dead are in no group
+                state.group[number // lanes, shared, number % lanes] = -1
+
+
+@_inner
+def _obey_NAME(_model):
+    mind = _record_NAME(_model)
+    state = _state_NAME(mind)
+    lanes = state.fresh.shape[1]
+    rows = _rows_NAME(_model)
+    alive = _alive_NAME(_model)
+    motors = _motors_NAME(_model)
+    for slot in range(len(rows)):
+        if alive[slot]:
+            commands = rows[slot].commands
+            number = _model._NAME_first + slot
+            for place in range(len(motors)):
+                if motors[place] >= 0:
+                    commands[place] = state.actuators[
+                        number // lanes, motors[place], number % lanes
+                    ]
+
+
+@_inner
+def _think_NAME(_model):
+    mind = _record_NAME(_model)
+    state = _state_NAME(mind)
+    state.now[0] = _model._tick
+    alive = _alive_NAME(_model)
+    first = 0
+    while first < len(alive):
+        end = first
+        while end < len(alive) and alive[end]:
+            end += 1
+        if end > first and _call(mind.evaluate, _model._NAME_hierarchy, first, end) != 0:
+            raise ValueError("a hierarchy could not be evaluated")
+        first = end + 1"""
+
+_TICK = """@_inner
+def _before_minds(_model, rng):
+    if _model._outside == 0:
+        if _call(_model._move, _model._plane, 0, 0) != 0:
+            raise ValueError("the motion of a body is not finite")
+STAGES
+INFORM
+    return
+
+
+@_inner
+def _after_minds(_model, rng):
+OBEYPHASESBUILD    return"""
+
+
+BUILD = """    if _call(_model._build, _model._plane, 0, 0) < 0:
+        raise ValueError("an obstacle with a place, angle or half-width out of range")
+"""
+"""The look at where the obstacles are. More of them than the table has room for are found without
+it, slowly."""
+
+
+def plane_text(plane: PlaneProgram, phases: str) -> str:
+    """Return the functions of a plane's tick.
+
+    Args:
+        plane: the typed devices.
+        phases: the calls of the phases of the schedule, indented.
+    """
+    parts = [HEAD]
+    sought = sorted({s.of for one in plane.stages.values() for t in one.values() for s in t.seeks})
+    for name in sought:
+        carried = _CARRIED if name in plane.shape.bodies else ""
+        parts.append(_NEAREST.replace("CARRIED", carried).replace("NAME", name))
+    lines = []
+    minded = []
+    for name, stages in plane.stages.items():
+        parts += [_stage_text(stage) for stage in stages.values()]
+        if plane.shape.robots[name].hierarchy:
+            minded.append(name)
+            parts.append(_array_view(name, "senses"))
+            parts.append(_array_view(name, "motors"))
+            parts.append(_MINDS.replace("NAME", name))
+    parts += [_settling_text(stage) for stage in plane.settling.values()]
+    settling = [f"    _settling_{name}(_model, rng, ended)" for name in plane.settling]
+    parts.append("\n".join(["@_inner\ndef _settle_rewards(_model, rng, ended):", *settling, _END]))
+    names = list(plane.stages)
+    lines += [f"    _rewards_{name}(_model, rng)" for name in names]
+    lines += [f"    _interruptions_{name}(_model, rng)" for name in names]
+    for name in names:
+        lines += ["    if _model._over == 0:", f"        _actuators_{name}(_model, rng)"]
+    lines += [f"    _sensors_{name}(_model, rng)" for name in names]
+    lines += ["    if _model._over != 0:", "        return"]
+    inform = "\n".join(
+        f"    if not _model._{one}_steered:\n        _inform_{one}(_model)" for one in minded
+    )
+    obey = "".join(
+        f"    if not _model._{one}_steered:\n        _obey_{one}(_model)\n" for one in minded
+    )
+    tick = _TICK.replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
+    tick = tick.replace("OBEY", obey).replace("PHASES", phases)
+    parts.append(tick.replace("BUILD", BUILD if plane.shifting else ""))
+    think = [f"    if not _model._{one}_steered:\n        _think_{one}(_model)" for one in minded]
+    parts.append("\n".join(["@_inner\ndef _think(_model):", *think, "    return"]))
+    return "\n\n\n".join(parts)
+
+
+_END = "    return"
+
+TICK = """    over = _model._over
+    if over == 0:
+        _before_minds(_model, rng)
+        if _model._over == 0:
+            _think(_model)
+            _after_minds(_model, rng)
+    _settle_rewards(_model, rng, _model._over != over)
+"""
+"""The body of a tick on a plane, in place of the phases of the schedule."""
+
+
+def _array_view(name: str, array: str) -> str:
+    place = f"_model._{name}_{array}"
+    return (
+        f"@_inner\ndef _{array}_{name}(_model):\n"
+        f"    return carray(_as_pointer({place}), ({place}_0,), np.int64)"
+    )
+
+
+def _stage_text(stage: Stage) -> str:
+    """Return a stage as a function that all robots of a population go through in it."""
+    name = stage.robots.name
+    lines = [
+        f"@_inner\ndef _{stage.name}_{name}(_model, rng):",
+        f"    rows = _rows_{name}(_model)",
+        f"    alive = _alive_{name}(_model)",
+        "    settings = _settings(_model)",
+    ]
+    if stage.name == "sensors":
+        lines += [
+            f"    if _model._{name}_eyes != 0:",
+            f"        _call(_model._look, _model._plane, _model._{name}_eyes, 0)",
+        ]
+    lines += [
+        "    for slot in range(len(rows)):",
+        "        if not alive[slot]:",
+        "            continue",
+        "        agent = rows[slot]",
+    ]
+    lines += [f"        {line}" for line in _prelude(stage)]
+    for number, seek in enumerate(stage.seeks):
+        lines += [f"        {line}" for line in _seek_lines(stage, number, seek)]
+    for call in stage.calls:
+        lines += [f"        {line}" for line in _call_lines(stage, call)]
+    lines += [f"        {line}" for line in _coda(stage)]
+    return "\n".join(lines)
+
+
+def _settling_text(stage: Stage) -> str:
+    """Return as a function what the robots that died in a tick are still paid, or all at the end.
+
+    Where nothing is due, 0 is added, which leaves reward and score as they are. What the dead have
+    scored is added up.
+    """
+    name = stage.robots.name
+    lines = [
+        f"@_inner\ndef _settling_{name}(_model, rng, ended):",
+        f"    counters = _counters_{name}(_model)",
+        "    entries = counters[_bookkeeping.ENTRIES]",
+        "    if not ended and counters[_bookkeeping.ALIVE] == entries:",
+        "        return",
+        f"    rows = _rows_{name}(_model)",
+        f"    alive = _alive_{name}(_model)",
+        f"    order = _order_{name}(_model)",
+        "    settings = _settings(_model)",
+        "    for place in range(entries):",
+        "        slot = order[place]",
+        "        if not ended and alive[slot]:",
+        "            continue",
+        "        agent = rows[slot]",
+        "        due = 0.0",
+    ]
+    body = _prelude(stage)
+    for number, seek in enumerate(stage.seeks):
+        body += _seek_lines(stage, number, seek)
+    for call in stage.calls:
+        body += _call_lines(stage, call)
+    body += [
+        "agent.reward += due",
+        "agent.score += due",
+        "if not alive[slot]:",
+        "    counters[_bookkeeping.GONE] += 1",
+        "    counters.view(np.float64)[_bookkeeping.GONE_SCORE] += agent.score",
+    ]
+    return "\n".join(lines + [f"        {line}" for line in body])
+
+
+def _prelude(stage: Stage) -> list[str]:
+    lines = []
+    if stage.seeks:
+        lines += ["cos = _math.cos(agent.angle)", "sin = _math.sin(agent.angle)"]
+    if stage.name == "rewards":
+        lines += [
+            "touches = agent.contact == 1",
+            "if touches and not agent.touching:",
+            "    agent.collisions += 1",
+            "agent.touching = touches",
+            "agent.reward = 0.0",
+            "if agent.restarted:",
+            *(f"    agent.{call.memory}[:] = 0.0" for call in stage.calls if call.memory),
+            "    pass",
+        ]
+    if stage.name == "actuators":
+        lines += ["agent.push_x = 0.0", "agent.push_y = 0.0", "agent.torque = 0.0"]
+    return lines
+
+
+def _coda(stage: Stage) -> list[str]:
+    if stage.name == "rewards":
+        return ["agent.score += agent.reward", "agent.restarted = False"]
+    if stage.name == "actuators":
+        return ["agent.before[:] = agent.commands"]
+    return []
+
+
+def _seek_lines(stage: Stage, number: int, seek: Seek) -> list[str]:
+    at, k = seek.settings, number
+    kind = stage.robots.kind
+    own = "slot" if seek.same else "-1"
+    return [
+        f"x_{k} = _mounted(agent.x, cos, sin, settings[{at}], settings[{at + 1}])",
+        f"y_{k} = _mounted(agent.y, sin, -cos, settings[{at}], settings[{at + 1}])",
+        f"slot_{k} = _nearest_{seek.of}(_model, x_{k}, y_{k}, settings[{at + 3}], {own}, slot, "
+        f"{kind}, {seek.free})",
+        f"found_{k} = slot_{k} >= 0",
+        f"target_{k} = _rows_{seek.of}(_model)[max(slot_{k}, 0)]",
+        f"dx_{k} = target_{k}.x - x_{k}",
+        f"dy_{k} = target_{k}.y - y_{k}",
+    ]
+
+
+def _call_lines(stage: Stage, call: Call) -> list[str]:
+    device, k = call.device, call.seek
+    lines = []
+    at = call.settings
+    named = list(device.settings)
+    values = {
+        "robot": "agent",
+        "model": "_model",
+        "rng": "rng",
+        "kind": f"{stage.robots.kind}",
+        "slot": "slot",
+        "members": "_model",
+        "own": f"{device.of == stage.robots.name}",
+        "restarted": "agent.restarted",
+        "command": f"agent.commands[{call.number}]",
+        "before": f"agent.before[{call.number}]",
+        "memory": f"agent.{call.memory}",
+        "target": f"target_{k}",
+        "found": f"found_{k}",
+        "distance": "distance",
+        "bearing": "bearing",
+    }
+    if k is not None:
+        carried = stage.seeks[k].carried
+        # Those that another robot carries are left out, so a target that is carried is held.
+        values["held"] = f"found_{k} and target_{k}.carrier_kind >= 0" if carried else "False"
+    sensors = list(stage.robots.sensors)
+    if device.sensor is not None:
+        values["reading"] = f"agent.readings[{sensors.index(device.sensor)}]"
+    if device.sensors:
+        first = sensors.index(device.sensors[0])
+        values["readings"] = f"agent.readings[{first} : {first + len(device.sensors)}]"
+    for place, name in enumerate(named):
+        values[name] = f"settings[{at + PLACED + place}]"
+    if "distance" in device.takes:
+        lines += [
+            f"distance = _math.sqrt(dx_{k} * dx_{k} + dy_{k} * dy_{k})",
+            f"if not found_{k}:",
+            f"    distance = settings[{at + 3}] if _math.isfinite(settings[{at + 3}]) else 0.0",
+        ]
+    if "bearing" in device.takes:
+        lines += [
+            "bearing = 0.0",
+            f"if found_{k}:",
+            f"    bearing = _bearing_of(dx_{k}, dy_{k}, cos, sin, settings[{at + 2}])",
+        ]
+    if "rng" in device.takes:
+        lines.append(f"_begin(rng, {call.tag}, agent._id, _model._tick)")
+    arguments = "".join(f", {values[one]}" for one in device.takes)
+    called = f"{call.symbol}(_model{arguments})"
+    if stage.name == "sensors":
+        lines.append(f"agent.readings[{call.number}] = _bounded({called})")
+    elif stage.name == "rewards":
+        lines.append(f"agent.reward += _counted({called})")
+    elif stage.name == "settling":
+        lines.append(f"due += _counted({called})")
+    elif stage.name == "interruptions":
+        heeded = f"(_model._ignored >> {call.number}) & 1 == 0"
+        lines += [
+            f"if {called} and _model._over == 0 and {heeded}:",
+            f"    _model._over = {call.number + 1}",
+        ]
+    else:
+        lines.append(called)
+    return lines

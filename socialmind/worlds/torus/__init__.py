@@ -1,0 +1,1 @@
+"""The torus: patches on a square that wraps round, with NetLogo's geometry."""

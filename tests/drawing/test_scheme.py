@@ -1,0 +1,52 @@
+"""Drawings of cognitive schemes."""
+
+from coglogo_py import CognitiveScheme, Cogniton
+from socialmind.drawing import style as paper
+from socialmind.drawing.scheme import (
+    FEEDBACK,
+    NEGATIVE,
+    POSITIVE,
+    draw_scheme,
+    lines_of,
+)
+
+SCHEME = CognitiveScheme(
+    "cows",
+    (
+        Cogniton("Hunger", influence={"eat": 2.0, "sleep": -0.5}, conditional=("eat",)),
+        Cogniton("Habit", reinforcement={"eat": 0.25}),
+        Cogniton("Idle"),
+    ),
+)
+
+
+def drawn(scheme):
+    with paper.style():
+        figure = paper.figure(90, 60)
+        axes = figure.subplots()
+        draw_scheme(scheme, axes)
+        figure.canvas.draw()
+    return axes
+
+
+def test_each_link_stands_with_its_weight_in_the_colour_of_its_kind():
+    found = {text.get_text(): text.get_color() for text in drawn(SCHEME).texts}
+    assert {"Hunger", "Habit", "Idle", "eat", "sleep"} <= set(found)
+    assert found["+2"] == POSITIVE
+    assert found["−0.5"] == NEGATIVE
+    assert found["+0.25"] == FEEDBACK
+    assert found["opens"] == paper.GREY
+
+
+def test_nothing_lies_outside_of_the_lines_that_it_takes():
+    axes = drawn(SCHEME)
+    assert axes.get_ylim() == (lines_of(SCHEME), 0)
+    places = [text.get_position()[1] for text in axes.texts]
+    assert min(places) > 0
+    assert max(places) < lines_of(SCHEME)
+    assert lines_of(SCHEME) > lines_of(CognitiveScheme("none", SCHEME.cognitons[2:]))
+
+
+def test_a_scheme_without_links_is_boxes():
+    axes = drawn(CognitiveScheme("still", (Cogniton("Rest"),)))
+    assert [text.get_text() for text in axes.texts] == ["Rest"]

@@ -1,0 +1,34 @@
+"""How a number comes back after a shock, against values worked out by hand."""
+
+import math
+
+import numpy as np
+import pytest
+
+from socialmind.experiments.measures.recovery import first_reached, recovery
+
+
+def test_unknown_values_have_not_reached_the_level():
+    values = [[np.nan, np.nan], [np.nan, 0.8]]
+    assert first_reached([0, 5], values, 0.8).tolist() == [math.inf, 5.0]
+
+
+def test_no_recovery():
+    found = recovery([0, 10, 20, 30], [6, 6, 3, 3], shock=10, after=3, window=10)
+    assert found.share == 0.0
+    assert found.halfway == math.inf
+    assert found.full == math.inf
+
+
+def test_recovery_in_two_steps():
+    ticks = [0, 10, 20, 30, 40, 50]
+    found = recovery(ticks, [8, 8, 4, 6, 7, 8], shock=10, after=4, window=10)
+    assert found.before == 8.0
+    assert found.at_end == 7.5
+    assert found.share == pytest.approx(3.5 / 4)
+    assert found.halfway == 20.0  # 6 at tick 30
+    assert found.full == 40.0
+
+
+def test_where_nothing_was_lost_there_is_no_share():
+    assert math.isnan(recovery([0, 1, 2], [5, 5, 5], shock=1, after=5, window=1).share)

@@ -1,0 +1,38 @@
+"""A plan of some lessons of `collect` that take no time."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from socialmind.catalogue import load_file, model_folder
+from socialmind.experiments.trainings.plans import Plan
+from socialmind.learning import Curriculum
+
+LESSONS = load_file(model_folder("collect") / "lessons.py")
+CONTROLS = Path(__file__).parents[2] / "analysis" / "collect" / "controls.py"
+SETTINGS = {"population": 6, "elite": 1}
+
+
+def mind():
+    """The mind that the plan begins from."""
+    return load_file(CONTROLS).hierarchy()
+
+
+def monolith():
+    """Another mind than the plan's."""
+    return load_file(CONTROLS).monolith()
+
+
+def tiny(*names, generations=4):
+    """Return a plan of two attempts at lessons of these names."""
+    lessons = [
+        replace(
+            one, ticks=40, repetitions=1, generations=generations, finals=2, settings=SETTINGS,
+            budget=None,
+        )
+        for one in LESSONS.curriculum.items
+        if one.name in names
+    ]  # fmt: skip
+    return Plan("tiny", 2, mind, lambda: Curriculum(lessons), "collect", 6)
+
+
+PLAN = tiny("GoToObject", "GoToDropZone")

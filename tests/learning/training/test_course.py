@@ -1,0 +1,72 @@
+"""Which lessons and which mind a training has: a model's own, or those that are given."""
+
+import pytest
+
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.learning import Curriculum
+from socialmind.learning.training.course import Course, curriculum_of, mind_of
+
+MODEL = """
+from socialmind import Agent, Model, Population
+
+
+class Walker(Agent):
+    pass
+
+
+class Empty(Model):
+    walkers = Population(Walker, 1)
+"""
+
+
+@pytest.fixture
+def empty(tmp_path):
+    """A model's folder without lessons."""
+    (tmp_path / "model.py").write_text(MODEL)
+    return tmp_path
+
+
+def test_a_model_without_lessons_says_so(empty):
+    with pytest.raises(SocialmindError, match=r"no lessons\.py, so there is nothing to learn"):
+        curriculum_of(empty)
+    (empty / "lessons.py").write_text("curriculum = 3\n")
+    with pytest.raises(ModelError, match="`curriculum` set to 3; expected curriculum = Curr"):
+        curriculum_of(empty)
+    (empty / "lessons.py").write_text("")
+    with pytest.raises(ModelError, match="no curriculum"):
+        curriculum_of(empty)
+
+
+def test_environments_by_name_are_those_of_the_lessons(empty, lesson):
+    (empty / "lessons.py").write_text("class Field:\n    def run(self):\n        pass\n")
+    named = lesson("Go").changed(environment="Field")
+    curriculum, folder = curriculum_of(empty, named)
+    assert curriculum.lessons[0].environment.__name__ == "Field"
+    assert folder == empty
+    with pytest.raises(ModelError, match=r"lesson 'Go' of 'Fild', .*did you mean 'Field'"):
+        curriculum_of(empty, named.changed(environment="Fild"))
+    with pytest.raises(ModelError, match="where it is defined"):
+        curriculum_of(None, named)
+
+
+def test_the_mind_is_the_given_one_then_the_curriculum_s_then_the_model_s(empty, lesson, robot):
+    other = robot.with_modules(sensors=["S9"])
+    plain, own = Curriculum([lesson("Go")]), Curriculum([lesson("Go")], mind=robot)
+    assert mind_of(None, own, None, other) is other
+    assert mind_of(None, own, None, None) is robot
+    robot.save(empty / "mind")
+    there = mind_of(None, Curriculum([lesson("Go")], mind="mind"), empty, None)
+    assert there.order == robot.order
+    with pytest.raises(SocialmindError, match="0 minds in the model; say which one learns"):
+        mind_of(empty, plain, empty, None)
+    (empty / "model.py").write_text(
+        MODEL.replace("Walker, 1)", "Walker, 1, hierarchy='mind', master='Top')")
+    )
+    assert mind_of(empty, plain, empty, None).name == "robot"
+
+
+def test_lessons_are_held_against_the_mind_in_their_order(lesson, robot):
+    go, turn, top = lesson("Go"), lesson("Turn"), lesson("Top")
+    Course(Curriculum([go, turn, top]), robot, 0, "compiled")
+    with pytest.raises(ModelError, match="the lesson 'Top' with the skill 'Turn' below 'Top'"):
+        Course(Curriculum([go, top, turn]), robot, 0, "compiled")

@@ -1,0 +1,348 @@
+"""Trainings: folders, attempts, killing and going on, other lessons than before."""
+
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from socialmind.catalogue import load_file
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.learning import Curriculum, Cycle, Training, TrainingInterrupted, learn, resume
+from socialmind.learning.training.attempt import Attempt
+from socialmind.mind import MindDescription
+
+CHECKOUT = Path(__file__).parents[2]
+MODEL = """
+from socialmind import Agent, Model, Population
+
+
+class Walker(Agent):
+    pass
+
+
+class Empty(Model):
+    walkers = Population(Walker, 1)
+"""
+LESSONS = """
+from socialmind.learning import Curriculum, Cycle, Lesson
+from .slopes import Slope
+
+COMMON = dict(generations=6, repetitions=2, finals=5, settings={"population": 12},
+              parameters={"seconds": 0.02})
+curriculum = Curriculum(
+    [Lesson("Go", Slope, **COMMON), Lesson("Turn", "Slope", **COMMON),
+     Lesson("Top", Slope, optimiser="ANNEALING", **{**COMMON, "settings": {}}),
+     Cycle([Lesson("Again", Slope, "Go", "Top", start="known", **COMMON)], cycles=2)],
+    mind="mind",
+)
+"""
+
+
+@pytest.fixture
+def model(tmp_path, robot):
+    """A model's folder with a curriculum on slopes."""
+    folder = tmp_path / "walk"
+    folder.mkdir()
+    (folder / "model.py").write_text(MODEL)
+    (folder / "lessons.py").write_text(LESSONS)
+    shutil.copy(Path(__file__).parent / "slopes.py", folder)
+    robot.save(folder / "mind")
+    return folder
+
+
+@pytest.fixture
+def three(lesson, robot):
+    return Curriculum([lesson("Go"), lesson("Turn"), lesson("Top")], mind=robot)
+
+
+def digest(folder):
+    return load_file(Path(__file__).parent / "slopes.py").digest(folder)
+
+
+def test_a_lesson_is_taught_on_what_the_one_before_has_taught(three, robot, tmp_path):
+    results = []
+    folder = learn(
+        None, three, out=tmp_path / "out", on_lesson=lambda *told: results.append(told[2])
+    )
+    training = Training(folder)
+    mind = training.mind()
+    for name, result in zip(("Go", "Turn", "Top"), results, strict=True):
+        assert (mind.skill(name).genome == result.winner.genome).all()
+        assert (training.best(name).genome == result.best.genome).all()
+    # The master's score counts the weights below it: those of the winners.
+    top = training.lessons.set_index("lesson")["score"]["Top"]
+    before = sum(mind.skill(name).genome.sum() for name in ("Go", "Turn"))
+    assert top - before == pytest.approx(-((mind.skill("Top").genome - 0.5) ** 2).sum(), abs=0.5)
+    assert robot.skill("Go").genome is None
+    assert training.manifest.status == "finished"
+    assert (training.manifest.finished, training.manifest.curve["rows"]) == (1, 18)
+    assert {path.name for path in (folder / "figures").iterdir()} == {"curve.pdf", "curve.png"}
+    assert MindDescription.load(folder / "mind").skill("Top").genome is None
+
+
+def test_the_curve_has_a_row_for_each_generation(three, tmp_path):
+    import pandas as pd
+
+    folder = learn(None, three, attempts=2, out=tmp_path / "out")
+    curve = Training(folder).curve
+    assert list(curve.columns) == [
+        "attempt", "cycle", "lesson", "generation", "best", "mean", "deviation", "best_so_far",
+        "ticks", "seconds",
+    ]  # fmt: skip
+    assert curve.equals(pd.read_parquet(folder / "curve.parquet"))
+    assert curve.groupby(["attempt", "lesson"], sort=False)["generation"].apply(list).tolist() == (
+        [[1, 2, 3, 4, 5, 6]] * 6
+    )
+
+
+def test_nothing_hangs_on_workers_engine_or_folder(three, tmp_path):
+    digests = [
+        digest(learn(None, three, out=tmp_path / str(number), **options))
+        for number, options in enumerate(
+            [{"workers": 1}, {"workers": 3}, {"engine": "pymunk", "workers": 2}]
+        )
+    ]
+    assert len(set(digests)) == 1
+    assert digest(learn(None, three, seed=1, out=tmp_path / "other")) != digests[0]
+
+
+def test_attempts_are_independent_and_can_be_added(three, tmp_path):
+    together = learn(None, three, attempts=3, out=tmp_path / "together")
+    added = learn(None, three, attempts=1, out=tmp_path / "added")
+    resume(added, attempts=3, lessons=three)
+    assert digest(added) == digest(together)
+    genomes = [Training(added).mind(attempt).skill("Go").genome for attempt in (1, 2, 3)]
+    assert not np.array_equal(genomes[0], genomes[1])
+    with pytest.raises(SocialmindError, match="3 attempts were asked for before, 2 now"):
+        resume(added, attempts=2, lessons=three)
+
+
+def test_cycles_go_on_from_what_they_left(lesson, robot, tmp_path):
+    def round_and_round(cycles):
+        again = [
+            lesson("Go2", skill="Go", start="known"),
+            lesson("Turn2", skill="Turn", start="known"),
+        ]
+        begun = [lesson("Go", generations=1), lesson("Turn", generations=1)]
+        return Curriculum([*begun, Cycle(again, cycles=cycles)], mind=robot)
+
+    at_once = learn(None, round_and_round(3), out=tmp_path / "at_once")
+    longer = learn(None, round_and_round(1), out=tmp_path / "longer")
+    resume(longer, lessons=round_and_round(1), cycles=3)
+    assert digest(longer) == digest(at_once)
+    curve = Training(longer).curve
+    assert curve[curve["lesson"] == "Turn2"]["cycle"].tolist() == [1] * 6 + [2] * 6 + [3] * 6
+    # What is known is never given up for anything worse on the same worlds.
+    scores = Training(longer).lessons.query("lesson == 'Go2'")["score"]
+    assert scores.iloc[-1] > scores.iloc[0] - 0.1
+
+
+def test_a_cycle_without_end_ends_with_its_budget(lesson, robot, tmp_path):
+    again = [lesson("Go2", skill="Go", start="known"), lesson("Turn2", skill="Turn")]
+    endless = Curriculum([lesson("Go"), Cycle(again)], mind=robot)
+    folder = learn(None, endless, budget=15_000, generations=5, out=tmp_path / "out")
+    lessons = Training(folder).lessons
+    assert lessons["lesson"].tolist()[:3] == ["Go", "Go2", "Turn2"]
+    spent = lessons[lessons["cycle"] >= 1].iloc[1:]["ticks"].sum()
+    assert 15_000 <= spent < 15_000 + 12 * 2 * 50 + 5 * 5 * 50
+    begun = Training(folder).manifest.lessons[1]
+    assert (begun["budget"], begun["cycles"]) == (15_000, None)
+    assert digest(resume(folder, lessons=endless)) == digest(folder)
+
+
+@pytest.mark.parametrize("after", [1, 6, 7, 20])
+def test_stopped_between_generations_it_goes_on_to_the_same_end(three, tmp_path, after):
+    undisturbed = learn(None, three, out=tmp_path / "undisturbed")
+    told = []
+
+    def interrupt(news, left):
+        told.append(news)
+        if len(told) == after:
+            signal.raise_signal(signal.SIGINT)
+
+    if after <= 18:
+        with pytest.raises(TrainingInterrupted) as stopped:
+            learn(None, three, out=tmp_path / "out", on_generation=interrupt)
+        assert stopped.value.signal_number == signal.SIGINT
+        assert Training(tmp_path / "out").manifest.status == "interrupted"
+        assert len(Training(tmp_path / "out").curve) == after
+        resume(tmp_path / "out", lessons=three)
+    else:
+        learn(None, three, out=tmp_path / "out", on_generation=interrupt)
+    assert digest(tmp_path / "out") == digest(undisturbed)
+
+
+def test_killed_at_any_moment_it_goes_on_to_the_same_end(model, tmp_path):
+    undisturbed = learn(model, attempts=2, out=tmp_path / "undisturbed")
+    out = tmp_path / "out"
+    command = [sys.executable, "-m", "socialmind.cli", "learn", "--quiet"]
+    environment = {**os.environ, "PYTHONPATH": str(CHECKOUT)}
+    moments = random.Random(5)
+    kills = 0
+    while True:
+        begun = out.exists()
+        words = ["--resume", out] if begun else [model, "--attempts", 2, "--out", out]
+        process = subprocess.Popen(
+            [*command, *map(str, words)], env=environment, stdout=subprocess.DEVNULL
+        )
+        if kills < 6:
+            generations = done(out)
+            while process.poll() is None and done(out) == generations:
+                time.sleep(0.005)
+            time.sleep(moments.uniform(0.0, 0.4))
+            process.kill()
+            kills += 1
+        if process.wait() == 0:
+            break
+        assert process.returncode == -signal.SIGKILL
+    assert digest(out) == digest(undisturbed)
+
+
+def done(folder):
+    """How many times checkpoints were written, as far as that shows."""
+    return [path.stat().st_mtime_ns for path in sorted(folder.glob("attempts/*/checkpoint.npz"))]
+
+
+def test_a_file_that_was_cut_off_is_named(three, tmp_path):
+    folder = learn(None, three, out=tmp_path / "out")
+    checkpoint = folder / "attempts" / "1" / "checkpoint.npz"
+    checkpoint.write_bytes(checkpoint.read_bytes()[:1000])
+    with pytest.raises(SocialmindError, match=r"checkpoint\.npz: not a whole file of a training"):
+        resume(folder, lessons=three)
+
+
+def test_it_goes_on_with_what_it_was_begun_with_alone(model, three, lesson, robot, tmp_path):
+    given = learn(None, three, out=tmp_path / "given")
+    with pytest.raises(SocialmindError, match="its lessons were given in Python"):
+        resume(given)
+    other = Curriculum([lesson("Go", finals=6), lesson("Turn"), lesson("Top")], mind=robot)
+    with pytest.raises(SocialmindError, match="lessons are not those that the training was begun"):
+        resume(given, lessons=other)
+    begun = learn(model, "Go", generations=1, out=tmp_path / "begun")
+    (model / "lessons.py").write_text(LESSONS + "# a word\n")
+    with pytest.raises(SocialmindError, match="is not the file that the run was made with"):
+        resume(begun)
+    (model / "lessons.py").write_text(LESSONS)
+    manifest = json.loads((begun / "manifest.json").read_text())
+    manifest["versions"]["socialmind"] = "0.0.1"
+    (begun / "manifest.json").write_text(json.dumps(manifest))
+    with pytest.raises(SocialmindError, match=r"made by socialmind 0\.0\.1"):
+        resume(begun)
+
+
+def test_a_model_as_a_class_of_any_file(three, slopes, tmp_path):
+    path = tmp_path / "mine.py"
+    path.write_text(MODEL)
+    folder = learn(load_file(path).Empty, three, out=tmp_path / "out")
+    assert Training(folder).manifest.model["path"] == str(path)
+    assert digest(resume(folder, lessons=three)) == digest(folder)
+    path.write_text(MODEL + "# a word\n")
+    with pytest.raises(SocialmindError, match=r"mine\.py: is not the file"):
+        resume(folder, lessons=three)
+
+
+def test_a_lesson_alone_begins_from_the_mind_as_given(model, robot, tmp_path):
+    with pytest.raises(ModelError, match="skill 'Go' below 'Top', which has no weights yet"):
+        learn(model, "Top", out=tmp_path / "none")
+    assert not (tmp_path / "none").exists()
+    able = robot.with_modules(
+        skills=[robot.skill(one).changed(genome=np.ones(size)) for one, size in
+                (("Go", 6), ("Turn", 4))]
+    )  # fmt: skip
+    able.save(tmp_path / "able")
+    folder = learn(model, "Top", mind=tmp_path / "able", out=tmp_path / "top")
+    mind = Training(folder).mind()
+    assert (mind.skill("Go").genome == 1.0).all()
+    assert mind.skill("Top").genome is not None
+
+
+def test_lessons_of_files_beside_the_model(model, tmp_path):
+    tasks = model / "mind" / "Tasks"
+    tasks.mkdir()
+    (tasks / "Turning.simbatch").write_text(
+        "TYPE:LEARN2DSIM\nENV:Slope\nMASTERSKILL:Turn\nLEARNINGSKILL:Turn\nNUMGEN:3\n"
+        "POPULATION:8\nFINALS:2\n"
+    )
+    folder = learn(model, str(tasks / "Turning.simbatch"), out=tmp_path / "out")
+    assert Training(folder).curve["lesson"].tolist() == ["Turning"] * 3
+    assert digest(resume(folder)) == digest(folder)
+    both = learn(model, ["mind/Tasks/Turning.simbatch", "Go"], out=tmp_path / "both")
+    assert set(Training(both).curve["lesson"]) == {"Turning", "Go"}
+    (tasks / "Turning.simbatch").write_text("TYPE:LEARN2DSIM\nENV:Slop\nLEARNINGSKILL:Turn\n")
+    with pytest.raises(ModelError, match="did you mean 'Slope'"):
+        learn(model, str(tasks / "Turning.simbatch"))
+
+
+def test_other_optimisers_and_settings_than_the_lessons_own(model, tmp_path):
+    changes = {"optimiser": "annealing", "settings": {"neighbours": 3}, "generations": 2}
+    folder = learn(model, "Go", out=tmp_path / "out", **changes)
+    (record,) = Training(folder).manifest.lessons
+    assert (record["optimiser"], record["generations"]) == ("ANNEALING", 2)
+    assert record["settings"]["neighbours"] == 3
+    assert digest(resume(folder)) == digest(folder)
+
+
+def test_a_broken_environment_leaves_a_folder_that_says_so(lesson, robot, slopes, tmp_path):
+    broken = Curriculum([lesson("Go").changed(environment=slopes.Broken)], mind=robot)
+    with pytest.raises(ModelError, match="no finite numbers"):
+        learn(None, broken, out=tmp_path / "out")
+    manifest = Training(tmp_path / "out").manifest
+    assert manifest.status == "failed"
+    assert "no finite numbers" in manifest.error
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"attempts": 0}, "attempts: found 0; expected a whole number, 1 or more"),
+        ({"seed": -1}, "seed: found -1"),
+        ({"engine": "jet"}, "engine 'jet'; expected compiled or pymunk"),
+        ({"mind": "nowhere"}, "nowhere: no such folder"),
+        ({"out": "."}, "is not empty"),
+    ],
+)
+def test_wrong_options_are_refused(three, tmp_path, monkeypatch, options, said):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "something").touch()
+    with pytest.raises(SocialmindError) as raised:
+        learn(None, three, **options)
+    assert said in str(raised.value)
+
+
+def test_a_folder_is_one_process_s_alone(three, tmp_path):
+    folder = tmp_path / "out"
+    refused = []
+
+    def meddle(news, left):
+        if not refused:
+            with pytest.raises(SocialmindError, match="another process is running"):
+                resume(folder, lessons=three)
+            refused.append(news)
+
+    learn(None, three, out=folder, on_generation=meddle)
+    assert refused
+
+
+def test_outside_the_main_thread(three, tmp_path):
+    thread = threading.Thread(target=lambda: learn(None, three, out=tmp_path / "out"))
+    thread.start()
+    thread.join()
+    assert Training(tmp_path / "out").manifest.status == "finished"
+
+
+def test_an_attempt_reads_where_it_was(three, lesson, robot, tmp_path):
+    from socialmind.learning.training.course import Course
+
+    folder = learn(None, three, out=tmp_path / "out")
+    attempt = Attempt(folder / "attempts" / "1", 1, Course(three, robot, 0, "compiled"))
+    assert attempt.finished
+    assert attempt.done == 3

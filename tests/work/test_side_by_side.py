@@ -1,0 +1,36 @@
+"""Calls in other processes."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from socialmind.catalogue import load_file
+from socialmind.work.side_by_side import side_by_side
+
+
+@pytest.fixture
+def study(tmp_path: Path):
+    path = tmp_path / "study.py"
+    path.write_text(
+        '"""A study."""\n\nimport os\n\n\n'
+        "def doubled(number):\n    return 2 * number, os.getpid()\n\n\n"
+        "def refused(number):\n    raise ValueError(number)\n"
+    )
+    return load_file(path)
+
+
+def test_a_file_s_function_is_called_elsewhere_in_order(study):
+    found = list(side_by_side(study.doubled, [(n,) for n in range(9)], workers=2))
+    assert [number for number, _ in found] == list(range(0, 18, 2))
+    assert os.getpid() not in {process for _, process in found}
+
+
+def test_one_worker_is_this_process(study):
+    assert list(side_by_side(study.doubled, [(3,)], workers=1)) == [(6, os.getpid())]
+    assert list(side_by_side(study.doubled, [], workers=2)) == []
+
+
+def test_a_failure_is_raised_here(study):
+    with pytest.raises(ValueError, match="5"):
+        list(side_by_side(study.refused, [(5,), (6,)], workers=2))
