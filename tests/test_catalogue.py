@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 from socialmind import Model
-from socialmind.catalogue import catalogue, load_figures, load_model, model_folder, source_hash
+from socialmind.catalogue import load_figures, load_model
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.sources.folders import catalogue, model_folder, source_hash
 
 MODEL = """
 from socialmind import Model
@@ -169,7 +170,8 @@ def test_the_source_hash_leaves_out_other_minds(tmp_path):
 
 
 FROM_ANOTHER = """
-from socialmind.catalogue import load_file, model_folder
+from socialmind.sources.loading import load_file
+from socialmind.sources.folders import model_folder
 TOWN = load_file(model_folder("{name}") / "model.py")
 """
 
@@ -180,7 +182,7 @@ def test_the_source_hash_sees_the_other_models_that_it_loads(tmp_path, monkeypat
     city = write(tmp_path / "city", model=FROM_ANOTHER.format(name="port") + MODEL)
     apart = write(tmp_path / "apart", model=FROM_ANOTHER.format(name="nowhere") + MODEL)
     known = {one.name: one for one in (town, port, city, apart)}
-    monkeypatch.setattr("socialmind.catalogue.catalogue", lambda: known)
+    monkeypatch.setattr("socialmind.sources.folders.catalogue", lambda: known)
     before = {name: source_hash(one) for name, one in known.items()}
     file = source_hash(port / "model.py")
     loaded = load_model(city)
@@ -195,7 +197,7 @@ def test_the_source_hash_sees_the_other_models_that_it_loads(tmp_path, monkeypat
 def test_the_source_hash_of_models_that_load_each_other_ends(tmp_path, monkeypatch):
     one = write(tmp_path / "one", model=FROM_ANOTHER.format(name="two") + MODEL)
     two = write(tmp_path / "two", model=FROM_ANOTHER.format(name="one") + MODEL)
-    monkeypatch.setattr("socialmind.catalogue.catalogue", lambda: {"one": one, "two": two})
+    monkeypatch.setattr("socialmind.sources.folders.catalogue", lambda: {"one": one, "two": two})
     before = source_hash(one)
     (two / "model.py").write_text(FROM_ANOTHER.format(name="one") + MODEL.replace("7", "8"))
     assert source_hash(one) != before

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from coglogo_py import CognitiveScheme, SchemeError
-from socialmind.catalogue import MODEL_FILE, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.syntax import parsed
@@ -18,6 +18,7 @@ from socialmind.mind.files.evoagents.text_file import inside
 from socialmind.mind.lint import findings
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.sources import model_of
+from socialmind.sources.folders import MODEL_FILE, model_folder
 from socialmind.sources.trust import programs_in
 
 if TYPE_CHECKING:

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from socialmind.catalogue import catalogue, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
+from socialmind.sources.folders import catalogue, model_folder
 
 if TYPE_CHECKING:
     from socialmind.model import Model

@@ -9,11 +9,12 @@ from typing import Any
 
 import gymnasium
 
-from socialmind.catalogue import catalogue, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.envs.plane_env import robot_of
 from socialmind.envs.steered_world import lessons_of
 from socialmind.errors import SocialmindError
 from socialmind.model import Model
+from socialmind.sources.folders import catalogue, model_folder
 
 NAMESPACE, VERSION = "socialmind", 0
 ENTRY = "socialmind.envs:PlaneEnv"

@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 
 from coglogo_py.errors import shown
 from coglogo_py.numbers import whole_number
-from socialmind.catalogue import load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError, nearest
 from socialmind.learning.training.course import lessons_module
 from socialmind.model import Model
+from socialmind.sources.folders import model_folder
 from socialmind.worlds.plane.arena import ENGINES
 
 if TYPE_CHECKING:

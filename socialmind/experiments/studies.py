@@ -14,13 +14,13 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from socialmind.catalogue import failure_in_model, load_file
 from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.sources.folders import PACKAGE, STUDIES_FILE, shipped
+from socialmind.sources.loading import failure_in_model, load_file
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-STUDIES_FILE = "studies.py"
 
 Make = Callable[[Path], Sequence[Path]]
 """Makes a study in a folder, which it makes where it is missing, and returns the files written."""
@@ -96,17 +96,11 @@ def topics() -> dict[str, Path]:
     Raises:
         SocialmindError: this installation holds no studies.
     """
-    package = Path(__file__).resolve().parent
-    homes = (package / "_analysis", package.parent / "analysis")
-    for home in homes:
-        if home.is_dir():
-            return {
-                folder.name: folder
-                for folder in sorted(home.iterdir())
-                if (folder / STUDIES_FILE).is_file()
-            }
+    found = shipped("analysis", STUDIES_FILE)
+    if found:
+        return found
     raise SocialmindError(
-        f"the studies are not installed: there is neither {homes[0]} nor {homes[1]}; "
+        f"the studies are not installed in {PACKAGE.parent}; "
         "run `socialmind reproduce` from a checkout of the repository (`pip install -e .`)"
     )
 

@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING, Any
 from coglogo_py.errors import shown
 from coglogo_py.numbers import is_whole
 from socialmind.agents.agent_columns import as_before
-from socialmind.catalogue import failure_in_model
 from socialmind.errors import SocialmindError
 from socialmind.runs import capsule as capsules
 from socialmind.runs.arrays_file import make_room, refuse_folder
@@ -47,6 +46,7 @@ from socialmind.runs.tables import (
     part_name,
     seal,
 )
+from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
 from socialmind.work.signals import deferred_signals

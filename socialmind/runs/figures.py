@@ -6,11 +6,13 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from socialmind.catalogue import FIGURES_FILE, failure_in_model, load_figures
+from socialmind.catalogue import load_figures
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.result import Run
 from socialmind.runs.sources import recorded_folder
+from socialmind.sources.folders import FIGURES_FILE
+from socialmind.sources.loading import failure_in_model
 from socialmind.sources.trust import programs_in, require
 
 if TYPE_CHECKING:

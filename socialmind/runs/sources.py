@@ -10,15 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import socialmind
-from socialmind.catalogue import (
-    MODEL_FILE,
-    catalogue,
-    load_model,
-    load_script,
-    modules_from,
-    source_hash,
-)
+from socialmind.catalogue import load_model, load_script
 from socialmind.errors import SocialmindError
+from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
+from socialmind.sources.loading import modules_from
 from socialmind.sources.provenance import KEPT, difference, difference_of_copies, sources_of
 from socialmind.sources.trust import programs_in, remember, require
 

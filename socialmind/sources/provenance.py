@@ -21,11 +21,12 @@ from pathlib import Path
 from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
-from socialmind import catalogue
-from socialmind.catalogue import MODEL_FILE, PRIVATE, deciding_files, models_in
 from socialmind.compiling.reached import is_of_a_package
 from socialmind.errors import SocialmindError
 from socialmind.language.syntax import parsed
+from socialmind.sources import folders
+from socialmind.sources.folders import MODEL_FILE, deciding_files, models_in
+from socialmind.sources.loading import PRIVATE
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -368,7 +369,7 @@ def _other_models(file: Path, home: Path | None) -> list[tuple[Path, str]]:
     waiting = [file] if file.suffix == ".py" else []
     while waiting:
         names = models_in(waiting.pop().read_bytes())
-        known = catalogue.catalogue() if names else {}
+        known = folders.catalogue() if names else {}
         for name in sorted(names):
             other = known.get(name.replace("-", "_"))
             for path in () if other is None or other == home else deciding_files(other):

@@ -19,6 +19,7 @@ from importlib.machinery import all_suffixes
 from pathlib import Path
 
 from socialmind.errors import SocialmindError
+from socialmind.sources.folders import STUDIES_FILE, catalogue, shipped
 
 DATA_VARIABLE = "SOCIALMIND_DATA_DIR"
 """Environment variable that names the folder of what is remembered."""
@@ -181,10 +182,5 @@ def _is_own(found: os.stat_result) -> bool:
 
 def _shipped() -> set[str]:
     """Return the hashes of the programs of the models and studies that ship."""
-    from socialmind.catalogue import catalogue
-    from socialmind.experiments.studies import topics
-
-    homes = list(catalogue().values())
-    with suppress(SocialmindError):  # an installation without studies
-        homes += topics().values()
+    homes = [*catalogue().values(), *shipped("analysis", STUDIES_FILE).values()]
     return {_digest(content) for home in homes for content in programs_in(home).values()}

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from socialmind.catalogue import PRIVATE, catalogue, load_file
+from socialmind.sources.folders import catalogue
+from socialmind.sources.loading import PRIVATE, load_file
 
 
 @dataclass(frozen=True)

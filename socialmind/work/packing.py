@@ -14,8 +14,9 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any
 
-from socialmind.catalogue import PRIVATE, catalogue, load_file
 from socialmind.errors import ModelError
+from socialmind.sources.folders import catalogue
+from socialmind.sources.loading import PRIVATE, load_file
 
 
 def packed(content: Any) -> bytes:

@@ -11,9 +11,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.experiments.trainings.plans import Plans, most_ticks
 from socialmind.learning import Curriculum, Training
+from socialmind.sources.loading import load_file
 
 COLLECT = Path(__file__).parents[2] / "analysis" / "collect"
 trainings = load_file(COLLECT / "trainings.py")

@@ -6,11 +6,12 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from socialmind.catalogue import load_file, model_folder
 from socialmind.errors import SocialmindError
 from socialmind.experiments.studies import studies_in
 from socialmind.learning import Training
 from socialmind.mind import MindDescription
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "counter"
 STEPS = load_file(FOLDER / "steps.py")

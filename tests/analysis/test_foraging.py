@@ -7,9 +7,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.experiments.studies import studies_in
 from socialmind.experiments.trainings.plans import most_ticks
+from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging"
 TRAININGS = load_file(FOLDER / "trainings.py")

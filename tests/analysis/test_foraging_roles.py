@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError
 from socialmind.mind import Perceptron
+from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
 trainings = load_file(FOLDER / "trainings.py")

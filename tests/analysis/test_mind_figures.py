@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from socialmind.catalogue import load_file
+from socialmind.sources.loading import load_file
 
 ANALYSIS = Path(__file__).parents[2] / "analysis"
 records = load_file(ANALYSIS / "mind_variables" / "records.py")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from socialmind.catalogue import load_file
+from socialmind.sources.loading import load_file
 
 ANALYSIS = Path(__file__).parents[2] / "analysis"
 MODULES = sorted(ANALYSIS.glob("*/*.py"))

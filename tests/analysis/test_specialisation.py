@@ -9,10 +9,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError
 from socialmind.experiments.measures import intervals
 from socialmind.experiments.studies import studies_in
+from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "specialisation"
 making = load_file(FOLDER / "making.py")

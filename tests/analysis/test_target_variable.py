@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.experiments.studies import studies_in
+from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "target_variable"
 TRAJECTORIES = load_file(FOLDER / "trajectories.py")

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.errors import ValueRefusedError
+from socialmind.sources.loading import load_file
 
 PAGE = (Path(__file__).parents[2] / "docs" / "data.md").read_text("utf-8")
 BLOCK = re.compile(r"```python\n(.*?)```", re.DOTALL)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from socialmind.catalogue import load_file
+from socialmind.sources.loading import load_file
 from socialmind.worlds.plane.actuators import ACTUATORS
 from socialmind.worlds.plane.devices import GIVEN
 from socialmind.worlds.plane.interruptions import INTERRUPTIONS

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 
-from socialmind.catalogue import catalogue
 from socialmind.envs import environments_of, register_envs
 from socialmind.errors import SocialmindError
+from socialmind.sources.folders import catalogue
 
 SHIPPED = sorted(one for one in gymnasium.registry if one.startswith("socialmind/"))
 

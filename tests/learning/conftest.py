@@ -3,9 +3,9 @@ from pathlib import Path
 
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.learning import Lesson
 from socialmind.mind import MindDescription, Perceptron, Skill
+from socialmind.sources.loading import load_file
 
 FUNCTIONS = Path(__file__).parents[1] / "mind" / "functions"
 

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from coglogo_py import CognitiveScheme, MaximumWeight, WeightedStochastic
-from socialmind.catalogue import load_file
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning.distilling import (
     Agreement,
@@ -23,6 +22,7 @@ from socialmind.learning.distilling import (
     weights_by_links,
 )
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill, Variable
+from socialmind.sources.loading import load_file
 
 GRAZING = load_file(Path(__file__).parent / "grazing.py")
 SCHEME, MIND, WEIGHING = GRAZING.SCHEME, GRAZING.MIND, GRAZING.WEIGHING

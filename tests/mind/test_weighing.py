@@ -9,11 +9,11 @@ import pytest
 from coglogo_py import MaximumWeight, WeightedStochastic
 from coglogo_py.decision import DecisionMaker
 from socialmind import Agent, Model, Population, SocialmindError, each
-from socialmind.catalogue import load_file
 from socialmind.errors import ModelError
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill, Variable
 from socialmind.mind.weighing import Weighing, linear_skill
 from socialmind.observation import mind_columns
+from socialmind.sources.loading import load_file
 
 GRAZING = load_file(Path(__file__).parents[1] / "learning" / "grazing.py")
 Grazing, Weighed, SCHEME, MIND = (

@@ -5,7 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_model, model_folder
+from socialmind.catalogue import load_model
+from socialmind.sources.folders import model_folder
 from socialmind.streams import SCHEDULE_TAG, Stream, phase_tags
 
 LIVE = phase_tags(SCHEDULE_TAG, ["live"])[

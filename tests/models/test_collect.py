@@ -6,7 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_model
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 from socialmind.worlds.plane import in_zone
 
 WORLD = load_file(model_folder("collect") / "model.py")

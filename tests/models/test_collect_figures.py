@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 from matplotlib.text import Text
 
-from socialmind.catalogue import load_figures, load_file, load_model, model_folder
+from socialmind.catalogue import load_figures, load_model
 from socialmind.drawing import style as paper
 from socialmind.experiments import Run, run
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 FIGURES = load_file(model_folder("collect") / "figures.py")
 MIND = model_folder("collect") / "mind"

@@ -6,7 +6,8 @@ import re
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file, model_folder
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 LESSONS = load_file(model_folder("collect") / "lessons.py")
 RETRAINED = load_file(model_folder("collect_retrained") / "lessons.py")

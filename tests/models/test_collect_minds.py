@@ -7,11 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.commands.checking import print_findings
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, replay, resume, run, score
 from socialmind.mind import Hierarchy, MindDescription, Output, Perceptron, Skill
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 ANALYSIS = Path(__file__).parents[2] / "analysis" / "collect"
 CONTROLS = load_file(ANALYSIS / "controls.py")
@@ -203,7 +205,7 @@ def test_a_run_notices_a_change_in_the_model_that_its_own_loads(tmp_path, monkey
     copies = {name: tmp_path / name for name in names}
     for name, copy in copies.items():
         shutil.copytree(model_folder(name), copy)
-    monkeypatch.setattr("socialmind.catalogue.catalogue", lambda: copies)
+    monkeypatch.setattr("socialmind.sources.folders.catalogue", lambda: copies)
     folder = run(load_model("collect_retrained"), ticks=40, every=20, out=tmp_path / "run")
     assert replay(folder).equal
     rules = copies["collect"] / "model.py"

@@ -5,8 +5,9 @@ import re
 import pytest
 
 from coglogo_py import CognitiveScheme
-from socialmind.catalogue import catalogue, load_model
+from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
+from socialmind.sources.folders import catalogue
 
 ODD = (
     "Purpose and patterns",

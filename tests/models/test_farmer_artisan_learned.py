@@ -5,7 +5,7 @@ import pytest
 
 from coglogo_py import CognitiveScheme
 from socialmind import Population
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.experiments import Run, run
 from socialmind.learning.distilling import (
     distilled,
@@ -16,6 +16,8 @@ from socialmind.learning.distilling import (
 from socialmind.learning.episodes.society_episodes import SocietyEpisodes
 from socialmind.mind import MindDescription, Perceptron
 from socialmind.mind.weighing import Weighing, linear_skill
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 Written, Learned = load_model("farmer_artisan"), load_model("farmer_artisan_learned")
 LESSONS = load_file(model_folder("farmer_artisan_learned") / "lessons.py")

@@ -5,9 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.experiments import score
 from socialmind.mind import Hierarchy, MindDescription
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 FOLDER = model_folder("foraging")
 WORLD = load_file(FOLDER / "model.py")

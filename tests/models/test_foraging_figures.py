@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from matplotlib.text import Text
 
-from socialmind.catalogue import load_figures, load_model, model_folder
+from socialmind.catalogue import load_figures, load_model
 from socialmind.experiments import Run, run
+from socialmind.sources.folders import model_folder
 
 FOLDER = model_folder("foraging")
 FIGURES = load_figures(FOLDER)

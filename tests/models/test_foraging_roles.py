@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from matplotlib.text import Text
 
-from socialmind.catalogue import load_figures, load_file, load_model, model_folder
+from socialmind.catalogue import load_figures, load_model
 from socialmind.experiments import Run, run
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 FOLDER = model_folder("foraging_roles")
 PAYOFF = load_file(FOLDER / "payoff.py")

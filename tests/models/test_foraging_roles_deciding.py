@@ -5,8 +5,10 @@ import pytest
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.society import Society
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.mind import MindDescription
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 FOLDER = model_folder("foraging_roles")
 DECIDING = load_file(FOLDER / "deciding.py")

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file, model_folder
 from socialmind.errors import ModelError
 from socialmind.mind import MindDescription
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 FOLDER = model_folder("foraging_roles")
 ECONOMY = load_file(FOLDER / "economy.py")

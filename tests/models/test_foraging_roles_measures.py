@@ -4,9 +4,11 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.experiments.measures.specialisation import Course
 from socialmind.mind import MindDescription
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 FOLDER = model_folder("foraging_roles")
 MEASURES = load_file(FOLDER / "measures.py")

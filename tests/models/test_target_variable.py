@@ -5,10 +5,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.commands.checking import print_findings
 from socialmind.experiments import score
 from socialmind.mind import Hierarchy, MindDescription, Skill
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 FOLDER = model_folder("target_variable")
 MODEL = load_file(FOLDER / "model.py")

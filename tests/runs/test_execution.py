@@ -13,11 +13,12 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
-from socialmind.catalogue import catalogue, load_model
+from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import Interrupted, Run, replay, resume, run
 from socialmind.runs import execution as execution_module
 from socialmind.runs.capsule import Capsule
+from socialmind.sources.folders import catalogue
 
 CHECKOUT = Path(__file__).parents[2]
 

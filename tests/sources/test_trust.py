@@ -6,10 +6,11 @@ import stat
 
 import pytest
 
-from socialmind.catalogue import load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import replay, resume, run
 from socialmind.mind import MindDescription
+from socialmind.sources.folders import model_folder
 from socialmind.sources.trust import DATA_VARIABLE, PROGRAMS_FILE, programs_in, remember, require
 
 PROGRAM = {"evil.py": b"import os"}

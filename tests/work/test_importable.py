@@ -3,7 +3,8 @@
 import pickle
 from pathlib import Path
 
-from socialmind.catalogue import catalogue, load_file
+from socialmind.sources.folders import catalogue
+from socialmind.sources.loading import load_file
 from socialmind.work.importable import found, referred
 
 

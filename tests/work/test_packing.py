@@ -11,11 +11,12 @@ import pytest
 
 from coglogo_py import CognitiveScheme, Cogniton, Society
 from socialmind import Agent, Model, Population, each
-from socialmind.catalogue import load_file, load_model
+from socialmind.catalogue import load_model
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill
 from socialmind.mind.hierarchy import Hierarchy
 from socialmind.mind.minds import Minds
 from socialmind.model import KEPT_BY_MODELS
+from socialmind.sources.loading import load_file
 
 
 def bits(state):

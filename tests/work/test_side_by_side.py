@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from socialmind.catalogue import load_file
+from socialmind.sources.loading import load_file
 from socialmind.work.side_by_side import side_by_side
 
 

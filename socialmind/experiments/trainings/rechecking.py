@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from socialmind.catalogue import model_folder, source_hash
 from socialmind.errors import SocialmindError
 from socialmind.experiments.trainings.store import LESSONS, differences
 from socialmind.learning.lessons.keys import FINAL, seeds_for
@@ -27,6 +26,7 @@ from socialmind.learning.training.result import Training
 from socialmind.learning.training.teaching import ground_of
 from socialmind.mind import MindDescription
 from socialmind.runs.capsule import MANIFEST, replace_file
+from socialmind.sources.folders import model_folder, source_hash
 
 if TYPE_CHECKING:
     from socialmind.experiments.trainings.plans import Plan

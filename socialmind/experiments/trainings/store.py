@@ -13,7 +13,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from socialmind.catalogue import model_folder, source_hash
 from socialmind.errors import SocialmindError
 from socialmind.learning.episodes.evaluation import files_of
 from socialmind.learning.training import archive
@@ -21,6 +20,7 @@ from socialmind.learning.training.attempt import CHECKPOINT, result_file
 from socialmind.learning.training.capsule import TrainingManifest
 from socialmind.learning.training.result import Training
 from socialmind.runs.capsule import FINISHED, INTERRUPTED, MANIFEST, replace_file
+from socialmind.sources.folders import model_folder, source_hash
 
 if TYPE_CHECKING:
     from socialmind.experiments.trainings.plans import Plan

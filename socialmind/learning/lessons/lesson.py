@@ -34,8 +34,8 @@ class Lesson:
     Attributes:
         name: its name, unlike those of other lessons.
         environment: a model with rewards, or its name in the `lessons.py` where the lesson stands;
-            or any class with the interface of `learning.episodes.plane_episodes.Episodes` but for the
-            model.
+            or any class with the interface of `learning.episodes.plane_episodes.Episodes` but
+            for the model.
         skill: the skill that learns, or several whose genomes are learned as one; the lesson's
             name where none is given.
         master: the skill that steers the robot; the skill that learns where none is given.

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from socialmind.catalogue import load_file, load_model, model_folder
+from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
@@ -17,6 +17,8 @@ from socialmind.learning.lessons.lesson_file import load_lesson
 from socialmind.learning.training.teaching import check_fits
 from socialmind.mind.description import MindDescription
 from socialmind.model import Model
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 LESSONS_FILE = "lessons.py"
 SIMBATCH = ".simbatch"

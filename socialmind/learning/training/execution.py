@@ -11,7 +11,7 @@ from typing import Any
 
 import socialmind
 from coglogo_py.numbers import whole_number
-from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
+from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK, files_of
 from socialmind.learning.episodes.evaluators import Stopped, hired
@@ -28,6 +28,7 @@ from socialmind.model import Model
 from socialmind.runs import capsule as capsules
 from socialmind.runs.arrays_file import refuse_folder, remove
 from socialmind.runs.sources import edited, model_source
+from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, remember, require
 from socialmind.work.signals import deferred_signals

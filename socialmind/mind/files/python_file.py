@@ -20,10 +20,11 @@ from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
-from socialmind.catalogue import MODEL_FILE, PRIVATE, load_file
 from socialmind.errors import ModelError
 from socialmind.language.syntax import parsed
 from socialmind.mind.files.evoagents.text_file import inside, is_file, text_of
+from socialmind.sources.folders import MODEL_FILE
+from socialmind.sources.loading import PRIVATE, load_file
 
 Function = Callable[..., Any]
 

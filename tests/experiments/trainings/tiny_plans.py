@@ -3,9 +3,10 @@
 from dataclasses import replace
 from pathlib import Path
 
-from socialmind.catalogue import load_file, model_folder
 from socialmind.experiments.trainings.plans import Plan
 from socialmind.learning import Curriculum
+from socialmind.sources.folders import model_folder
+from socialmind.sources.loading import load_file
 
 LESSONS = load_file(model_folder("collect") / "lessons.py")
 CONTROLS = Path(__file__).parents[2] / "analysis" / "collect" / "controls.py"

@@ -10,10 +10,10 @@ import pytest
 
 from socialmind import Model, ModelError, Population, RuleError, SocialmindError, each
 from socialmind.agents.bookkeeping import NEXT_ID
-from socialmind.catalogue import load_file
 from socialmind.learning.episodes.learners import with_genomes
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill
+from socialmind.sources.loading import load_file
 from socialmind.worlds.plane import (
     Disc,
     Interruption,

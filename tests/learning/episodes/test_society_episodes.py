@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum, Lesson, Training, learn
 from socialmind.learning.episodes.society_episodes import SocietyEpisodes
+from socialmind.sources.loading import load_file
 
 GRAZING = load_file(Path(__file__).parent / "grazing.py")
 KNOWN = np.array(GRAZING.linear(GRAZING.SCHEME, GRAZING.WEIGHING))

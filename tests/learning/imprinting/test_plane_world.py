@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from socialmind import Model, Population
-from socialmind.catalogue import model_folder
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Lesson, Training, learn
 from socialmind.learning.episodes.plane_episodes import Episodes
@@ -16,6 +15,7 @@ from socialmind.learning.imprinting.plane_world import PlaneWorld
 from socialmind.learning.imprinting.recording import Recording
 from socialmind.learning.training.course import lessons_module
 from socialmind.mind import Hierarchy, MindDescription, Perceptron
+from socialmind.sources.folders import model_folder
 from socialmind.worlds.plane import Disc, Plane, Robot, constant, wheel
 
 FOLDER = model_folder("collect")

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from coglogo_py.errors import CogLogoError
-from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Training, learn, resume
+from socialmind.sources.loading import load_file
 
 damage = load_file(Path(__file__).parents[1] / "experiments/damage.py")
 SEED = os.environ.get("SOCIALMIND_FUZZ_SEED") or datetime.datetime.now(datetime.UTC).date()

@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from socialmind.catalogue import load_file
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum, Cycle, Training, TrainingInterrupted, learn, resume
 from socialmind.learning.training.attempt import Attempt
 from socialmind.mind import MindDescription
+from socialmind.sources.loading import load_file
 
 CHECKOUT = Path(__file__).parents[2]
 MODEL = """

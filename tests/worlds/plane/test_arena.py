@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from socialmind import Agent, Model, ModelError, Population, RuleError, SocialmindError, each
-from socialmind.catalogue import load_file
 from socialmind.learning.episodes.learners import with_genomes
+from socialmind.sources.loading import load_file
 from socialmind.worlds.plane import (
     BALL,
     Act,

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from socialmind import Model, ModelError, Population, each, parameter
-from socialmind.catalogue import load_file
+from socialmind.sources.loading import load_file
 from socialmind.worlds.plane import (
     BALL,
     Body,
