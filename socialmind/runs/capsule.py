@@ -409,10 +409,10 @@ def versions() -> dict[str, str]:
     import numba
     import numpy as np
 
-    import socialmind
+    from socialmind.version import __version__
 
     return {
-        "socialmind": socialmind.__version__,
+        "socialmind": __version__,
         "python": platform.python_version(),
         "numpy": np.__version__,
         "numba": numba.__version__,

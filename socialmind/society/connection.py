@@ -13,11 +13,11 @@ from socialmind.errors import ModelError
 from socialmind.language.program import Program
 
 if TYPE_CHECKING:
+    from socialmind.agents.running import Running
     from socialmind.mind.evaluation.arrays import Assembly
-    from socialmind.model import Model
 
 
-def connect(model: Model) -> None:
+def connect(model: Running) -> None:
     """Write into the model's record where its arrays are, and how large, unless it knows.
 
     The arrays are kept: while they are, no other array can take an address that was written.
@@ -28,10 +28,6 @@ def connect(model: Model) -> None:
         return
     context = model.context
     context["_stream"] = _address(model.stream)
-    if model.grid is not None:
-        context["_world_size"] = model.grid.size
-        context["_world_low"] = model.grid.low
-        context["_world_high"] = model.grid.high
     for name, table in model.tables.items():
         context[f"_{name}_room"] = len(table.rows)
     for name, array in arrays.items():
@@ -40,11 +36,10 @@ def connect(model: Model) -> None:
             for axis, length in enumerate(array.shape):
                 context[f"_{name}_{axis}"] = length
     model.connected = list(arrays.values())
-    if model.arena is not None:
-        model.arena.connect()
+    model.ground.connect(context)
 
 
-def connected_arrays(model: Model) -> list[Any]:
+def connected_arrays(model: Running) -> list[Any]:
     """Return the arrays of a model that change in a run, beside its record and its minds."""
     return [
         array
@@ -57,11 +52,9 @@ def _address(array: Any) -> int:
     return int(array.__array_interface__["data"][0])
 
 
-def _all_arrays(model: Model) -> dict[str, Any]:
+def _all_arrays(model: Running) -> dict[str, Any]:
     """Return the arrays of a model by the names that the record gives their addresses."""
-    arrays: dict[str, Any] = {}
-    if model.grid is not None:
-        arrays["patches"] = model.grid.rows
+    arrays: dict[str, Any] = dict(model.ground.arrays())
     for name, table in model.tables.items():
         for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
             arrays[f"{name}_{part}"] = getattr(table, part)

@@ -9,7 +9,6 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-import socialmind
 from coglogo_py.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
@@ -31,6 +30,7 @@ from socialmind.runs.sources import edited, model_source
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, remember, require
+from socialmind.version import __version__
 from socialmind.work.signals import deferred_signals
 
 OnGeneration = Callable[[News, float | None], None]
@@ -364,7 +364,7 @@ def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum
         SocialmindError: they, the model or socialmind are others than they were.
     """
     manifest = capsule.manifest
-    then, today = manifest.versions.get("socialmind"), socialmind.__version__
+    then, today = manifest.versions.get("socialmind"), __version__
     if then != today:
         raise SocialmindError(
             f"{capsule.folder}: made by socialmind {then}, this is {today}, whose trainings may "
