@@ -31,15 +31,15 @@ __all__ = [
 ]
 
 _HOME = {
-    "Interrupted": "execution",
-    "Replay": "verification",
-    "Run": "result",
-    "Score": "scoring",
-    "draw_figures": "figures",
-    "replay": "verification",
-    "resume": "execution",
-    "run": "execution",
-    "score": "scoring",
+    "Interrupted": "runs.execution",
+    "Replay": "runs.verification",
+    "Run": "runs.result",
+    "Score": "experiments.scoring",
+    "draw_figures": "runs.figures",
+    "replay": "runs.verification",
+    "resume": "runs.execution",
+    "run": "runs.execution",
+    "score": "experiments.scoring",
 }
 
 
@@ -49,4 +49,4 @@ def __getattr__(name: str) -> Any:
 
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"{__name__}.{_HOME[name]}"), name)
+    return getattr(importlib.import_module(f"socialmind.{_HOME[name]}"), name)

@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 __all__ = ["Curriculum", "Cycle", "Lesson", "Training", "TrainingInterrupted", "learn", "resume"]
 
 _HOME = {
-    "Curriculum": "curriculum",
-    "Cycle": "curriculum",
-    "Lesson": "lesson",
-    "Training": "result",
-    "TrainingInterrupted": "execution",
-    "learn": "execution",
-    "resume": "execution",
+    "Curriculum": "lessons.curriculum",
+    "Cycle": "lessons.curriculum",
+    "Lesson": "lessons.lesson",
+    "Training": "training.result",
+    "TrainingInterrupted": "training.execution",
+    "learn": "training.execution",
+    "resume": "training.execution",
 }
 
 

@@ -218,7 +218,7 @@ def killed(tmp_path, body):
     """Run Python code that ends by SIGKILL; gives the folder it worked in."""
     script = f"""
 import os, signal, sys
-sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/experiments")!r}]
+sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/runs")!r}]
 from drifters import Drifters
 from socialmind.experiments import (run, resume)
 from socialmind.runs import execution
@@ -297,7 +297,7 @@ def test_killed_by_the_clock(drifters, whole, tmp_path):
     """Whenever the kill comes, the folder is either not there or goes on."""
     script = f"""
 import sys
-sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/experiments")!r}]
+sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/runs")!r}]
 from drifters import Drifters
 from socialmind.experiments import run
 run(Drifters, 1003, 3, every=4, agents_every=20, out=sys.argv[1], checkpoint_every=0.01)

@@ -14,7 +14,7 @@ from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Training, learn, resume
 from socialmind.sources.loading import load_file
 
-damage = load_file(Path(__file__).parents[1] / "experiments/damage.py")
+damage = load_file(Path(__file__).parents[2] / "runs/damage.py")
 SEED = os.environ.get("SOCIALMIND_FUZZ_SEED") or datetime.datetime.now(datetime.UTC).date()
 ROUNDS = int(os.environ.get("SOCIALMIND_FUZZ_ROUNDS", "40"))
 
@@ -42,7 +42,7 @@ def folders(curriculum, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def wanted(folders):
-    return load_file(Path(__file__).parent / "slopes.py").digest(folders / "whole")
+    return load_file(Path(__file__).parents[1] / "slopes.py").digest(folders / "whole")
 
 
 def use(folder, curriculum):
@@ -68,7 +68,7 @@ def test_a_damaged_folder_is_refused_in_one_line_or_comes_out_right(
     folders, curriculum, wanted, tmp_path
 ):
     rng = random.Random(str(SEED))
-    digest = load_file(Path(__file__).parent / "slopes.py").digest
+    digest = load_file(Path(__file__).parents[1] / "slopes.py").digest
     for number in range(ROUNDS):
         name = rng.choice(["whole", "half"])
         folder, elsewhere = tmp_path / str(number), tmp_path / f"elsewhere-{number}"

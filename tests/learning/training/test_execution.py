@@ -20,7 +20,7 @@ from socialmind.learning.training.attempt import Attempt
 from socialmind.mind import MindDescription
 from socialmind.sources.loading import load_file
 
-CHECKOUT = Path(__file__).parents[2]
+CHECKOUT = Path(__file__).parents[3]
 MODEL = """
 from socialmind import Agent, Model, Population
 
@@ -54,7 +54,7 @@ def model(tmp_path, robot):
     folder.mkdir()
     (folder / "model.py").write_text(MODEL)
     (folder / "lessons.py").write_text(LESSONS)
-    shutil.copy(Path(__file__).parent / "slopes.py", folder)
+    shutil.copy(Path(__file__).parents[1] / "slopes.py", folder)
     robot.save(folder / "mind")
     return folder
 
@@ -65,7 +65,7 @@ def three(lesson, robot):
 
 
 def digest(folder):
-    return load_file(Path(__file__).parent / "slopes.py").digest(folder)
+    return load_file(Path(__file__).parents[1] / "slopes.py").digest(folder)
 
 
 def test_a_lesson_is_taught_on_what_the_one_before_has_taught(three, robot, tmp_path):
