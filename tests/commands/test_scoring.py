@@ -10,7 +10,7 @@ from socialmind.catalogue import load_model
 from socialmind.commands.scoring import Score
 from socialmind.experiments.scoring import score
 
-ROVERS = Path(__file__).parents[1] / "experiments" / "rovers"
+ROVERS = Path(__file__).parents[1] / "runs" / "rovers"
 
 
 def test_json_is_all_that_goes_to_stdout(socialmind):

@@ -8,7 +8,7 @@ pytest.importorskip("gymnasium")
 from socialmind.catalogue import load_model
 from socialmind.envs import PlaneEnv
 
-ROVERS = Path(__file__).parents[1] / "experiments" / "rovers"
+ROVERS = Path(__file__).parents[1] / "runs" / "rovers"
 LESSONS = """
 from socialmind import Model, Population, each
 from socialmind.worlds.plane import Disc, Plane, wheel

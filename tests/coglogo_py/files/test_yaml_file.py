@@ -18,7 +18,7 @@ from coglogo_py import (
 )
 from coglogo_py.files.yaml_file import parse, written
 
-MODELS = Path(__file__).parents[2] / "models"
+MODELS = Path(__file__).parents[3] / "models"
 
 
 def read(text):
