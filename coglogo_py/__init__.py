@@ -15,12 +15,12 @@ if TYPE_CHECKING:
     from coglogo_py.errors import SchemeError as SchemeError
     from coglogo_py.lint import Finding as Finding
     from coglogo_py.mind import Mind as Mind
+    from coglogo_py.parts import Cogniton as Cogniton
+    from coglogo_py.parts import Culturon as Culturon
+    from coglogo_py.parts import Group as Group
+    from coglogo_py.parts import Role as Role
     from coglogo_py.receipts.receipt import Receipt as Receipt
     from coglogo_py.scheme import CognitiveScheme as CognitiveScheme
-    from coglogo_py.scheme import Cogniton as Cogniton
-    from coglogo_py.scheme import Culturon as Culturon
-    from coglogo_py.scheme import Group as Group
-    from coglogo_py.scheme import Role as Role
     from coglogo_py.society import Society as Society
 else:
     from coglogo_py.on_demand import on_demand
@@ -34,7 +34,8 @@ else:
             "coglogo_py.lint": "Finding",
             "coglogo_py.mind": "Mind",
             "coglogo_py.receipts.receipt": "Receipt",
-            "coglogo_py.scheme": "CognitiveScheme Cogniton Culturon Group Role",
+            "coglogo_py.parts": "Cogniton Culturon Group Role",
+            "coglogo_py.scheme": "CognitiveScheme",
             "coglogo_py.society": "Society",
         },
     )

@@ -22,7 +22,7 @@ MODELS = Path(__file__).parents[3] / "models"
 
 
 def read(text):
-    return parse(text, "cows.yaml")
+    return parse(text, "cows.yaml", CognitiveScheme)
 
 
 def test_the_whole_form():
