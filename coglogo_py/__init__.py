@@ -3,66 +3,39 @@
 A name is imported when it is first used, so that what needs none of them starts fast.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from coglogo_py.decision import (
-        BiasedWeightedStochastic,
-        DecisionMaker,
-        MaximumWeight,
-        WeightedStochastic,
+    from coglogo_py.decision import BiasedWeightedStochastic as BiasedWeightedStochastic
+    from coglogo_py.decision import DecisionMaker as DecisionMaker
+    from coglogo_py.decision import MaximumWeight as MaximumWeight
+    from coglogo_py.decision import WeightedStochastic as WeightedStochastic
+    from coglogo_py.errors import CogLogoError as CogLogoError
+    from coglogo_py.errors import MindError as MindError
+    from coglogo_py.errors import SchemeError as SchemeError
+    from coglogo_py.lint import Finding as Finding
+    from coglogo_py.mind import Mind as Mind
+    from coglogo_py.parts import Cogniton as Cogniton
+    from coglogo_py.parts import Culturon as Culturon
+    from coglogo_py.parts import Group as Group
+    from coglogo_py.parts import Role as Role
+    from coglogo_py.receipts.receipt import Receipt as Receipt
+    from coglogo_py.scheme import CognitiveScheme as CognitiveScheme
+    from coglogo_py.society import Society as Society
+else:
+    from coglogo_py.on_demand import on_demand
+
+    __getattr__, __dir__, __all__ = on_demand(
+        __name__,
+        {
+            "coglogo_py.decision": "BiasedWeightedStochastic DecisionMaker"
+            " MaximumWeight WeightedStochastic",
+            "coglogo_py.errors": "CogLogoError MindError SchemeError",
+            "coglogo_py.lint": "Finding",
+            "coglogo_py.mind": "Mind",
+            "coglogo_py.receipts.receipt": "Receipt",
+            "coglogo_py.parts": "Cogniton Culturon Group Role",
+            "coglogo_py.scheme": "CognitiveScheme",
+            "coglogo_py.society": "Society",
+        },
     )
-    from coglogo_py.errors import CogLogoError, MindError, SchemeError
-    from coglogo_py.lint import Finding
-    from coglogo_py.mind import Mind
-    from coglogo_py.receipts.receipt import Receipt
-    from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon, Group, Role
-    from coglogo_py.society import Society
-
-_MODULES = {
-    "decision": (
-        "BiasedWeightedStochastic",
-        "DecisionMaker",
-        "MaximumWeight",
-        "WeightedStochastic",
-    ),
-    "errors": ("CogLogoError", "MindError", "SchemeError"),
-    "lint": ("Finding",),
-    "mind": ("Mind",),
-    "receipt": ("Receipt",),
-    "scheme": ("CognitiveScheme", "Cogniton", "Culturon", "Group", "Role"),
-    "society": ("Society",),
-}
-_HOMES = {name: f"coglogo_py.{module}" for module, names in _MODULES.items() for name in names}
-
-__all__ = [
-    "BiasedWeightedStochastic",
-    "CogLogoError",
-    "CognitiveScheme",
-    "Cogniton",
-    "Culturon",
-    "DecisionMaker",
-    "Finding",
-    "Group",
-    "MaximumWeight",
-    "Mind",
-    "MindError",
-    "Receipt",
-    "Role",
-    "SchemeError",
-    "Society",
-    "WeightedStochastic",
-]
-
-if not TYPE_CHECKING:
-
-    def __getattr__(name: str) -> object:
-        """Import a name from where it is defined, once."""
-        if name not in _HOMES:
-            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        globals()[name] = getattr(import_module(_HOMES[name]), name)
-        return globals()[name]
-
-    def __dir__() -> list[str]:
-        return sorted({*globals(), *_HOMES})

@@ -29,7 +29,7 @@ from itertools import combinations
 
 from coglogo_py.decision import MaximumWeight
 from coglogo_py.errors import nearest
-from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon
+from coglogo_py.parts import Cogniton, Culturon, Scheme
 
 
 @dataclass(frozen=True)
@@ -53,13 +53,14 @@ class Finding:
         return f"{self.kind}: {self.where}: {self.message}"
 
 
-def findings(scheme: CognitiveScheme, plans: Iterable[str] | None = None) -> list[Finding]:
+def findings(scheme: Scheme, plans: Iterable[str] | None = None) -> list[Finding]:
     r"""Return what is odd in a scheme, kind by kind, each in the scheme's order.
 
     Args:
         scheme: the scheme to look through.
         plans: the plans that the model carries out, if they are known.
 
+    >>> from coglogo_py import CognitiveScheme
     >>> cow = CognitiveScheme("cow", (Cogniton("Hunger", influence={"eat": 1}),))
     >>> print(*findings(cow, plans=["eat", "rest"]), sep="\n")
     plan never available: plan 'eat': no conditional link leads to it; add one
@@ -88,7 +89,7 @@ Holders = Mapping[str, Cogniton | Culturon]
 """What links lead from, by its description: cognitons, then each culturon of each group once."""
 
 
-def _holders(scheme: CognitiveScheme) -> Holders:
+def _holders(scheme: Scheme) -> Holders:
     holders: dict[str, Cogniton | Culturon] = {
         f"cogniton {cogniton.name!r}": cogniton for cogniton in scheme.cognitons
     }
@@ -100,7 +101,7 @@ def _holders(scheme: CognitiveScheme) -> Holders:
 
 
 def _never_available(
-    scheme: CognitiveScheme, available: set[str], model_plans: tuple[str, ...]
+    scheme: Scheme, available: set[str], model_plans: tuple[str, ...]
 ) -> list[Finding]:
     found = []
     linked_plans = set(scheme.linked_plans)
@@ -130,7 +131,7 @@ Pull = tuple[float, ...]
 """The weights of the influence links to one plan, from every holder in order; 0 without a link."""
 
 
-def _losers(scheme: CognitiveScheme, holders: Holders) -> list[Finding]:
+def _losers(scheme: Scheme, holders: Holders) -> list[Finding]:
     pulls: dict[str, Pull] = {
         plan: tuple(holder.influence.get(plan, 0.0) for holder in holders.values())
         for plan in scheme.plans
@@ -207,7 +208,7 @@ def _beaten_above_0(
 
 
 def _unknown_plans(
-    scheme: CognitiveScheme, holders: Holders, model_plans: tuple[str, ...] | None
+    scheme: Scheme, holders: Holders, model_plans: tuple[str, ...] | None
 ) -> list[Finding]:
     if model_plans is not None:
         known, source = model_plans, "the model"
@@ -235,7 +236,7 @@ def _unknown_plans(
     return found
 
 
-def _names(scheme: CognitiveScheme, holders: Holders) -> list[Finding]:
+def _names(scheme: Scheme, holders: Holders) -> list[Finding]:
     found = [
         Finding("duplicate name", what, "the name stands twice in the file; taken as one")
         for what in scheme.repeated

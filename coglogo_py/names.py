@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coglogo_py.arrays import culturons_of
 from coglogo_py.errors import MindError, nearest, shown
+from coglogo_py.laying_out import culturons_of
 from coglogo_py.numbers import is_number, is_whole
 from coglogo_py.scheme import CognitiveScheme
 

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.arrays import MindArrays, SchemeArrays, grown, mind_arrays, scheme_arrays
+from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.closed import Closed
 from coglogo_py.errors import CogLogoError
+from coglogo_py.laying_out import grown, mind_arrays, scheme_arrays
 from coglogo_py.memory import check_memory
 from coglogo_py.mind import Mind
 from coglogo_py.names import Names, whole

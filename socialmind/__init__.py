@@ -5,57 +5,38 @@ What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Popul
 them (`socialmind --help`) starts fast.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING
 
-from socialmind.errors import IdleWarning, ModelError, RuleError, SocialmindError
-from socialmind.society.parameter import Parameter, parameter
-from socialmind.version import __version__ as __version__
-
 if TYPE_CHECKING:
-    from socialmind.agents.agent import Agent
-    from socialmind.model import Model
-    from socialmind.society.phases import each, once
-    from socialmind.society.population import Population
-    from socialmind.worlds.plane.plane import Plane
-    from socialmind.worlds.torus.torus import Patch, Torus
+    from socialmind.agents.agent import Agent as Agent
+    from socialmind.errors import IdleWarning as IdleWarning
+    from socialmind.errors import ModelError as ModelError
+    from socialmind.errors import RuleError as RuleError
+    from socialmind.errors import SocialmindError as SocialmindError
+    from socialmind.model import Model as Model
+    from socialmind.society.parameter import Parameter as Parameter
+    from socialmind.society.parameter import parameter as parameter
+    from socialmind.society.phases import each as each
+    from socialmind.society.phases import once as once
+    from socialmind.society.population import Population as Population
+    from socialmind.version import __version__ as __version__
+    from socialmind.worlds.plane.plane import Plane as Plane
+    from socialmind.worlds.torus.torus import Patch as Patch
+    from socialmind.worlds.torus.torus import Torus as Torus
+else:
+    from coglogo_py.on_demand import on_demand
 
-_HOMES = {
-    "Agent": "socialmind.agents.agent",
-    "Model": "socialmind.model",
-    "Patch": "socialmind.worlds.torus.torus",
-    "Plane": "socialmind.worlds.plane.plane",
-    "Population": "socialmind.society.population",
-    "Torus": "socialmind.worlds.torus.torus",
-    "each": "socialmind.society.phases",
-    "once": "socialmind.society.phases",
-}
-
-__all__ = [
-    "Agent",
-    "IdleWarning",
-    "Model",
-    "ModelError",
-    "Parameter",
-    "Patch",
-    "Plane",
-    "Population",
-    "RuleError",
-    "SocialmindError",
-    "Torus",
-    "each",
-    "once",
-    "parameter",
-]
-
-if not TYPE_CHECKING:
-
-    def __getattr__(name: str) -> object:
-        """Import a name from where it is defined, once."""
-        if name not in _HOMES:
-            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        globals()[name] = getattr(import_module(_HOMES[name]), name)
-        return globals()[name]
-
-    def __dir__() -> list[str]:
-        return sorted({*globals(), *_HOMES})
+    __getattr__, __dir__, __all__ = on_demand(
+        __name__,
+        {
+            "socialmind.agents.agent": "Agent",
+            "socialmind.errors": "IdleWarning ModelError RuleError SocialmindError",
+            "socialmind.model": "Model",
+            "socialmind.society.parameter": "Parameter parameter",
+            "socialmind.society.phases": "each once",
+            "socialmind.society.population": "Population",
+            "socialmind.version": "__version__",
+            "socialmind.worlds.plane.plane": "Plane",
+            "socialmind.worlds.torus.torus": "Patch Torus",
+        },
+    )

@@ -34,7 +34,7 @@ def test_names_are_there_when_asked_for():
     done = subprocess.run(
         [sys.executable, "-c", "import socialmind.model, socialmind.society.parameter\n"
          "from socialmind import *; import socialmind, coglogo_py\n"
-         "assert callable(socialmind.society.parameter) and callable(parameter)\n"
+         "assert callable(socialmind.parameter) and callable(parameter)\n"
          "assert all(hasattr(one, name) for one in (socialmind, coglogo_py)"
          " for name in one.__all__)\n"
          "assert set(socialmind.__all__) <= set(dir(socialmind))\n"

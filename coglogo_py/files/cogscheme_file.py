@@ -17,13 +17,13 @@ from __future__ import annotations
 import math
 import re
 import warnings
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
 from coglogo_py.errors import SchemeError, shown
-from coglogo_py.scheme import CognitiveScheme, Cogniton, Culturon, Group, Role, one_culturon
+from coglogo_py.parts import AScheme, Cogniton, Culturon, Group, Role, Scheme, one_culturon
 
 SECTIONS = ("INFLUENCE", "DEPENDENCY", "REINFORCEMENT")
 KEYWORDS = frozenset(("STARTCS", "PLANPOS", "BREEDS", "COG", "GRP", "ROL", *SECTIONS, "ENDCS"))
@@ -34,20 +34,25 @@ WHOLE_NUMBER = re.compile(r"[+-]?[0-9]{1,15}", re.A)
 
 
 def parse(
-    text: str, file: str | Path, decision_makers: Iterable[type[DecisionMaker]] = ()
-) -> CognitiveScheme:
+    text: str,
+    file: str | Path,
+    kind: Callable[..., AScheme],
+    decision_makers: Iterable[type[DecisionMaker]] = (),
+) -> AScheme:
     r"""Return the scheme that a CogLogo file describes.
 
     Args:
         text: the file's content; lines end in LF, CR LF or CR.
         file: its path, for messages.
+        kind: the class of the scheme.
         decision_makers: decision makers of the modeller's own that the file may name.
 
     Raises:
         SchemeError: the text is no scheme; says at which line and why.
 
+    >>> from coglogo_py import CognitiveScheme
     >>> text = "STARTCS\ncows\nMaximumWeight\nCOG\nhunger\n-256\ntrue\nINFLUENCE\neat=2\n"
-    >>> dict(parse(text, "cows.cogscheme").cognitons[0].influence)
+    >>> dict(parse(text, "cows.cogscheme", CognitiveScheme).cognitons[0].influence)
     {'eat': 2.0}
     """
     lines = _Lines(text, file)
@@ -76,7 +81,7 @@ def parse(
         if groups or cognitons:
             expected = "ROL, GRP or ENDCS" if groups else "COG, GRP or ENDCS"
         raise lines.unexpected(expected, "every section begins with its keyword")
-    return CognitiveScheme(
+    return kind(
         name,
         cognitons,
         groups,
@@ -280,7 +285,7 @@ def _links(lines: _Lines) -> tuple[dict[str, float], tuple[str, ...], dict[str, 
     return weights["INFLUENCE"], tuple(conditional), weights["REINFORCEMENT"]
 
 
-def written(scheme: CognitiveScheme) -> str:
+def written(scheme: Scheme) -> str:
     """Return the CogLogo file of a scheme, which reads back as an equal scheme.
 
     Args:
@@ -289,6 +294,7 @@ def written(scheme: CognitiveScheme) -> str:
     Raises:
         SchemeError: a name, or the written-out order of plans, does not go into such a file.
 
+    >>> from coglogo_py import CognitiveScheme
     >>> print(written(CognitiveScheme("cows", breeds=("bulls",))))
     STARTCS
     cows

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import yaml
@@ -15,7 +15,7 @@ import yaml
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
 from coglogo_py.errors import SchemeError
 from coglogo_py.files.yaml_nodes import NOTHING, TRUTH, Nodes, composed
-from coglogo_py.scheme import GREY, CognitiveScheme, Cogniton, Culturon, Group, Role
+from coglogo_py.parts import GREY, AScheme, Cogniton, Culturon, Group, Role, Scheme
 
 TOP_FIELDS = (
     "name",
@@ -38,23 +38,28 @@ TAKEN_WORDS = frozenset((*TRUTH, "y", "n", "null"))
 
 
 def parse(
-    text: str, file: str | Path, decision_makers: Iterable[type[DecisionMaker]] = ()
-) -> CognitiveScheme:
+    text: str,
+    file: str | Path,
+    kind: Callable[..., AScheme],
+    decision_makers: Iterable[type[DecisionMaker]] = (),
+) -> AScheme:
     r"""Return the scheme that a YAML file describes.
 
     Args:
         text: the file's content.
         file: its path, for messages.
+        kind: the class of the scheme.
         decision_makers: decision makers of the modeller's own that the file may name.
 
     Raises:
         SchemeError: the text is no scheme; says at which line, in which field and why.
 
+    >>> from coglogo_py import CognitiveScheme
     >>> text = "name: cows\ncognitons:\n  hunger: {influence: {eat: 2}, conditional: [eat]}\n"
-    >>> parse(text, "cows.yaml").plans
+    >>> parse(text, "cows.yaml", CognitiveScheme).plans
     ('eat',)
     """
-    return _scheme(Nodes(file), composed(text, file), decision_makers)
+    return _scheme(Nodes(file), composed(text, file), kind, decision_makers)
 
 
 def _decision_maker(
@@ -131,13 +136,16 @@ def _group(nodes: Nodes, name: str, node: yaml.Node) -> Group:
 
 
 def _scheme(
-    nodes: Nodes, root: yaml.Node, decision_makers: Iterable[type[DecisionMaker]]
-) -> CognitiveScheme:
+    nodes: Nodes,
+    root: yaml.Node,
+    kind: Callable[..., AScheme],
+    decision_makers: Iterable[type[DecisionMaker]],
+) -> AScheme:
     given = nodes.fields(root, "the scheme", TOP_FIELDS)
     if "name" not in given:
         raise nodes.error(root, "a scheme without a name", "name:", "begin with name:")
     maker, plans = given.get("decision_maker"), given.get("plans", NOTHING)
-    return CognitiveScheme(
+    return kind(
         nodes.name(given["name"], "name of the scheme"),
         tuple(
             _cogniton(nodes, name, node)
@@ -165,12 +173,13 @@ HEADER = """\
 """
 
 
-def written(scheme: CognitiveScheme) -> str:
+def written(scheme: Scheme) -> str:
     """Return the YAML file of a scheme, which reads back as an equal scheme.
 
     Args:
         scheme: the scheme to write.
 
+    >>> from coglogo_py import CognitiveScheme
     >>> print(written(CognitiveScheme("cows", (Cogniton("hunger", influence={"eat": 2}),))))
     # A cognitive scheme for coglogo_py. docs/schemes.md describes the form.
     # The order of the plans decides between plans of equal weight.

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from coglogo_py.arrays import MindArrays, SchemeArrays
+from coglogo_py.laying_out import ENGINE_ARRAYS
 from socialmind.fields import Field
 from socialmind.language.shape import ModelShape, PopulationShape
 
@@ -37,36 +38,6 @@ WEIGHING: dict[str, tuple[str, int]] = {
     "weighing_plans": ("float64", 1),
 }
 """Further arrays of a population whose hierarchies weigh plans, as `WeighingPlaces` has them."""
-
-ENGINE_ARRAYS: dict[str, tuple[str, int]] = {
-    "influence": ("float64", 2),
-    "conditional": ("bool_", 2),
-    "reinforcement": ("float64", 2),
-    "start": ("float64", 1),
-    "culturon_start": ("float64", 1),
-    "role_group": ("int64", 1),
-    "role_culturons": ("bool_", 2),
-    "group_culturons": ("int64", 2),
-    "link_begin": ("int64", 1),
-    "link_cogniton": ("uint64", 1),
-    "link_weight": ("float64", 1),
-    "link_opens": ("bool_", 1),
-    "maker": ("float64", 1),
-    "mind_id": ("int64", 1),
-    "values": ("float64", 2),
-    "draws": ("int64", 1),
-    "group_slot": ("int64", 2),
-    "role": ("int64", 2),
-    "participation": ("float64", 2),
-    "instance_id": ("int64", 1),
-    "instance_group": ("int64", 1),
-    "members": ("int64", 1),
-    "culturons": ("float64", 2),
-    "free_minds": ("int64", 1),
-    "free_instances": ("int64", 1),
-    "counters": ("int64", 1),
-}
-"""Types and dimensions of `SchemeArrays` and `MindArrays`."""
 
 
 def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]:

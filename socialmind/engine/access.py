@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from coglogo_py.arrays import MindArrays, SchemeArrays
+from coglogo_py.laying_out import ENGINE_ARRAYS
 from socialmind.compiling.layout import (
-    ENGINE_ARRAYS,
     dtype_text,
     population_arrays,
     row_dtype,

@@ -7,46 +7,28 @@
 - `score`: measure minds on a plane in many worlds.
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from socialmind.experiments.scoring import Score, score
-    from socialmind.runs.execution import Interrupted, resume, run
-    from socialmind.runs.figures import draw_figures
-    from socialmind.runs.result import Run
-    from socialmind.runs.verification import Replay, replay
+    from socialmind.experiments.scoring import Score as Score
+    from socialmind.experiments.scoring import score as score
+    from socialmind.runs.execution import Interrupted as Interrupted
+    from socialmind.runs.execution import resume as resume
+    from socialmind.runs.execution import run as run
+    from socialmind.runs.figures import draw_figures as draw_figures
+    from socialmind.runs.result import Run as Run
+    from socialmind.runs.verification import Replay as Replay
+    from socialmind.runs.verification import replay as replay
+else:
+    from coglogo_py.on_demand import on_demand
 
-__all__ = [
-    "Interrupted",
-    "Replay",
-    "Run",
-    "Score",
-    "draw_figures",
-    "replay",
-    "resume",
-    "run",
-    "score",
-]
-
-_HOME = {
-    "Interrupted": "runs.execution",
-    "Replay": "runs.verification",
-    "Run": "runs.result",
-    "Score": "experiments.scoring",
-    "draw_figures": "runs.figures",
-    "replay": "runs.verification",
-    "resume": "runs.execution",
-    "run": "runs.execution",
-    "score": "experiments.scoring",
-}
-
-
-def __getattr__(name: str) -> Any:
-    """Import a public name when it is first used: starting a run needs few of them."""
-    import importlib
-
-    if name not in _HOME:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"socialmind.{_HOME[name]}"), name)
+    __getattr__, __dir__, __all__ = on_demand(
+        __name__,
+        {
+            "socialmind.experiments.scoring": "Score score",
+            "socialmind.runs.execution": "Interrupted resume run",
+            "socialmind.runs.figures": "draw_figures",
+            "socialmind.runs.result": "Run",
+            "socialmind.runs.verification": "Replay replay",
+        },
+    )

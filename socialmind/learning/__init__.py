@@ -5,33 +5,25 @@
 - `Training`: read such a folder.
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from socialmind.learning.lessons.curriculum import Curriculum, Cycle
-    from socialmind.learning.lessons.lesson import Lesson
-    from socialmind.learning.training.execution import TrainingInterrupted, learn, resume
-    from socialmind.learning.training.result import Training
+    from socialmind.learning.lessons.curriculum import Curriculum as Curriculum
+    from socialmind.learning.lessons.curriculum import Cycle as Cycle
+    from socialmind.learning.lessons.lesson import Lesson as Lesson
+    from socialmind.learning.training.execution import TrainingInterrupted as TrainingInterrupted
+    from socialmind.learning.training.execution import learn as learn
+    from socialmind.learning.training.execution import resume as resume
+    from socialmind.learning.training.result import Training as Training
+else:
+    from coglogo_py.on_demand import on_demand
 
-__all__ = ["Curriculum", "Cycle", "Lesson", "Training", "TrainingInterrupted", "learn", "resume"]
-
-_HOME = {
-    "Curriculum": "lessons.curriculum",
-    "Cycle": "lessons.curriculum",
-    "Lesson": "lessons.lesson",
-    "Training": "training.result",
-    "TrainingInterrupted": "training.execution",
-    "learn": "training.execution",
-    "resume": "training.execution",
-}
-
-
-def __getattr__(name: str) -> Any:
-    """Import a public name when it is first used: imprinting alone needs none of them."""
-    import importlib
-
-    if name not in _HOME:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"{__name__}.{_HOME[name]}"), name)
+    __getattr__, __dir__, __all__ = on_demand(
+        __name__,
+        {
+            "socialmind.learning.lessons.curriculum": "Curriculum Cycle",
+            "socialmind.learning.lessons.lesson": "Lesson",
+            "socialmind.learning.training.execution": "TrainingInterrupted learn resume",
+            "socialmind.learning.training.result": "Training",
+        },
+    )

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme, Cogniton
-from coglogo_py.arrays import scheme_arrays
+from coglogo_py.laying_out import scheme_arrays
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.description import MindDescription
 from socialmind.mind.hierarchy import Hierarchy

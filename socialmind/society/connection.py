@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py import CognitiveScheme
-from coglogo_py.arrays import MindArrays, SchemeArrays, culturons_of
+from coglogo_py.arrays import MindArrays, SchemeArrays
+from coglogo_py.laying_out import culturons_of
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
 

@@ -20,7 +20,7 @@ from coglogo_py import (
     WeightedStochastic,
     kernel,
 )
-from coglogo_py.arrays import grown, maker_code, mind_arrays, scheme_arrays
+from coglogo_py.laying_out import grown, maker_code, mind_arrays, scheme_arrays
 
 PLANS = ("eat", "rest", "trade", "flee")
 ALMOST_ONE = math.nextafter(1.0, 0.0)

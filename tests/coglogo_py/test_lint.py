@@ -180,7 +180,9 @@ def test_links_to_plans_that_are_not_written_out():
 
 def test_duplicate_names():
     text = "STARTCS\ns\nMaximumWeight\n" + "COG\na\n1\ntrue\nINFLUENCE\nDEPENDENCY\neat\n" * 2
-    assert found(parse(text, "s.cogscheme")) == [("duplicate name", "cogniton 'a' (line 11)")]
+    assert found(parse(text, "s.cogscheme", CognitiveScheme)) == [
+        ("duplicate name", "cogniton 'a' (line 11)")
+    ]
     group = Group("g", (Role("r", (Culturon("hunger", conditional=("eat",)),)),))
     assert found(scheme(GOOD, groups=(group,))) == [
         ("duplicate name", "culturon 'hunger' of group 'g'")

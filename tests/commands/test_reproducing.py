@@ -4,6 +4,7 @@ import pytest
 
 import socialmind.experiments.studies as finding
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.sources import folders
 
 STUDY = """
 from socialmind.experiments.studies import Study
@@ -38,7 +39,8 @@ def installed(tmp_path, monkeypatch):
     """A package that stands in the folder `place`, without studies yet."""
     package = tmp_path / "place" / "socialmind"
     package.mkdir(parents=True)
-    monkeypatch.setattr(finding, "__file__", str(package / "studies.py"))
+    for module in (folders, finding):
+        monkeypatch.setattr(module, "PACKAGE", package)
     return package
 
 
@@ -80,7 +82,7 @@ def test_the_list_says_what_can_be_made_and_makes_nothing(socialmind, tmp_path):
 
 def test_unknown_names_are_met_before_anything_is_made(refused, tmp_path):
     line = refused("reproduce", "figure-4.7", "figure-4.66")
-    assert line == "socialmind: no study called figure-4.66; did you mean figure-4.6 or figure-8.6?"
+    assert line == "socialmind: no study called figure-4.66; did you mean 'figure-4.6'?"
     assert list(tmp_path.iterdir()) == []
 
 
@@ -129,17 +131,16 @@ def test_studies_in_the_package_come_before_those_beside_it(socialmind, installe
 
 def test_folders_without_studies_are_no_topics(installed):
     (installed.parent / "analysis" / "notes").mkdir(parents=True)
-    assert finding.topics() == {}
-    with pytest.raises(SocialmindError, match="no study called x; there are none"):
+    topic(installed.parent / "analysis", "tables", STUDY.format(name="table-1"))
+    assert list(finding.topics()) == ["tables"]
+    with pytest.raises(SocialmindError, match="no study called x; there is table-1, "):
         finding.find("x")
 
 
 def test_without_studies_the_error_says_where_they_should_be(refused, installed):
     for words in (["--list"], ["figure-4.6"]):
         line = refused("reproduce", *words)
-        assert line.startswith("socialmind: the studies are not installed: there is neither")
-        assert str(installed / "_analysis") in line
-        assert str(installed.parent / "analysis") in line
+        assert line.startswith(f"socialmind: the studies are not installed in {installed.parent}; ")
         assert "from a checkout" in line
 
 

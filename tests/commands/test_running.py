@@ -58,10 +58,10 @@ def test_compiled_and_interpreted_runs_are_equal(socialmind, grazers, done, tmp_
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["farmer_artizan"], "no model called farmer_artizan; did you mean farmer_artisan"),
+        (["farmer_artizan"], "no model called farmer_artizan; did you mean 'farmer_artisan'?"),
         (["./nowhere"], "nowhere: no such folder; a model is a folder with a model.py"),
         ([], "which model? give a name (`socialmind list` shows them) or a folder"),
-        (["tutorial", "--set", "rewards=2"], "no parameter called rewards; did you mean reward?"),
+        (["tutorial", "--set", "rewards=2"], "no parameter called rewards; did you mean 'reward'?"),
         (["tutorial", "--set", "reward"], "--set reward: expected NAME=VALUE"),
         (["tutorial", "--set", "reward=-1"], "parameter reward: found -1; expected 0 or more"),
         (["tutorial", "--set", "reward=big"], "parameter reward: found 'big'; expected a number"),

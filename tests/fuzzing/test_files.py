@@ -12,7 +12,7 @@ from datetime import UTC, datetime
 import pytest
 
 from coglogo_py import CogLogoError, CognitiveScheme
-from coglogo_py.scheme import Cogniton, Culturon, Group, Role
+from coglogo_py.parts import Cogniton, Culturon, Group, Role
 from socialmind.errors import SocialmindError
 from socialmind.mind import MindDescription, Perceptron, Skill, Variable
 from socialmind.mind.files.evoagents.simbatch import Task

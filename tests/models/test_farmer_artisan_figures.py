@@ -15,8 +15,8 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
+from coglogo_py import CognitiveScheme, Cogniton
 from coglogo_py.decision import BiasedWeightedStochastic
-from coglogo_py.scheme import CognitiveScheme, Cogniton
 from socialmind.catalogue import load_figures
 
 FOLDER = Path(__file__).parents[2] / "models" / "farmer_artisan"

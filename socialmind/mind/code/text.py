@@ -7,7 +7,8 @@ many cogniton schemes it has. Skills, links, networks and genomes are data.
 from __future__ import annotations
 
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from socialmind.compiling.layout import ENGINE_ARRAYS, dtype_text
+from coglogo_py.laying_out import ENGINE_ARRAYS
+from socialmind.compiling.layout import dtype_text
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD as RULES_HEAD
 from socialmind.compiling.prelude import runtime_names

@@ -22,7 +22,7 @@ from numba.extending import (
 )
 
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from socialmind.compiling.layout import ENGINE_ARRAYS
+from coglogo_py.laying_out import ENGINE_ARRAYS
 from socialmind.mind.kernel.layout import State, Structure, array_types
 
 SCHEME_LISTS = {

@@ -25,7 +25,7 @@ BASE = (
 
 
 def read(text):
-    return parse(text, "cows.cogscheme")
+    return parse(text, "cows.cogscheme", CognitiveScheme)
 
 
 def with_base(more=""):

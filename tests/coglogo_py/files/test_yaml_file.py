@@ -18,11 +18,11 @@ from coglogo_py import (
 )
 from coglogo_py.files.yaml_file import parse, written
 
-MODELS = Path(__file__).parents[2] / "models"
+MODELS = Path(__file__).parents[3] / "models"
 
 
 def read(text):
-    return parse(text, "cows.yaml")
+    return parse(text, "cows.yaml", CognitiveScheme)
 
 
 def test_the_whole_form():

@@ -19,7 +19,7 @@ from socialmind.mind import Hierarchy
 from socialmind.mind.views.drawing import EDGE, FILL, INFLUENCE, UNKNOWN, draw_hierarchy
 from socialmind.mind.views.plan import planned, wrapped
 
-CHECKOUT = Path(__file__).parents[2]
+CHECKOUT = Path(__file__).parents[3]
 
 
 @pytest.fixture

@@ -1,0 +1,299 @@
+"""What a scheme is made of: cognitons, and groups with their roles and culturons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Protocol, TypeVar
+
+from coglogo_py.decision import DecisionMaker
+from coglogo_py.errors import SchemeError, shown
+from coglogo_py.files.checks import (
+    checked_colour,
+    checked_name,
+    checked_names,
+    checked_number,
+    checked_position,
+    checked_weights,
+)
+from coglogo_py.numbers import is_truth
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+GREY = (128, 128, 128)
+
+Described = TypeVar("Described")
+
+
+@dataclass(frozen=True)
+class Cogniton:
+    """A drive, belief, skill or trait: a value of one mind that pushes plans up and down.
+
+    Args:
+        name: unique in the scheme.
+        starting: whether a mind has it at birth; else it is inactive until activated.
+        start_value: the value at birth; a cogniton activated later begins at 0.
+        colour: red, green, blue, each 0 … 255; for drawings.
+        position: x and y in the drawing of the scheme, or None.
+        influence: plan → weight of the influence link.
+        conditional: the plans that it makes available while active.
+        reinforcement: plan → weight of the reinforcement link.
+
+    Raises:
+        SchemeError: a field holds something else.
+
+    >>> hunger = Cogniton("Hunger", influence={"eat": 2.0}, conditional=("eat",))
+    >>> hunger.influence["eat"]
+    2.0
+    """
+
+    name: str
+    starting: bool = True
+    start_value: float = 0.0
+    colour: tuple[int, int, int] = GREY
+    position: tuple[int, int] | None = None
+    influence: Mapping[str, float] = field(default_factory=dict)
+    conditional: tuple[str, ...] = ()
+    reinforcement: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        where = f"cogniton {self.name!r}"
+        if not is_truth(self.starting):
+            raise SchemeError(f"starting {shown(self.starting)} of {where}", "True or False")
+        settle(self, "starting", bool(self.starting))
+        _check_links(self, where)
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __reduce__(self) -> tuple[type[Cogniton], tuple[object, ...]]:
+        return type(self), plain_fields(self)
+
+
+@dataclass(frozen=True)
+class Culturon:
+    """A norm or shared belief: a value of a group, which pushes the plans of a role's members.
+
+    Args:
+        name: unique in its role. Named by several roles of one group, it is one culturon.
+        start_value: the value when a group is created.
+        colour: red, green, blue, each 0 … 255; for drawings.
+        position: x and y in the drawing of the scheme, or None.
+        influence: plan → weight of the influence link, times participation and value.
+        conditional: the plans that it makes available to those who play the role.
+        reinforcement: plan → weight of the reinforcement link.
+
+    Raises:
+        SchemeError: a field holds something else.
+
+    >>> Culturon("Peace", start_value=1, influence={"trade": 0.5}).start_value
+    1.0
+    """
+
+    name: str
+    start_value: float = 0.0
+    colour: tuple[int, int, int] = GREY
+    position: tuple[int, int] | None = None
+    influence: Mapping[str, float] = field(default_factory=dict)
+    conditional: tuple[str, ...] = ()
+    reinforcement: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        _check_links(self, f"culturon {self.name!r}")
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __reduce__(self) -> tuple[type[Culturon], tuple[object, ...]]:
+        return type(self), plain_fields(self)
+
+    def joined(self, other: Culturon) -> Culturon:
+        """Return the one culturon that two descriptions of the same name stand for.
+
+        Links are united; where both say something, the other's word counts.
+
+        >>> peace = Culturon("Peace", 1, influence={"trade": 0.5, "raid": -1})
+        >>> both = peace.joined(Culturon("Peace", 3, influence={"trade": 2}))
+        >>> both.start_value, dict(both.influence)
+        (3.0, {'trade': 2.0, 'raid': -1.0})
+        """
+        return one_culturon([self, other])
+
+
+def one_culturon(described: list[Culturon]) -> Culturon:
+    """Return the one culturon that several descriptions stand for, as `Culturon.joined` does.
+
+    Their links are gathered first and joined once: there may be thousands.
+    """
+    first, last = described[0], described[-1]
+    if len(described) == 1:
+        return first
+    influence: dict[str, float] = {}
+    reinforcement: dict[str, float] = {}
+    conditional: list[str] = []
+    for one in described:
+        influence.update(one.influence)
+        conditional.extend(one.conditional)
+        reinforcement.update(one.reinforcement)
+    position = next((one.position for one in reversed(described) if one.position), None)
+    return Culturon(
+        first.name,
+        last.start_value,
+        last.colour,
+        position,
+        influence,
+        tuple(conditional),
+        reinforcement,
+    )
+
+
+@dataclass(frozen=True)
+class Role:
+    """A role in a group, and the culturons that its players are under.
+
+    Args:
+        name: unique in its group.
+        culturons: each named once.
+
+    Raises:
+        SchemeError: two culturons have one name, or something is no culturon.
+    """
+
+    name: str
+    culturons: tuple[Culturon, ...] = ()
+
+    def __post_init__(self) -> None:
+        where = f"role {self.name!r}"
+        checked_name(self.name, "a role")
+        settle(self, "culturons", described_once(self.culturons, Culturon, "culturon", where))
+
+
+@dataclass(frozen=True)
+class Group:
+    """A type of group, of which a society creates instances, and the roles in it.
+
+    Args:
+        name: unique in the scheme.
+        roles: each named once. Roles that name the same culturon hold the same description
+            afterwards: links united, the last value and colour.
+
+    Raises:
+        SchemeError: two roles have one name, or something is no role.
+
+    >>> chief = Role("chief", (Culturon("Peace", 1, influence={"talk": 1}),))
+    >>> other = Role("villager", (Culturon("Peace", 5, influence={"trade": 2}),))
+    >>> Group("village", (chief, other)).roles[0].culturons[0].start_value
+    5.0
+    """
+
+    name: str
+    roles: tuple[Role, ...] = ()
+
+    def __post_init__(self) -> None:
+        checked_name(self.name, "a group")
+        roles = described_once(self.roles, Role, "role", f"group {self.name!r}")
+        described: dict[str, list[Culturon]] = {}
+        for role in roles:
+            for culturon in role.culturons:
+                described.setdefault(culturon.name, []).append(culturon)
+        shared = {name: one_culturon(several) for name, several in described.items()}
+        one_each = tuple(Role(r.name, tuple(shared[c.name] for c in r.culturons)) for r in roles)
+        settle(self, "roles", one_each)
+
+
+class Scheme(Protocol):
+    """What a file or the linter takes of a scheme; `CognitiveScheme` has it."""
+
+    @property
+    def name(self) -> str:
+        """The scheme's own."""
+
+    @property
+    def cognitons(self) -> tuple[Cogniton, ...]:
+        """In order."""
+
+    @property
+    def groups(self) -> tuple[Group, ...]:
+        """With their roles and culturons."""
+
+    @property
+    def decision_maker(self) -> DecisionMaker:
+        """How a mind picks a plan."""
+
+    @property
+    def breeds(self) -> tuple[str, ...]:
+        """The further breeds linked with it."""
+
+    @property
+    def plan_positions(self) -> Mapping[str, tuple[int, int]]:
+        """Plan → x and y in the drawing."""
+
+    @property
+    def plan_order(self) -> tuple[str, ...] | None:
+        """As it was written out, or None."""
+
+    @property
+    def repeated(self) -> tuple[str, ...]:
+        """What a file wrote more than once."""
+
+    @property
+    def linked_plans(self) -> tuple[str, ...]:
+        """In the order in which links name them."""
+
+    @property
+    def plans(self) -> tuple[str, ...]:
+        """In the order that decides between equals."""
+
+
+AScheme = TypeVar("AScheme", bound=Scheme)
+
+
+def links_of(holder: Cogniton | Culturon) -> tuple[str, ...]:
+    """Return the plans that a cogniton or culturon is linked with, in order, some repeated."""
+    return (*holder.influence, *holder.conditional, *holder.reinforcement)
+
+
+def settle(described: object, name: str, value: object) -> None:
+    """Set a field of a description that is otherwise frozen."""
+    object.__setattr__(described, name, value)
+
+
+def plain_fields(described: DataclassInstance) -> tuple[object, ...]:
+    """Return the values of all fields, read-only mappings as dictionaries, which can be pickled."""
+    values = (getattr(described, each.name) for each in fields(described))
+    return tuple(dict(v) if isinstance(v, MappingProxyType) else v for v in values)
+
+
+def _check_links(holder: Cogniton | Culturon, where: str) -> None:
+    """Check and settle the fields that cognitons and culturons have in common."""
+    checked_name(holder.name, f"a {where.split()[0]}")
+    settle(holder, "start_value", checked_number(holder.start_value, f"start_value of {where}"))
+    settle(holder, "colour", checked_colour(holder.colour, where))
+    if holder.position is not None:
+        settle(holder, "position", checked_position(holder.position, where))
+    for links in ("influence", "reinforcement"):
+        weights = checked_weights(getattr(holder, links), f"{links} links of {where}")
+        settle(holder, links, weights)
+    plans = checked_names(holder.conditional, f"conditional links of {where}")
+    settle(holder, "conditional", tuple(dict.fromkeys(plans)))
+
+
+def described_once(
+    values: object, kind: type[Described], noun: str, where: str
+) -> tuple[Described, ...]:
+    """Return descriptions as a tuple, after checking that each is one and no name stands twice."""
+    if isinstance(values, str | Mapping) or not isinstance(values, Iterable):
+        raise SchemeError(f"{values!r} in {where}", f"several {noun}s", f"write ({noun},) for one")
+    found: dict[str, Described] = {}
+    for value in values:
+        if not isinstance(value, kind):
+            raise SchemeError(f"{value!r} in {where}", f"a {kind.__name__}")
+        name: str = value.name  # type: ignore[attr-defined]  # every kind handed over has one
+        if name in found:
+            raise SchemeError(
+                f"{where} has two {noun}s called {name!r}", remedy="rename one or join them"
+            )
+        found[name] = value
+    return tuple(found.values())
