@@ -213,6 +213,31 @@ KEPT_TOO = [
 ]
 
 
+def test_orders_and_a_gamma_number_of_shape_one_stay_as_they_are():
+    stream = Stream(2024)
+    stream.begin(7, 3, 5)
+    assert stream.gamma(1.0, 1.0).hex() == "0x1.ac0f12466fa09p-1"
+    assert 0 <= stream.integers(0, 2**53) < 2**53
+    places = np.arange(11)
+    stream.begin(streams.ORDER_TAG, 0, 3)
+    shuffle(stream, places, 11)
+    assert places.tolist() == [8, 1, 0, 6, 10, 5, 7, 2, 9, 3, 4]
+
+
+def test_a_stream_is_that_of_an_agent_a_tick_and_a_phase():
+    stream = Stream(2**40 + 3)
+    assert (stream.key_0, stream.key_1) == (3, 2**8)
+    stream.random()
+    stream.begin(7, 2**32 + 9, 2**40 + 5)
+    assert (stream.agent, stream.tick, stream.tag, stream.draws) == (9, 5, 7 * 2**16 + 2**8, 0)
+
+
+def test_phases_of_one_name_have_tags_of_their_own():
+    first = 0x8000 + 11439  # the CRC-32 of "live", of 0x4000
+    found = streams.phase_tags(streams.SCHEDULE_TAG, ["live", "live", "live"])
+    assert found == [first, first + 1, first + 2]
+
+
 def test_successive_numbers_are_not_correlated():
     numbers = drawn(40_000, lambda rng: rng.random())
     assert abs(np.corrcoef(numbers[:-1], numbers[1:])[0, 1]) < 0.02
