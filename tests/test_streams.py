@@ -236,6 +236,9 @@ def test_phases_of_one_name_have_tags_of_their_own():
     first = 0x8000 + 11439  # the CRC-32 of "live", of 0x4000
     found = streams.phase_tags(streams.SCHEDULE_TAG, ["live", "live", "live"])
     assert found == [first, first + 1, first + 2]
+    # This name's is the last tag there is: the next is the first.
+    found = streams.phase_tags(streams.SCHEDULE_TAG, ["rule_12890"] * 2)
+    assert found == [0xBFFF, 0x8000]
 
 
 def test_successive_numbers_are_not_correlated():
