@@ -86,7 +86,7 @@ def test_who_has_which_role_makes_no_difference(order):
         (lambda: wanted_shares({"A": -1, "B": 2}, [0]), "0 or more"),
         (lambda: wanted_shares({}, [0]), "parts of roles"),
         (
-            lambda: wanted_shares(pd.DataFrame({"tick": [10], "A": [1]}), [9]),
+            lambda: wanted_shares(pd.DataFrame({"tick": [10], "A": [1]}), [9, 10, 11]),
             "no ratio is wanted at tick 9; the first is at 10",
         ),
     ],

@@ -220,6 +220,29 @@ def test_who_is_pressed_against_a_border_does_not_give_way():
     assert (robots["x"][0], balls["x"][0]) == pytest.approx((5.0, 9.0), abs=2 * TOUCHING)
 
 
+@pytest.mark.parametrize("places", [(9.0, 7.0), (7.0, 9.0)])
+@pytest.mark.parametrize("turned_round", [False, True])
+def test_nor_does_who_is_pressed_against_that_one(places, turned_round):
+    robots, balls = bodies(1), bodies(2)
+    robots["x"], balls["x"] = 3.5, places
+    heavy, ball = Disc(radius=3.0, meets=("balls",)), Disc(meets=("balls",))
+    kinds = {"robots": (heavy, robots), "balls": (ball, balls)}
+    kinds = dict(reversed(kinds.items())) if turned_round else kinds
+    move(plane(kinds, half_width=10.0))
+    assert balls["x"].tolist() == pytest.approx(places, abs=1e-6)
+    assert robots["x"][0] == pytest.approx(3.0, abs=1e-6)
+
+
+def test_two_that_cannot_give_way_share_the_way():
+    # Between two walls 3 apart, where both are pressed against theirs: alike in turning it round.
+    rows = bodies(2)
+    rows["x"], rows["y"] = (-0.5, 0.5), (-0.1, 0.1)
+    walls = [(-51.5, 0.0, 0.0, 50.0, 0), (51.5, 0.0, 0.0, 50.0, 0)]
+    move(plane({"robots": (Disc(meets=("robots",)), rows)}, walls))
+    assert rows["x"].tolist() == pytest.approx([-0.5, 0.5])
+    assert rows["y"][1] == pytest.approx(-rows["y"][0]) and rows["y"][1] > 0.3
+
+
 @pytest.mark.parametrize("turned_round", [False, True])
 def test_what_is_carried_touches_no_body(turned_round):
     robots, balls = bodies(2), bodies(1)
