@@ -67,10 +67,10 @@ def test_the_elite_lives_on_unchanged_and_in_order():
 
 
 def test_of_equal_scores_the_first_are_the_best():
-    search = marked(50, 4, elite=3)
+    search = marked(200, 4, elite=3)
     search.ask()
-    search.tell(np.zeros(50))
-    assert search.ask()[:3, 0].tolist() == [0.0, 1.0, 2.0]
+    search.tell(np.arange(200) % 3)
+    assert search.ask()[:3, 0].tolist() == [2.0, 5.0, 8.0]
 
 
 def test_one_selected_breeds_alone_and_shares_are_rounded():
@@ -115,6 +115,17 @@ def test_winners_of_tournaments_have_the_distribution_of_the_best_of_several():
     assert ranks.mean() == pytest.approx(0.75, abs=0.02)
     assert (ranks > 0.5).mean() == pytest.approx(0.875, abs=0.02)
     assert ranks.max() == 2999 / 3000  # the best of all competes as well
+
+
+def test_the_worst_may_win_a_tournament_as_well():
+    children = []
+    for seed in range(200):
+        search = Genetic(1, seed, {"population": 2, "tournament": 2, **STILL}, [[0.0], [1.0]])
+        search.ask()
+        search.tell([0.0, 1.0])
+        children += search.ask()[:, 0].tolist()
+    # Both draws are the worse one of two in a quarter of all cases.
+    assert np.mean(children) == pytest.approx(0.75, abs=0.1)
 
 
 @pytest.mark.parametrize(
