@@ -158,7 +158,7 @@ def product(one, other):
 
 def at_most(one, other):
     """A number that some means have none of."""
-    return one if one < 2.3 else math.nan
+    return one if one < 2.1 else math.nan
 
 
 @pytest.mark.parametrize("level", [0.6, 0.95])
@@ -189,7 +189,7 @@ def test_it_is_efrons_formula_word_by_word(combine, level):
 
 
 def test_numbers_around_0_are_tied_as_others_are():
-    values = np.array([-0.3, -0.1, 0.0, 0.1, 0.3])
+    values = np.array([0.1, 0.2, 0.3, -0.6])
     found, moved = interval_of(values), interval_of(values + 5.0)
     assert (found.low + 5.0, found.high + 5.0) == pytest.approx((moved.low, moved.high), abs=1e-9)
 

@@ -73,6 +73,14 @@ def test_of_equal_scores_the_first_are_the_best():
     assert search.ask()[:3, 0].tolist() == [2.0, 5.0, 8.0]
 
 
+def test_of_equal_scores_the_first_generation_stays_the_best():
+    search = marked(3, 1, elite=0, mutation=1.0)
+    for scores in ([0.0, 5.0, 5.0], [1.0, 5.0, 1.0]):
+        search.ask()
+        search.tell(scores)
+        assert (search.best.tolist(), search.best_score) == ([1.0], 5.0)
+
+
 def test_one_selected_breeds_alone_and_shares_are_rounded():
     for selected, parents in ((0.01, {9.0}), (0.28, {7.0, 8.0, 9.0}), (0.25, {8.0, 9.0})):
         search = marked(10, 40, selected=selected, **STILL)
