@@ -156,13 +156,17 @@ def product(one, other):
     return one * other
 
 
+def curved(one, other):
+    return 0.3 * one * one + other
+
+
 def at_most(one, other):
     """A number that some means have none of."""
     return one if one < 2.1 else math.nan
 
 
 @pytest.mark.parametrize("level", [0.6, 0.95])
-@pytest.mark.parametrize("combine", [None, product, at_most])
+@pytest.mark.parametrize("combine", [None, product, curved, at_most])
 def test_it_is_efrons_formula_word_by_word(combine, level):
     # Counts, so that many means are tied; and so skewed that bias and acceleration both matter.
     sample = np.array([[0, 4], [0, 1], [0, 1], [1, 2], [1, 1], [2, 3], [9, 9]], float)
