@@ -11,7 +11,7 @@ from coglogo_py import (
     MaximumWeight,
     WeightedStochastic,
 )
-from coglogo_py.counterfactual import Line, most_probable, smallest_change
+from coglogo_py.receipts.counterfactual import Line, most_probable, smallest_change
 
 ROOT = math.sqrt(2.0)
 

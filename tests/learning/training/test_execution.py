@@ -17,6 +17,7 @@ import pytest
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum, Cycle, Training, TrainingInterrupted, learn, resume
 from socialmind.learning.training.attempt import Attempt
+from socialmind.learning.training.capsule import TrainingCapsule
 from socialmind.mind import MindDescription
 from socialmind.sources.loading import load_file
 
@@ -124,6 +125,25 @@ def test_attempts_are_independent_and_can_be_added(three, tmp_path):
     assert not np.array_equal(genomes[0], genomes[1])
     with pytest.raises(SocialmindError, match="3 attempts were asked for before, 2 now"):
         resume(added, attempts=2, lessons=three)
+
+
+def test_ticks_are_told_by_the_generation_and_time_is_added_up(lesson, robot, tmp_path):
+    told = []
+    two = Curriculum([lesson("Go", generations=3), lesson("Turn", generations=2)], mind=robot)
+    folder = learn(
+        None, two, out=tmp_path / "out", on_generation=lambda one, left: told.append(one)
+    )
+    curve = Training(folder).curve
+    for name in ("Go", "Turn"):
+        ticks = [one.ticks for one in told if one.lesson.name == name]
+        assert min(ticks) > 0 and np.cumsum(ticks).tolist() == (
+            curve[curve["lesson"] == name]["ticks"].tolist()
+        )
+    capsule = TrainingCapsule(folder)
+    with capsule.locked():
+        capsule.update(timings={**capsule.manifest.timings, "seconds": 1000.0})
+    resume(folder, attempts=2, lessons=two)
+    assert 1000.0 < Training(folder).manifest.timings["seconds"] < 1900.0
 
 
 def test_cycles_go_on_from_what_they_left(lesson, robot, tmp_path):
