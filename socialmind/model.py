@@ -76,6 +76,7 @@ KEPT_BY_MODELS = frozenset(
         "_in_rules",
         "_made",
         "_scheme",
+        "_scheme_files",
         "_sets_up",
         "_steerings",
         "arena",
@@ -296,6 +297,7 @@ class Model(metaclass=ModelKind):
         torus = type(self).torus
         self._check_memory()
         self.grid = None if torus is None else Grid(torus.fields, self._size(torus.size, 1))
+        self._scheme_files: dict[str, Path] = {}
         self.schemes = self._schemes()
         self.tables = self._tables()
         self.arena = None if self.shape.plane is None else Arena(self)
@@ -316,7 +318,11 @@ class Model(metaclass=ModelKind):
         self.names = {
             name: np.array(
                 names_of_minds(
-                    self.program, name, self.schemes.get(name), self.assemblies.get(name)
+                    self.program,
+                    name,
+                    self.schemes.get(name),
+                    self.assemblies.get(name),
+                    self._scheme_files.get(name),
                 ),
                 np.int64,
             )
@@ -395,10 +401,11 @@ class Model(metaclass=ModelKind):
             own = given is None or name not in given
             path = self.folder() / source if own else Path(source)
             schemes[name] = CognitiveScheme.load(path, decision_makers=population.decision_makers)
+            self._scheme_files[name] = path
         for name, population in minded.items():
             # Another scheme may have fewer plans than the model knows how to carry out.
             if given is None or name not in given:
-                _check_plans(name, population, schemes[name])
+                _check_plans(name, population, schemes[name], self._scheme_files.get(name))
         return schemes
 
     def _tables(self) -> dict[str, Table]:
@@ -719,7 +726,9 @@ class Model(metaclass=ModelKind):
         return mesa_model(self)
 
 
-def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> None:
+def _check_plans(
+    name: str, population: Population, scheme: CognitiveScheme, file: Path | None
+) -> None:
     """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
     cognitons = [one.name for one in scheme.cognitons]
     for cogniton in population.bounds:
@@ -728,6 +737,7 @@ def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> 
                 f"bounds of the cogniton {cogniton!r} of {name!r}, which the scheme "
                 f"{scheme.name!r} does not have",
                 remedy=nearest(cogniton, cognitons),
+                file=file,
             )
     for plan in population.plans:
         if plan not in scheme.plans:
@@ -736,6 +746,7 @@ def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> 
                 "does not have",
                 "a function for each of its plans",
                 nearest(plan, scheme.plans),
+                file,
             )
 
 
