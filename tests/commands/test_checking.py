@@ -113,7 +113,7 @@ def test_check_says_what_it_did_not_look_at(socialmind, grazers, tmp_path):
     assert one.startswith(f"{place}, mind=NAME + '.yaml') was not")
     (one,) = said('plans={"Wander": wander, "Graze": graze}', "plans=PLANS")
     assert one.startswith(f"{place}, plans=…): whether the scheme has these plans was not")
-    (one,) = said('Population(\n        Grazer, "n_grazers", mind', 'sm.Population(\n**MORE, mind')
+    (one,) = said('Population(\n        Grazer, "n_grazers", mind', "sm.Population(\n**MORE, mind")
     assert one.startswith(f"{place}, **MORE) was not")
     (one,) = said('mind="scheme.yaml"', 'mind="scheme.yaml", hierarchy="mind"')
     assert one.startswith(f"{place}, hierarchy='mind') was not")
