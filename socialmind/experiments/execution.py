@@ -245,6 +245,14 @@ def resume(
     return capsule.folder
 
 
+def no_room(error: OSError, folder: Path, when: str) -> SocialmindError:
+    """Return what to say of a disk that is full, or of a file that may not grow further."""
+    return SocialmindError(
+        f"{folder}: {os.strerror(error.errno or 0)} at {when}; what the last checkpoint holds is "
+        "safe: make room and go on with --resume"
+    )
+
+
 class _Execution:
     """One process's work on a run, from a checkpoint or the start to the last tick."""
 
@@ -286,10 +294,8 @@ class _Execution:
                 with suppress(OSError):  # there may be no room to say so
                     self._capsule.update(status=capsules.FAILED, error=str(failure))
                 if isinstance(error, OSError) and error.errno in NO_ROOM:
-                    raise SocialmindError(
-                        f"{self._capsule.folder}: {os.strerror(error.errno)} at tick "
-                        f"{self._model.tick}; what the last checkpoint holds is safe: make room "
-                        "and go on with --resume"
+                    raise no_room(
+                        error, self._capsule.folder, f"tick {self._model.tick}"
                     ) from error
                 if known:
                     raise

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from socialmind.experiments.film import Frame
-from socialmind.experiments.paper import COLUMN, PAGE
+from socialmind.experiments.paper import COLUMN, PAGE, write_figure
 from socialmind.experiments.repeating import Name, Repeated
 from socialmind.mind.drawing import HierarchyPicture
 from socialmind.mind.drawing_plan import planned
@@ -155,8 +155,8 @@ class Page:
         """Write the page."""
         # Without its date a file of the same run is the same file.
         metadata = {".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
-        self.figure.savefig(
-            path, dpi=self._dots, metadata=metadata.get(path.suffix.lower()),
+        write_figure(
+            self.figure, path, dpi=self._dots, metadata=metadata.get(path.suffix.lower()),
             facecolor=self._look.page,
         )  # fmt: skip
 

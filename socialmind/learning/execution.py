@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from socialmind.catalogue import MODEL_FILE, catalogue, load_model, source_hash
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import capsule as capsules
 from socialmind.experiments.arrays_file import refuse_folder, remove
+from socialmind.experiments.execution import NO_ROOM, no_room
 from socialmind.experiments.signals import deferred_signals
 from socialmind.experiments.sources import edited, model_source
 from socialmind.learning.attempt import Attempt, News, load_result
@@ -312,7 +314,10 @@ def _go(
                 capsule.folder, attempt.number, lesson, attempt.generation, arrived[0]
             ) from None
         except Exception as error:
-            so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+            with suppress(OSError):  # there may be no room to say so
+                so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+            if isinstance(error, OSError) and error.errno in NO_ROOM:
+                raise no_room(error, capsule.folder, f"attempt {finished + 1}") from error
             raise
         so_far(capsules.FINISHED)
 
