@@ -339,7 +339,7 @@ class _Execution:
             count = min(stop - tick, chunk)
             begin = clock()
             self._model.advance(count)
-            elapsed = clock() - begin
+            elapsed = max(0.0, clock() - begin)  # some virtual machines set even this clock back
             self._loop_seconds += elapsed
             # A first chunk of one tick holds the compilation; growth by four finds the pace soon.
             rate = count / max(elapsed, 1e-9)
@@ -372,7 +372,7 @@ class _Execution:
                 "first_tick": idle.first_tick,
             },
             loop_seconds=self._loop_seconds,
-            seconds=time.perf_counter() - self._started,
+            seconds=max(0.0, time.perf_counter() - self._started),
             state=self._model.state(),
             sums={part: one for table in self._tables.values() for part, one in table.sums.items()},
             run=self._capsule.manifest.identity(),

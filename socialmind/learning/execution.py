@@ -282,7 +282,7 @@ def _go(
             from socialmind.experiments import paper
 
             paper.save({"curve": draw_curve(curve)}, capsule.figures)
-        seconds = round(time.perf_counter() - begun, 3)
+        seconds = round(max(0.0, time.perf_counter() - begun), 3)
         capsule.update(
             status=status,
             error=error,
