@@ -73,12 +73,8 @@ def settle(counters: Any, order: Any, alive: Any, free: Any) -> None:
 @register_jitable
 def short_of_room(counters: Any, slot_of: Any) -> bool:
     """Say whether a tick could bring more births than there is room for, within reason."""
-    wanted = counters[COUNT] + MARGIN
+    wanted = counters[COUNT] + 64
     return counters[FREE] < wanted or len(slot_of) - counters[NEXT_ID] < wanted
-
-
-MARGIN = 64
-"""How many more births than there are agents a tick has room for."""
 
 
 @register_jitable

@@ -15,7 +15,6 @@ from socialmind.bookkeeping import (
     COUNT,
     ENTRIES,
     FREE,
-    MARGIN,
     NEXT_ID,
     SIZE,
     born,
@@ -376,19 +375,9 @@ class Table:
         """Whether the next tick could bring more births than there is room for."""
         return bool(short_of_room(self.counters, self.slot_of))
 
-    @property
-    def _short_of_slots(self) -> bool:
-        return bool(self.counters[FREE] < self.counters[COUNT] + MARGIN)
-
     def grow(self) -> None:
-        """Make room for twice as many agents (the new slots are taken last), or identities."""
+        """Make room for twice as many agents (the new slots are taken last)."""
         old = len(self.rows)
-        if not self._short_of_slots:
-            # Of those that were ever born only the identity takes room for ever.
-            known = np.full(2 * len(self.slot_of), -1, np.int64)
-            known[: len(self.slot_of)] = self.slot_of
-            self.slot_of = known
-            return
         capacity = max(2 * old, 256)
         for name in ("rows", "order", "acting", "alive"):
             array = getattr(self, name)

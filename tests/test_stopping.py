@@ -230,26 +230,3 @@ def test_a_scheme_without_a_plan_that_the_model_carries_out():
     cows = Population(Agent, 1, mind=scheme, plans={"eat": eat, "eet": eat})
     with pytest.raises(ModelError, match=r"the plan 'eet' of 'cows'.*did you mean 'eat'"):
         type("Herd", (Model,), {"cows": cows})(compiled=False)
-
-
-class Mayfly(Agent):
-    age: int = 0
-
-
-def turn(mayfly):
-    mayfly.hatch().age += 1
-    mayfly.die()
-
-
-class Swarm(Model):
-    mayflies = Population(Mayfly, 2)
-    schedule = (each(mayflies, turn),)
-
-
-def test_the_dead_take_no_room():
-    society = Swarm(compiled=False)
-    society.advance(400)
-    assert society.mayflies.id.tolist() == [800, 801] and society.mayflies.age.tolist() == [400] * 2
-    table = society.tables["mayflies"]
-    assert len(table.slot_of) >= 802
-    assert len(table.rows) == 256  # the living, and those whom a tick may bring
