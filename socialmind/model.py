@@ -257,7 +257,7 @@ class Model(metaclass=ModelKind):
         self.ground = type(self).declared_world.ground(
             self, None if size is None else size_of(self.context, size, 1)
         )
-        self.schemes = schemes_of(self.populations, self.folder(), scheme, self.name)
+        self.schemes, files = schemes_of(self.populations, self.folder(), scheme, self.name)
         self.tables = tables_of(self, self._steerings)
         self.ground.settle_in()
         self.stream = np.zeros(1, STREAM)
@@ -266,7 +266,11 @@ class Model(metaclass=ModelKind):
         self.names = {
             name: np.array(
                 names_of_minds(
-                    self.program, name, self.schemes.get(name), self.assemblies.get(name)
+                    self.program,
+                    name,
+                    self.schemes.get(name),
+                    self.assemblies.get(name),
+                    files.get(name),
                 ),
                 np.int64,
             )

@@ -71,7 +71,7 @@ class _Lowering(ast.NodeTransformer):
         handler = None if mark is None else getattr(self, f"lower_{mark[0]}", None)
         if handler is not None:
             return handler(node, mark)
-        return self.generic_visit(node)
+        return super().visit(node)
 
     # Fields -----------------------------------------------------------------------------------
 

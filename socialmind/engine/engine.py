@@ -100,10 +100,11 @@ class Engine:
                 self._make_room()
             left -= done
             took = time.perf_counter() - begin
-            if done == wanted and took < CHUNK_SECONDS / 2:
+            # Many short advances say nothing of how long a stretch may be.
+            if done == self._ticks_per_chunk and took < CHUNK_SECONDS / 2:
                 self._ticks_per_chunk *= 2
-            elif took > CHUNK_SECONDS and self._ticks_per_chunk > 1:
-                self._ticks_per_chunk //= 2
+            elif took > CHUNK_SECONDS and wanted > 1:
+                self._ticks_per_chunk = wanted // 2
 
     def _advance_outside(self, ticks: int) -> None:
         """Run a number of ticks whose motion is not compiled."""

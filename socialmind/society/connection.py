@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -77,8 +78,16 @@ def names_of_minds(
     population: str,
     scheme: CognitiveScheme | None,
     assembly: Assembly | None = None,
+    file: Path | None = None,
 ) -> list[int]:
     """Return where in a scheme and a hierarchy the names stand that a population's rules write.
+
+    Args:
+        program: the model's.
+        population: whose.
+        scheme: that of its minds.
+        assembly: its hierarchy of skills.
+        file: where the scheme was read from, for errors.
 
     Raises:
         ModelError: a rule names what the minds do not have, or a plan has no function.
@@ -86,9 +95,10 @@ def names_of_minds(
     tables: dict[str, dict[Any, int]] = {}
     owners: dict[str, str] = {}
     if scheme is not None:
-        _check_plans(program, population, scheme)
+        _check_plans(program, population, scheme, file)
         tables |= _parts_of_scheme(scheme)
-        owners |= dict.fromkeys(tables, f"the scheme {scheme.name!r}")
+        place = "" if file is None else f" ({file})"
+        owners |= dict.fromkeys(tables, f"the scheme {scheme.name!r}{place}")
     if assembly is not None:
         from socialmind.mind.code.drive import tables_of
 
@@ -115,7 +125,9 @@ def _parts_of_scheme(scheme: CognitiveScheme) -> dict[str, dict[Any, int]]:
     return tables
 
 
-def _check_plans(program: Program, population: str, scheme: CognitiveScheme) -> None:
+def _check_plans(
+    program: Program, population: str, scheme: CognitiveScheme, file: Path | None
+) -> None:
     """Refuse a plan of a scheme that has no function."""
     if population in program.plans:
         for plan in scheme.plans:
@@ -124,6 +136,7 @@ def _check_plans(program: Program, population: str, scheme: CognitiveScheme) -> 
                     f"the plan {plan!r} of the scheme {scheme.name!r}, which has no function",
                     "a function for each plan",
                     f"the population {population!r} has {', '.join(program.plans[population])}",
+                    file,
                 )
 
 

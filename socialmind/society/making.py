@@ -87,8 +87,8 @@ def size_of(context: Any, size: int | str, least: int) -> int:
 
 def schemes_of(
     populations: Mapping[str, Population], folder: Path, given: Any, model: str
-) -> dict[str, CognitiveScheme]:
-    """Return the schemes of the populations that have minds.
+) -> tuple[dict[str, CognitiveScheme], dict[str, Path]]:
+    """Return the schemes of the populations that have minds, and the files of those in files.
 
     Args:
         populations: of the model.
@@ -108,22 +108,26 @@ def schemes_of(
                 f"give a mapping from {', '.join(minded) or 'their names'}"
             )
         given = {next(iter(minded)): given}
-    schemes = {}
+    schemes: dict[str, CognitiveScheme] = {}
+    files: dict[str, Path] = {}
     for name, population in minded.items():
         source: Any = (given or {}).get(name, population.mind)
         own = given is None or name not in given
         if not isinstance(source, CognitiveScheme):
             path = folder / source if own else Path(source)
             source = CognitiveScheme.load(path, decision_makers=population.decision_makers)
+            files[name] = path
         schemes[name] = source
     for name, population in minded.items():
         # Another scheme may have fewer plans than the model knows how to carry out.
         if given is None or name not in given:
-            _check_plans(name, population, schemes[name])
-    return schemes
+            _check_plans(name, population, schemes[name], files.get(name))
+    return schemes, files
 
 
-def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> None:
+def _check_plans(
+    name: str, population: Population, scheme: CognitiveScheme, file: Path | None
+) -> None:
     """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
     cognitons = [one.name for one in scheme.cognitons]
     for cogniton in population.bounds:
@@ -132,6 +136,7 @@ def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> 
                 f"bounds of the cogniton {cogniton!r} of {name!r}, which the scheme "
                 f"{scheme.name!r} does not have",
                 remedy=nearest(cogniton, cognitons),
+                file=file,
             )
     for plan in population.plans:
         if plan not in scheme.plans:
@@ -140,6 +145,7 @@ def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> 
                 "does not have",
                 "a function for each of its plans",
                 nearest(plan, scheme.plans),
+                file,
             )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,7 @@ from socialmind.mind.description import MindDescription
 from socialmind.model import Model
 from socialmind.runs import capsule as capsules
 from socialmind.runs.arrays_file import refuse_folder, remove
+from socialmind.runs.execution import NO_ROOM, no_room
 from socialmind.runs.sources import edited, model_source
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
@@ -281,7 +283,7 @@ def _go(
             from socialmind.drawing import style as paper
 
             paper.save({"curve": draw_curve(curve)}, capsule.figures)
-        seconds = round(time.perf_counter() - begun, 3)
+        seconds = round(max(0.0, time.perf_counter() - begun), 3)
         capsule.update(
             status=status,
             error=error,
@@ -313,7 +315,10 @@ def _go(
                 capsule.folder, attempt.number, lesson, attempt.generation, arrived[0]
             ) from None
         except Exception as error:
-            so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+            with suppress(OSError):  # there may be no room to say so
+                so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+            if isinstance(error, OSError) and error.errno in NO_ROOM:
+                raise no_room(error, capsule.folder, f"attempt {finished + 1}") from error
             raise
         so_far(capsules.FINISHED)
 
