@@ -17,8 +17,8 @@ from socialmind.fields import place_of_field
 from socialmind.worlds.contract import Functions, Ground, address
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
-from socialmind.worlds.plane.plane import CELL, PlaneShape, RobotShape
 from socialmind.worlds.plane.sensors import RangeFinder
+from socialmind.worlds.plane.shape import CELL, PlaneShape, RobotShape
 from socialmind.worlds.plane.trajectories import trajectories
 
 if TYPE_CHECKING:
@@ -46,8 +46,8 @@ class Arena(Ground):
     def __init__(self, model: Running) -> None:
         super().__init__(model)
         self.world = self
-        shape: Any = model.shape.world
-        self.shape: PlaneShape = shape
+        world: Any = model.shape.world
+        self.shape: PlaneShape = world.plane
         wide = self.shape.half_width
         self.half_width = float(model.context[wide]) if isinstance(wide, str) else float(wide)
         program: Any = model.program.world

@@ -71,7 +71,7 @@ def test_each_is_what_its_world_comes_to_alone(genomes, outcome):
                     used = rows["_slot"] == np.arange(len(rows))
                     robots.update((int(row["_id"]), row.copy()) for row in rows[used])
             assert len(lived["scouts"]) == alone.scouts.counters[NEXT_ID]
-            alone.arena.settle()
+            alone.ground.settle()
             for robot in alone.collectors:
                 lived["collectors"][robot.id]["score"] = robot.score
             scores = [row["score"] for robots in lived.values() for row in robots.values()]
