@@ -22,7 +22,7 @@ from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.execution import learn, resume
 from socialmind.learning.training.result import Training
 from socialmind.mind import MindDescription
-from socialmind.runs.capsule import MANIFEST
+from socialmind.runs.folders import MANIFEST
 
 PACE = 2_000_000
 """Ticks a second that two processors do at least with one robot in each world, for a word on how

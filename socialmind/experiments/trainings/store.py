@@ -14,12 +14,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import SocialmindError
-from socialmind.learning.episodes.evaluation import files_of
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import CHECKPOINT, result_file
 from socialmind.learning.training.capsule import TrainingManifest
 from socialmind.learning.training.result import Training
-from socialmind.runs.capsule import FINISHED, INTERRUPTED, MANIFEST, replace_file
+from socialmind.mind.files.packing import files_of
+from socialmind.runs.files import replace_file
+from socialmind.runs.folders import FINISHED, INTERRUPTED, MANIFEST
 from socialmind.sources.folders import model_folder, source_hash
 
 if TYPE_CHECKING:

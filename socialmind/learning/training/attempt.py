@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from socialmind.learning.episodes.evaluators import Stop, Workers
+from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.curriculum import Position
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training import archive
@@ -36,6 +36,7 @@ from socialmind.runs.record import (
     optional,
     whole,
 )
+from socialmind.work.workers import Stop
 
 CHECKPOINT = "checkpoint.npz"
 
@@ -109,7 +110,7 @@ class Attempt:
 
     def go(
         self,
-        workers: Workers,
+        evaluators: Evaluators,
         stop: Stop,
         on_generation: Callable[[News], None],
         on_lesson: Callable[[Lesson, Result], None],
@@ -117,7 +118,7 @@ class Attempt:
         """Go on to the end of the curriculum.
 
         Args:
-            workers: who judge.
+            evaluators: who evaluate.
             stop: asked now and then whether to drop what is in hand.
             on_generation: called after each generation, when it is safe on disk.
             on_lesson: called after each lesson, likewise.
@@ -131,12 +132,12 @@ class Attempt:
                 self._teaching = self._taught(self._at)
             teaching, position = self._teaching, self._at
             while not (teaching.over or self._cycle_over):
-                teaching.advance(workers, stop)
+                teaching.advance(evaluators, stop)
                 self.seconds += time.perf_counter() - begun
                 begun = time.perf_counter()
                 self._checkpoint()
                 on_generation(self._news(teaching, position))
-            result = teaching.result(workers, stop)
+            result = teaching.result(evaluators, stop)
             self.seconds += time.perf_counter() - begun
             self._conclude(teaching, result)
             on_lesson(teaching.lesson, result)

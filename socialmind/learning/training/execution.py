@@ -9,12 +9,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-import socialmind
 from coglogo_py.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK, files_of
-from socialmind.learning.episodes.evaluators import Stopped, hired
+from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK
+from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.attempt import Attempt, News, load_result
@@ -24,14 +23,17 @@ from socialmind.learning.training.curve import draw_curve, read_curve, write_cur
 from socialmind.learning.training.forecast import Forecast
 from socialmind.learning.training.teaching import Result
 from socialmind.mind.description import MindDescription
+from socialmind.mind.files.packing import files_of
 from socialmind.model import Model
-from socialmind.runs import capsule as capsules
-from socialmind.runs.arrays_file import refuse_folder, remove
+from socialmind.runs import folders
+from socialmind.runs.files import refuse_folder, remove
 from socialmind.runs.sources import edited, model_source
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, remember, require
+from socialmind.version import __version__
 from socialmind.work.signals import deferred_signals
+from socialmind.work.workers import Stopped, hired
 
 OnGeneration = Callable[[News, float | None], None]
 OnLesson = Callable[[int, Lesson, Result], None]
@@ -94,8 +96,8 @@ def learn(
         budget: ticks after which no other generation of a lesson begins; of a cycle, those of all
             its lessons together.
         cycles: how often cycles go round.
-        workers: how many judge side by side; one for each processor by default.
-        cluster: the address of a Dask scheduler, whose workers judge then.
+        workers: how many evaluate side by side; one for each processor by default.
+        cluster: the address of a Dask scheduler, whose workers evaluate then.
         on_generation: called after each generation with its `News` and the seconds left, if they
             are known.
         on_lesson: called after each lesson with the attempt, the lesson and its `Result`.
@@ -117,7 +119,7 @@ def learn(
         raise SocialmindError(f"engine {engine!r}; expected {COMPILED} or {PYMUNK}")
     target = None if out is None else Path(out)
     if target is not None:
-        capsules.refuse_unless_free(target.expanduser())
+        folders.refuse_unless_free(target.expanduser())
     curriculum, folder = curriculum_of(model, lessons)
     begun = mind_of(model, curriculum, folder, mind)
     changes = {
@@ -138,8 +140,8 @@ def learn(
         engine=engine,
         attempts=attempts,
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds"), "seconds": 0.0},
-        versions=capsules.versions(),
-        platforms=[capsules.fingerprint()],
+        versions=folders.versions(),
+        platforms=[folders.fingerprint()],
     )
     capsule = TrainingCapsule.create(target, manifest, files)
     with capsule.locked():
@@ -197,7 +199,7 @@ def resume(
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
         _check(capsule, curriculum)
-        machine = capsules.fingerprint()
+        machine = folders.fingerprint()
         known = manifest.platforms
         capsule.update(
             attempts=attempts or manifest.attempts,
@@ -271,13 +273,13 @@ def _go(
     course = Course(curriculum, mind, manifest.seed, manifest.engine)
     forecast = Forecast(course, manifest.attempts)
     begun = time.perf_counter() - float(manifest.timings.get("seconds", 0.0))
-    capsule.update(status=capsules.RUNNING, error=None)
+    capsule.update(status=folders.RUNNING, error=None)
 
     def so_far(status: str, error: str | None = None) -> None:
         numbers = range(1, capsule.manifest.attempts + 1)
         curve = read_curve([(number, capsule.attempt(number)) for number in numbers])
         content = write_curve(curve, capsule.curve)
-        if status != capsules.RUNNING:
+        if status != folders.RUNNING:
             from socialmind.drawing import style as paper
 
             paper.save({"curve": draw_curve(curve)}, capsule.figures)
@@ -292,20 +294,21 @@ def _go(
 
     finished = 0
     attempt: Attempt | None = None
-    with deferred_signals() as arrived, hired(manifest.engine, workers, cluster) as team:
+    compiled = manifest.engine == COMPILED
+    with deferred_signals() as arrived, hired(workers, compiled, cluster) as team:
         try:
             for number in range(1, manifest.attempts + 1):
                 attempt = Attempt(capsule.attempt(number), number, course)
                 _save_mind(capsule, attempt)
                 attempt.go(
-                    team,
+                    Evaluators(team),
                     lambda: bool(arrived),
                     _reporting(forecast, on_generation),
                     _concluding(capsule, attempt, so_far, on_lesson),
                 )
                 finished += 1
         except Stopped:
-            so_far(capsules.INTERRUPTED)
+            so_far(folders.INTERRUPTED)
             if attempt is None or attempt.position is None:
                 raise KeyboardInterrupt from None
             lesson = curriculum.at(attempt.position).name
@@ -313,9 +316,9 @@ def _go(
                 capsule.folder, attempt.number, lesson, attempt.generation, arrived[0]
             ) from None
         except Exception as error:
-            so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+            so_far(folders.FAILED, f"{type(error).__name__}: {error}")
             raise
-        so_far(capsules.FINISHED)
+        so_far(folders.FINISHED)
 
 
 def _reporting(forecast: Forecast, report: OnGeneration | None) -> Callable[[News], None]:
@@ -335,7 +338,7 @@ def _concluding(
 ) -> Callable[[Lesson, Result], None]:
     def concluded(lesson: Lesson, result: Result) -> None:
         _save_mind(capsule, attempt)
-        so_far(capsules.RUNNING)
+        so_far(folders.RUNNING)
         if report is not None:
             report(attempt.number, lesson, result)
 
@@ -364,7 +367,7 @@ def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum
         SocialmindError: they, the model or socialmind are others than they were.
     """
     manifest = capsule.manifest
-    then, today = manifest.versions.get("socialmind"), socialmind.__version__
+    then, today = manifest.versions.get("socialmind"), __version__
     if then != today:
         raise SocialmindError(
             f"{capsule.folder}: made by socialmind {then}, this is {today}, whose trainings may "
