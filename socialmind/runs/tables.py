@@ -22,8 +22,8 @@ import numpy as np
 from coglogo_py.errors import shown
 from socialmind.agents.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
-from socialmind.runs.arrays_file import make_room
 from socialmind.runs.columns import EXPECTED, from_arrow, to_arrow
+from socialmind.runs.files import make_room
 from socialmind.runs.record import within
 
 if TYPE_CHECKING:
