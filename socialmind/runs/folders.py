@@ -109,7 +109,7 @@ class ManifestFolder(Generic[M]):
         Raises:
             SocialmindError: another process holds it.
         """
-        with held(self.folder):
+        with hold(self.folder):
             # What another process wrote while this one waited to begin.
             self.manifest = self._manifest_on_disk()
             yield
@@ -188,7 +188,7 @@ def _fill(target: Path, files: Mapping[str, bytes]) -> None:
 
 
 @contextmanager
-def held(folder: Path) -> Iterator[None]:
+def hold(folder: Path) -> Iterator[None]:
     """Hold a folder for this process; the lock ends with the process, however it ends.
 
     Raises:

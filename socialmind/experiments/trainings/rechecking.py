@@ -30,7 +30,7 @@ from socialmind.runs.folders import MANIFEST
 from socialmind.sources.folders import model_folder, source_hash
 
 if TYPE_CHECKING:
-    from socialmind.experiments.trainings.plans import Plan
+    from socialmind.experiments.trainings.plans import TrainingPlan
 
 
 class Rescored(NamedTuple):
@@ -51,7 +51,7 @@ class Rescored(NamedTuple):
     file: Path
 
 
-def recheck(kept: Path, plan: Plan) -> int:
+def recheck(kept: Path, plan: TrainingPlan) -> int:
     """Judge a kept training's winners again, and take today's model for its own if all agree.
 
     Args:
@@ -81,7 +81,7 @@ def recheck(kept: Path, plan: Plan) -> int:
     return judged
 
 
-def rescore(kept: Path, plan: Plan) -> list[Rescored]:
+def rescore(kept: Path, plan: TrainingPlan) -> list[Rescored]:
     """Judge a kept training's winners again, and keep the scores that they come to today.
 
     For a fault of the scoring that was mended: what was learned stays, and who was chosen.
@@ -103,7 +103,7 @@ def rescore(kept: Path, plan: Plan) -> list[Rescored]:
     return others
 
 
-def _rescored(training: Training, plan: Plan) -> Iterator[Rescored]:
+def _rescored(training: Training, plan: TrainingPlan) -> Iterator[Rescored]:
     """Judge the winners of all kept lessons once more, in the worlds of their finals."""
     if LESSONS in differences(training, plan):
         raise SocialmindError(f"{training.folder}: of other lessons than the plan has; train anew")

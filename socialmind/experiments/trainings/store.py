@@ -24,7 +24,7 @@ from socialmind.runs.folders import FINISHED, INTERRUPTED, MANIFEST
 from socialmind.sources.folders import model_folder, source_hash
 
 if TYPE_CHECKING:
-    from socialmind.experiments.trainings.plans import Plan
+    from socialmind.experiments.trainings.plans import TrainingPlan
 
 LESSONS, SOURCE = "the lessons", "the model's source"
 
@@ -132,7 +132,7 @@ def take_out(kept: Path, folder: Path) -> bool:
     return True
 
 
-def differences(training: Training, plan: Plan) -> list[str]:
+def differences(training: Training, plan: TrainingPlan) -> list[str]:
     """Return in what a training is another one than its plan would give today."""
     manifest = training.manifest
     lessons = json.loads(json.dumps(plan.curriculum().record(), default=str))

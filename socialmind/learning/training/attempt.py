@@ -21,7 +21,7 @@ from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.curriculum import Position
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training import archive
-from socialmind.learning.training.course import Course
+from socialmind.learning.training.course import TrainingCourse
 from socialmind.learning.training.finalists import arrays_of
 from socialmind.learning.training.teaching import Result, Teaching
 from socialmind.mind.functions.neat.graph import NeatGraph
@@ -79,7 +79,7 @@ class Attempt:
         SocialmindError: its files are not whole.
     """
 
-    def __init__(self, folder: Path, number: int, course: Course) -> None:
+    def __init__(self, folder: Path, number: int, course: TrainingCourse) -> None:
         self.folder = folder
         self.number = number
         self.course = course

@@ -18,7 +18,7 @@ from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.attempt import Attempt, News, load_result
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
-from socialmind.learning.training.course import SIMBATCH, Course, curriculum_of, mind_of
+from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curriculum_of, mind_of
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
 from socialmind.learning.training.teaching import Result
@@ -27,7 +27,7 @@ from socialmind.mind.files.packing import files_of
 from socialmind.model import Model
 from socialmind.runs import folders
 from socialmind.runs.files import refuse_folder, remove
-from socialmind.runs.sources import edited, model_source
+from socialmind.runs.sources import model_source, what_was_edited
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, remember, require
@@ -126,8 +126,8 @@ def learn(
         "optimiser": optimiser, "settings": dict(settings or {}), "generations": generations,
         "budget": budget, "cycles": cycles,
     }  # fmt: skip
-    curriculum = changed(curriculum, changes)
-    Course(curriculum, begun, seed, engine)  # which refuses what does not fit together
+    curriculum = with_changes(curriculum, changes)
+    TrainingCourse(curriculum, begun, seed, engine)  # which refuses what does not fit together
     files = files_of(begun)
     remember({path: content for path, content in files.items() if path.endswith(".py")})
     manifest = TrainingManifest(
@@ -229,7 +229,9 @@ def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
             "changed; take it from a copy of the folder"
         )
     refuse_folder(capsule.curve)
-    course = Course(curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine)
+    course = TrainingCourse(
+        curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine
+    )
     for number in range(1, manifest.attempts + 1):
         if capsule.attempt(number).exists():
             attempt = Attempt(capsule.attempt(number), number, course)
@@ -237,7 +239,7 @@ def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
                 load_result(attempt.folder, lesson)
 
 
-def changed(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:
+def with_changes(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:
     """Return a curriculum with what is asked for in place of the lessons' own."""
     alone = {id(item) for item in curriculum.items if isinstance(item, Lesson)}
 
@@ -270,7 +272,7 @@ def _go(
     manifest = capsule.manifest
     # From the copy, so that what is resumed begins from the very same.
     mind = MindDescription.load(capsule.mind)
-    course = Course(curriculum, mind, manifest.seed, manifest.engine)
+    course = TrainingCourse(curriculum, mind, manifest.seed, manifest.engine)
     forecast = Forecast(course, manifest.attempts)
     begun = time.perf_counter() - float(manifest.timings.get("seconds", 0.0))
     capsule.update(status=folders.RUNNING, error=None)
@@ -322,12 +324,12 @@ def _go(
 
 
 def _reporting(forecast: Forecast, report: OnGeneration | None) -> Callable[[News], None]:
-    def told(news: News) -> None:
+    def report_generation(news: News) -> None:
         left = forecast.seconds_left(news)
         if report is not None:
             report(news, left)
 
-    return told
+    return report_generation
 
 
 def _concluding(
@@ -336,13 +338,13 @@ def _concluding(
     so_far: Callable[[str], None],
     report: OnLesson | None,
 ) -> Callable[[Lesson, Result], None]:
-    def concluded(lesson: Lesson, result: Result) -> None:
+    def conclude(lesson: Lesson, result: Result) -> None:
         _save_mind(capsule, attempt)
         so_far(folders.RUNNING)
         if report is not None:
             report(attempt.number, lesson, result)
 
-    return concluded
+    return conclude
 
 
 def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
@@ -380,7 +382,8 @@ def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum
         )
     model = None if manifest.model["path"] is None else _recorded_model(capsule)
     if model is not None:
-        if other := edited(manifest.model, model):  # said before anything is run, or asked about
+        # Said before anything is run, or asked about.
+        if other := what_was_edited(manifest.model, model):
             raise SocialmindError(f"{other}; put the old file back, or start another training")
         require(programs_in(model), trust, f"{capsule.folder}: its model at {model}")
         if other := _changes(manifest, model):
@@ -388,7 +391,7 @@ def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum
     given = manifest.chosen if lessons is None else lessons
     named = model if model is not None and (model / MODEL_FILE).is_file() else None
     curriculum, _ = curriculum_of(named, given)
-    curriculum = changed(curriculum, manifest.changes)
+    curriculum = with_changes(curriculum, manifest.changes)
     if _as_json(curriculum.record()) != manifest.lessons:
         raise SocialmindError(
             f"{capsule.folder}: the lessons are not those that the training was begun with; "
