@@ -23,8 +23,7 @@ from coglogo_py.errors import shown
 from coglogo_py.numbers import is_whole
 from socialmind.agents.agent_columns import as_before
 from socialmind.errors import SocialmindError
-from socialmind.runs import capsule as capsules
-from socialmind.runs.arrays_file import make_room, refuse_folder
+from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.record import LONGEST
@@ -49,6 +48,7 @@ from socialmind.runs.tables import (
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
+from socialmind.work.files import make_room, refuse_folder
 from socialmind.work.signals import deferred_signals
 
 if TYPE_CHECKING:
@@ -135,7 +135,7 @@ def run(
     seed = _whole("seed", seed, 0, 2**64 - 1)
     target = None if out is None else Path(out)
     if target is not None:
-        capsules.refuse_unless_free(target.expanduser())
+        folders.refuse_unless_free(target.expanduser())
 
     given = dict(parameters or {})
     model = model_class(
@@ -160,8 +160,8 @@ def run(
         every=step,
         agents_every=agents_step,
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds")},
-        versions=capsules.versions(),
-        platforms=[capsules.fingerprint()],
+        versions=folders.versions(),
+        platforms=[folders.fingerprint()],
     )
     copies = sources_of(model_class).copies()
     remember({path: content for path, content in copies.items() if path.endswith(".py")})
@@ -211,7 +211,7 @@ def resume(
         # Killed between its last tick and its last file: only the files are missing.
         if (
             checkpoint is not None
-            and capsule.manifest.status != capsules.FINISHED
+            and capsule.manifest.status != folders.FINISHED
             and checkpoint.tick == capsule.manifest.ticks
             and all(tick == checkpoint.tick for tick in checkpoint.recorded.values())
         ):
@@ -223,19 +223,19 @@ def resume(
                 f"{capsule.folder}: {done} ticks are done, {length} asked for; "
                 "a run can be made longer, not shorter"
             )
-        if capsule.manifest.status == capsules.FINISHED:
+        if capsule.manifest.status == folders.FINISHED:
             shutil.rmtree(capsule.parts, ignore_errors=True)
             if length == done:
                 return capsule.folder
         model = model_of(capsule, model_class, compiled, kept, trust)
         if checkpoint is not None:
             _restore(model, checkpoint, capsule.checkpoint)
-        if capsule.manifest.status == capsules.FINISHED:
+        if capsule.manifest.status == folders.FINISHED:
             checkpoint = _reopen(capsule, checkpoint, length)
-        machine = capsules.fingerprint()
+        machine = folders.fingerprint()
         known = capsule.manifest.platforms
         capsule.update(
-            status=capsules.RUNNING,
+            status=folders.RUNNING,
             ticks=length,
             error=None,
             compiled=capsule.manifest.compiled if compiled is None else compiled,
@@ -292,7 +292,7 @@ class _Execution:
                 known = isinstance(error, SocialmindError | OSError)
                 failure = error if known else self._failure(error)
                 with suppress(OSError):  # there may be no room to say so
-                    self._capsule.update(status=capsules.FAILED, error=str(failure))
+                    self._capsule.update(status=folders.FAILED, error=str(failure))
                 if isinstance(error, OSError) and error.errno in NO_ROOM:
                     raise no_room(
                         error, self._capsule.folder, f"tick {self._model.tick}"
@@ -329,7 +329,7 @@ class _Execution:
             if tick >= length:
                 return
             if arrived:
-                self._checkpoint(status=capsules.INTERRUPTED)
+                self._checkpoint(status=folders.INTERRUPTED)
                 raise Interrupted(self._capsule.folder, tick, arrived[0])
             if now >= next_checkpoint:
                 self._checkpoint()
@@ -357,7 +357,7 @@ class _Execution:
                 self._tables[name].add(tick, columns)
                 self._recorded[name] = tick
 
-    def _checkpoint(self, status: str = capsules.RUNNING) -> Checkpoint:
+    def _checkpoint(self, status: str = folders.RUNNING) -> Checkpoint:
         """Make everything up to now safe."""
         for table in self._tables.values():
             table.flush()
@@ -396,10 +396,10 @@ def _checked(capsule: Capsule) -> Checkpoint | None:
         checkpoint = Checkpoint.load(capsule.checkpoint)
         if checkpoint.run not in (None, manifest.identity()):
             raise SocialmindError(
-                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not "
+                f"{capsule.folder / folders.MANIFEST}: its seed, parameters or schemes are not "
                 f"those that {capsule.checkpoint.name} was written with; put them back"
             )
-    if manifest.status == capsules.FINISHED:
+    if manifest.status == folders.FINISHED:
         for name in TABLES:
             check_content(capsule.table(name), manifest.tables[name]["sha256"])
         return checkpoint
@@ -444,7 +444,7 @@ def _finish(capsule: Capsule, checkpoint: Checkpoint) -> None:
         parts = [capsule.parts / part for part in checkpoint.parts[name]]
         contents[name] = asdict(merge(parts, capsule.table(name), name))
     capsule.update(
-        status=capsules.FINISHED, tables=contents, **_so_far(capsule.manifest, checkpoint)
+        status=folders.FINISHED, tables=contents, **_so_far(capsule.manifest, checkpoint)
     )
     shutil.rmtree(capsule.parts, ignore_errors=True)
 
@@ -477,7 +477,7 @@ def _reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Che
         recorded[name] = checkpoint.tick - off_grid
     reopened = replace(checkpoint, parts=parts, recorded=recorded, sums=sums)
     reopened.save(capsule.checkpoint)
-    capsule.update(status=capsules.RUNNING, ticks=length, tables={})
+    capsule.update(status=folders.RUNNING, ticks=length, tables={})
     for name in TABLES:
         capsule.table(name).unlink(missing_ok=True)
     return reopened
@@ -497,7 +497,7 @@ def _so_far(manifest: Manifest, checkpoint: Checkpoint) -> dict[str, Any]:
 
 
 def _ticks_done(manifest: Manifest, checkpoint: Checkpoint | None) -> int:
-    if manifest.status == capsules.FINISHED:
+    if manifest.status == folders.FINISHED:
         return manifest.ticks_done
     return checkpoint.tick if checkpoint else 0
 

@@ -164,7 +164,7 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     return None
 
 
-def edited(record: Mapping[str, Any], place: Path) -> str | None:
+def what_was_edited(record: Mapping[str, Any], place: Path) -> str | None:
     """What differs between a record and the files of a model, found without running any of them.
 
     Args:
@@ -216,7 +216,9 @@ def model_of(
     cls = model_class
     # Said before anything is run, or asked about.
     place = recorded_folder(capsule) or _script(capsule)
-    changed = None if kept or cls is not None or place is None else edited(manifest.model, place)
+    changed = (
+        None if kept or cls is not None or place is None else what_was_edited(manifest.model, place)
+    )
     if cls is None and not changed:
         cls = recorded_class(capsule, kept, trust)
     changed = changed or (None if cls is None else changes_since(capsule, cls))

@@ -22,9 +22,9 @@ import numpy as np
 from coglogo_py.errors import shown
 from socialmind.agents.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
-from socialmind.runs.arrays_file import make_room
 from socialmind.runs.columns import EXPECTED, from_arrow, to_arrow
 from socialmind.runs.record import within
+from socialmind.work.files import make_room
 
 if TYPE_CHECKING:
     import pyarrow as pa

@@ -17,7 +17,7 @@ from socialmind.learning.training.attempt import (
     result_file,
 )
 from socialmind.learning.training.teaching import COLUMNS, VALIDATED
-from socialmind.runs.arrays_file import make_room
+from socialmind.work.files import make_room
 
 if TYPE_CHECKING:
     import pandas as pd

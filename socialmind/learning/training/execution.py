@@ -13,27 +13,29 @@ from typing import Any
 from coglogo_py.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK, files_of
-from socialmind.learning.episodes.evaluators import Stopped, hired
+from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK
+from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.attempt import Attempt, News, load_result
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
-from socialmind.learning.training.course import SIMBATCH, Course, curriculum_of, mind_of
+from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curriculum_of, mind_of
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
 from socialmind.learning.training.teaching import Result
 from socialmind.mind.description import MindDescription
+from socialmind.mind.files.packing import files_of
 from socialmind.model import Model
-from socialmind.runs import capsule as capsules
-from socialmind.runs.arrays_file import refuse_folder, remove
+from socialmind.runs import folders
 from socialmind.runs.execution import NO_ROOM, no_room
-from socialmind.runs.sources import edited, model_source
+from socialmind.runs.sources import model_source, what_was_edited
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, remember, require
 from socialmind.version import __version__
+from socialmind.work.files import refuse_folder, remove
 from socialmind.work.signals import deferred_signals
+from socialmind.work.workers import Stopped, hired
 
 OnGeneration = Callable[[News, float | None], None]
 OnLesson = Callable[[int, Lesson, Result], None]
@@ -96,8 +98,8 @@ def learn(
         budget: ticks after which no other generation of a lesson begins; of a cycle, those of all
             its lessons together.
         cycles: how often cycles go round.
-        workers: how many judge side by side; one for each processor by default.
-        cluster: the address of a Dask scheduler, whose workers judge then.
+        workers: how many evaluate side by side; one for each processor by default.
+        cluster: the address of a Dask scheduler, whose workers evaluate then.
         on_generation: called after each generation with its `News` and the seconds left, if they
             are known.
         on_lesson: called after each lesson with the attempt, the lesson and its `Result`.
@@ -119,15 +121,15 @@ def learn(
         raise SocialmindError(f"engine {engine!r}; expected {COMPILED} or {PYMUNK}")
     target = None if out is None else Path(out)
     if target is not None:
-        capsules.refuse_unless_free(target.expanduser())
+        folders.refuse_unless_free(target.expanduser())
     curriculum, folder = curriculum_of(model, lessons)
     begun = mind_of(model, curriculum, folder, mind)
     changes = {
         "optimiser": optimiser, "settings": dict(settings or {}), "generations": generations,
         "budget": budget, "cycles": cycles,
     }  # fmt: skip
-    curriculum = changed(curriculum, changes)
-    Course(curriculum, begun, seed, engine)  # which refuses what does not fit together
+    curriculum = with_changes(curriculum, changes)
+    TrainingCourse(curriculum, begun, seed, engine)  # which refuses what does not fit together
     files = files_of(begun)
     remember({path: content for path, content in files.items() if path.endswith(".py")})
     manifest = TrainingManifest(
@@ -140,8 +142,8 @@ def learn(
         engine=engine,
         attempts=attempts,
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds"), "seconds": 0.0},
-        versions=capsules.versions(),
-        platforms=[capsules.fingerprint()],
+        versions=folders.versions(),
+        platforms=[folders.fingerprint()],
     )
     capsule = TrainingCapsule.create(target, manifest, files)
     with capsule.locked():
@@ -199,7 +201,7 @@ def resume(
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
         _check(capsule, curriculum)
-        machine = capsules.fingerprint()
+        machine = folders.fingerprint()
         known = manifest.platforms
         capsule.update(
             attempts=attempts or manifest.attempts,
@@ -229,7 +231,9 @@ def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
             "changed; take it from a copy of the folder"
         )
     refuse_folder(capsule.curve)
-    course = Course(curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine)
+    course = TrainingCourse(
+        curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine
+    )
     for number in range(1, manifest.attempts + 1):
         if capsule.attempt(number).exists():
             attempt = Attempt(capsule.attempt(number), number, course)
@@ -237,7 +241,7 @@ def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
                 load_result(attempt.folder, lesson)
 
 
-def changed(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:
+def with_changes(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:
     """Return a curriculum with what is asked for in place of the lessons' own."""
     alone = {id(item) for item in curriculum.items if isinstance(item, Lesson)}
 
@@ -270,16 +274,16 @@ def _go(
     manifest = capsule.manifest
     # From the copy, so that what is resumed begins from the very same.
     mind = MindDescription.load(capsule.mind)
-    course = Course(curriculum, mind, manifest.seed, manifest.engine)
+    course = TrainingCourse(curriculum, mind, manifest.seed, manifest.engine)
     forecast = Forecast(course, manifest.attempts)
     begun = time.perf_counter() - float(manifest.timings.get("seconds", 0.0))
-    capsule.update(status=capsules.RUNNING, error=None)
+    capsule.update(status=folders.RUNNING, error=None)
 
     def so_far(status: str, error: str | None = None) -> None:
         numbers = range(1, capsule.manifest.attempts + 1)
         curve = read_curve([(number, capsule.attempt(number)) for number in numbers])
         content = write_curve(curve, capsule.curve)
-        if status != capsules.RUNNING:
+        if status != folders.RUNNING:
             from socialmind.drawing import style as paper
 
             paper.save({"curve": draw_curve(curve)}, capsule.figures)
@@ -294,20 +298,21 @@ def _go(
 
     finished = 0
     attempt: Attempt | None = None
-    with deferred_signals() as arrived, hired(manifest.engine, workers, cluster) as team:
+    compiled = manifest.engine == COMPILED
+    with deferred_signals() as arrived, hired(workers, compiled, cluster) as team:
         try:
             for number in range(1, manifest.attempts + 1):
                 attempt = Attempt(capsule.attempt(number), number, course)
                 _save_mind(capsule, attempt)
                 attempt.go(
-                    team,
+                    Evaluators(team),
                     lambda: bool(arrived),
                     _reporting(forecast, on_generation),
                     _concluding(capsule, attempt, so_far, on_lesson),
                 )
                 finished += 1
         except Stopped:
-            so_far(capsules.INTERRUPTED)
+            so_far(folders.INTERRUPTED)
             if attempt is None or attempt.position is None:
                 raise KeyboardInterrupt from None
             lesson = curriculum.at(attempt.position).name
@@ -316,20 +321,20 @@ def _go(
             ) from None
         except Exception as error:
             with suppress(OSError):  # there may be no room to say so
-                so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+                so_far(folders.FAILED, f"{type(error).__name__}: {error}")
             if isinstance(error, OSError) and error.errno in NO_ROOM:
                 raise no_room(error, capsule.folder, f"attempt {finished + 1}") from error
             raise
-        so_far(capsules.FINISHED)
+        so_far(folders.FINISHED)
 
 
 def _reporting(forecast: Forecast, report: OnGeneration | None) -> Callable[[News], None]:
-    def told(news: News) -> None:
+    def report_generation(news: News) -> None:
         left = forecast.seconds_left(news)
         if report is not None:
             report(news, left)
 
-    return told
+    return report_generation
 
 
 def _concluding(
@@ -338,13 +343,13 @@ def _concluding(
     so_far: Callable[[str], None],
     report: OnLesson | None,
 ) -> Callable[[Lesson, Result], None]:
-    def concluded(lesson: Lesson, result: Result) -> None:
+    def conclude(lesson: Lesson, result: Result) -> None:
         _save_mind(capsule, attempt)
-        so_far(capsules.RUNNING)
+        so_far(folders.RUNNING)
         if report is not None:
             report(attempt.number, lesson, result)
 
-    return concluded
+    return conclude
 
 
 def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
@@ -382,7 +387,8 @@ def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum
         )
     model = None if manifest.model["path"] is None else _recorded_model(capsule)
     if model is not None:
-        if other := edited(manifest.model, model):  # said before anything is run, or asked about
+        # Said before anything is run, or asked about.
+        if other := what_was_edited(manifest.model, model):
             raise SocialmindError(f"{other}; put the old file back, or start another training")
         require(programs_in(model), trust, f"{capsule.folder}: its model at {model}")
         if other := _changes(manifest, model):
@@ -390,7 +396,7 @@ def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum
     given = manifest.chosen if lessons is None else lessons
     named = model if model is not None and (model / MODEL_FILE).is_file() else None
     curriculum, _ = curriculum_of(named, given)
-    curriculum = changed(curriculum, manifest.changes)
+    curriculum = with_changes(curriculum, manifest.changes)
     if _as_json(curriculum.record()) != manifest.lessons:
         raise SocialmindError(
             f"{capsule.folder}: the lessons are not those that the training was begun with; "

@@ -2,9 +2,13 @@
 
 import base64
 import re
+from pathlib import Path
 
 from socialmind.drawing import style as paper
-from socialmind.experiments import report
+from socialmind.sources.loading import load_file
+
+FOLDER = Path(__file__).parents[2] / "analysis" / "specialisation"
+report = load_file(FOLDER / "html.py")
 
 
 def figure():
