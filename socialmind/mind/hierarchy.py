@@ -15,9 +15,17 @@ from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind import variants
 from socialmind.mind.code.drive import AgentHierarchy
 from socialmind.mind.description import MindDescription
+from socialmind.mind.evaluation.agent_state import Readings
 from socialmind.mind.evaluation.arrays import assemble, master_of
 from socialmind.mind.evaluation.running_skill import RunningSkill
-from socialmind.mind.evaluation.state import Record, copied, new_state, restored, societies_of
+from socialmind.mind.evaluation.state import (
+    Record,
+    State,
+    copied,
+    new_state,
+    restored,
+    societies_of,
+)
 from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.reach import ROUNDING
 from socialmind.mind.links import Input
@@ -31,7 +39,7 @@ if TYPE_CHECKING:
     from socialmind.mind.views.explanation import Explanation
 
 
-class Hierarchy(Closed):
+class Hierarchy(Closed, Readings):
     """A mind that runs: the skills below a master, for one agent.
 
     Args:
@@ -164,47 +172,8 @@ class Hierarchy(Closed):
     # Looking ----------------------------------------------------------------------------------
 
     @property
-    def skills(self) -> tuple[str, ...]:
-        """The names of the skills that are evaluated, from the master down."""
-        return self.assembly.skills
-
-    def influences(self) -> dict[str, float]:
-        """Return the sum of the influence that each skill received in the last evaluation."""
-        return dict(zip(self.skills, self._state.totals[0, :, 0].tolist(), strict=True))
-
-    def links(self) -> dict[tuple[str, str], float]:
-        """Return what each output of a skill transmitted: its value times the influence (eq. 4.2).
-
-        Returns:
-            By the skill and the output's text, as in `("Collect", "SK:Avoid")`.
-        """
-        return dict(zip(self._entries(), self._state.sent[0, :, 0].tolist(), strict=True))
-
-    def outputs(self) -> dict[tuple[str, str], float]:
-        """Return what each skill's function gave by itself, V_O of equation 4.1."""
-        return dict(zip(self._entries(), self._state.output[0, :, 0].tolist(), strict=True))
-
-    def _entries(self) -> list[tuple[str, str]]:
-        skills = self.description.skills
-        return [(name, str(output)) for name in self.skills for output in skills[name].outputs]
-
-    def sensors(self) -> dict[str, float]:
-        """Return the sensors' values of the last evaluation."""
-        return dict(
-            zip(self.description.sensors, self._state.sensors[0, :, 0].tolist(), strict=True)
-        )
-
-    def variables(self) -> dict[str, float]:
-        """Return the variables' values."""
-        return dict(
-            zip(self.description.variables, self._state.values[0, :, 0].tolist(), strict=True)
-        )
-
-    def actuators(self) -> dict[str, float]:
-        """Return the actuators' commands of the last evaluation."""
-        return dict(
-            zip(self.description.actuators, self._state.actuators[0, :, 0].tolist(), strict=True)
-        )
+    def _read(self) -> State:
+        return self._state
 
     def set_variable(self, name: str, value: float) -> None:
         """Set a variable, 0 … 1; skills see it in the next evaluation.
