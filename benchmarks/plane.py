@@ -225,8 +225,8 @@ class Parts:
             if len(models) == LANES:
                 break
         self._models = models
-        self._planes = np.array([one.arena.arrays.address for one in models])
-        self._eyes = np.array([one.arena.eyes_of("robots") for one in models])
+        self._planes = np.array([one.ground.plane_arrays.address for one in models])
+        self._eyes = np.array([one.ground.eyes_of("robots") for one in models])
         self._nothing = np.zeros(LANES, np.int64)
         self._minds = Minds(description, "Collect", LANES)
         readings = np.array([one.tables["robots"].rows["readings"][0] for one in models])

@@ -61,7 +61,6 @@ def new_mind(scheme: SchemeArrays, minds: MindArrays) -> int:
     minds.mind_id[slot] = counters[NEXT_MIND]
     counters[NEXT_MIND] += 1
     counters[ALIVE] += 1
-    minds.draws[slot] = 0
     for cogniton in range(scheme.start.shape[0]):
         minds.values[slot, cogniton] = scheme.start[cogniton]
     return slot

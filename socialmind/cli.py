@@ -7,7 +7,6 @@ with exit code 2.
 
 from __future__ import annotations
 
-import os
 import sys
 import warnings
 from collections.abc import Callable
@@ -22,7 +21,12 @@ from socialmind.commands.learning import learn
 from socialmind.commands.options import FROM_0, Folder, Source, Trust, is_kept
 from socialmind.commands.rendering import render
 from socialmind.commands.scoring import score
-from socialmind.commands.terminal import quoted, write_plainly
+from socialmind.commands.terminal import (
+    open_what_is_closed,
+    quoted,
+    silence_what_is_broken,
+    write_plainly,
+)
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.version import __version__
 
@@ -66,7 +70,12 @@ def command(function: Callable[..., None]) -> Callable[..., None]:
             function(*args, **options)
             sys.stdout.flush()
         except (SocialmindError, ValueError, OSError, MemoryError, KeyboardInterrupt) as error:
-            raise typer.Exit(_report(error)) from None
+            try:
+                code = _report(error)
+            except OSError:  # nobody reads messages either
+                silence_what_is_broken()
+                code = BROKEN_PIPE
+            raise typer.Exit(code) from None
 
     app.command(name=function.__name__.rstrip("_"))(reporting)
     return reporting
@@ -79,8 +88,7 @@ def _report(error: BaseException) -> int:
     if isinstance(error, KeyboardInterrupt):
         return exit_code_of_stop(error)
     if isinstance(error, BrokenPipeError):
-        # The reader of our output has gone; Python would complain once more at its own end.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        silence_what_is_broken()
         return BROKEN_PIPE
     if isinstance(error, OSError):
         place = f"{error.filename}: " if error.filename else ""
@@ -204,11 +212,15 @@ def _one_line(message: Warning | str, *_: object) -> str:
 
 def main() -> None:
     """Entry point of the console script."""
+    open_what_is_closed()
     write_plainly()
     # A run says at its end what its agents could not do, once for all of them.
     warnings.simplefilter("ignore", IdleWarning)
     warnings.formatwarning = _one_line  # type: ignore[assignment]
-    app()
+    try:
+        app()
+    except OSError as error:  # what `--help` and `--version` say found no room
+        sys.exit(_report(error))
 
 
 if __name__ == "__main__":

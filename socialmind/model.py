@@ -19,7 +19,7 @@ import warnings
 from abc import ABCMeta
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
@@ -28,23 +28,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
-from coglogo_py.errors import shown
-from coglogo_py.memory import check_memory
 from coglogo_py.numbers import whole_number
-from coglogo_py.society import Society
 from socialmind.agents.agent_columns import agent_columns
-from socialmind.agents.bookkeeping import GONE, GONE_SCORE
-from socialmind.compiling.layout import model_dtype, row_dtype
+from socialmind.compiling.layout import model_dtype
 from socialmind.engine.engine import Engine
 from socialmind.engine.explaining import explained
 from socialmind.engine.ticks import taken
-from socialmind.errors import IdleWarning, ModelError, SocialmindError, UnknownNameError, nearest
-from socialmind.fields import Field, place_of_field, presence
+from socialmind.errors import IdleWarning, SocialmindError, nearest
+from socialmind.fields import Field, place_of_field
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
-from socialmind.society.connection import names_of_minds
-from socialmind.society.declaration import SETTINGS, declaration_of
+from socialmind.society.admitting import admitted
+from socialmind.society.connection import connect, names_of_minds
+from socialmind.society.declaration import declaration_of, kept_names
+from socialmind.society.making import ignored, schemes_of, set_values, size_of, tables_of
 from socialmind.society.parameter import Parameter
 from socialmind.society.phases import PhaseDeclaration
 from socialmind.society.population import Population
@@ -53,55 +51,11 @@ from socialmind.society.table import Table
 from socialmind.sources.provenance import note_definition
 from socialmind.streams import STREAM
 from socialmind.work.packing import is_private, packed, reference, unpacked
-from socialmind.worlds.plane.arena import Arena
-from socialmind.worlds.plane.bodies import OWN
-from socialmind.worlds.plane.plane import Plane, plane_shape
-from socialmind.worlds.plane.trajectories import trajectories
-from socialmind.worlds.torus.patches import Grid
-from socialmind.worlds.torus.torus import Torus
+from socialmind.worlds.contract import Ground, World
 
 if TYPE_CHECKING:
     from coglogo_py.receipts.receipt import Receipt
-    from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.steering import Steering
-
-_KEPT = ("_tick", "_idle", "_idle_agent", "_idle_tick", "_over", "_ignored")
-_KEPT_OF_POPULATIONS = ("_steered",)
-"""Columns of the record with a leading underscore that are state, not addresses and sizes: their
-names, and how the names of those of a population end."""
-
-KEPT_BY_MODELS = frozenset(
-    (
-        "_addresses",
-        "_hierarchy",
-        "_in_rules",
-        "_made",
-        "_scheme",
-        "_sets_up",
-        "_steerings",
-        "arena",
-        "assemblies",
-        "compiled",
-        "connected",
-        "context",
-        "contexts",
-        "engine",
-        "grid",
-        "names",
-        "physics",
-        "program",
-        "schemes",
-        "seed",
-        "stream",
-        "tables",
-        "watch",
-        "watched",
-        "without",
-    )
-)
-"""The attributes that an instance keeps beside those of the modeller."""
-_REPLACED = ("connected", "watch", "watched")
-"""Those that are replaced while it runs."""
 
 Loaded = TypeVar("Loaded", bound="Model")
 
@@ -178,55 +132,57 @@ class Model(metaclass=ModelKind):
     parameters: ClassVar[dict[str, Parameter]] = {}
     variables: ClassVar[dict[str, Field]] = {}
     populations: ClassVar[dict[str, Population]] = {}
-    torus: ClassVar[Torus | None] = None
-    plane: ClassVar[Plane | None] = None
+    declared_world: ClassVar[World] = World()
     rewards: ClassVar[dict[str, Any]] = {}
     interruptions: ClassVar[dict[str, Any]] = {}
     measures: ClassVar[dict[str, Any]] = {}
     shape: ClassVar[ModelShape]
+    _programs: ClassVar[dict[bool, Program]] = {}
+
+    # What an instance keeps; `socialmind.agents.running` says what it is.
+    seed: int
+    compiled: bool
+    physics: str
+    without: tuple[str, ...]
+    program: Program
+    contexts: NDArray[Any]
+    context: Any
+    stream: NDArray[Any]
+    ground: Ground
+    schemes: dict[str, CognitiveScheme]
+    assemblies: dict[str, Any]
+    names: dict[str, NDArray[Any]]
+    tables: dict[str, Table]
+    engine: Engine
+    connected: list[NDArray[Any]]
+    watch: tuple[str, int] | None
+    watched: Receipt | None
+    _scheme: Any
+    _hierarchy: Any
+    _steerings: dict[str, Steering]
+    _sets_up: bool = True
+    _made: bool = False
+    _in_rules: bool = False
 
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
         hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
         note_definition(cls.__module__)
         found = declaration_of(cls, Model)
-        cls.parameters, cls.variables, cls.populations, cls.torus, cls.plane = found[:5]
-        cls.rewards, cls.interruptions = found.rewards, found.interruptions
-        cls.measures = found.measures
+        cls.parameters, cls.variables, cls.populations, cls.declared_world = found[:4]
+        cls.rewards, cls.interruptions, cls.measures = found[4:]
         cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
-        cls.shape = cls._shape()
-        cls._programs = {}
-
-    _programs: ClassVar[dict[bool, Program]] = {}
-    _sets_up: ClassVar[bool] = True
-    _made = False
-    _in_rules = False
-
-    @classmethod
-    def _shape(cls) -> ModelShape:
-        populations = {name: one.shape for name, one in cls.populations.items()}
-        plane = None
-        if cls.plane is not None:
-            plane = plane_shape(
-                cls.plane,
-                cls.populations,
-                cls.rewards,
-                cls.interruptions,
-                partial(place_of_field, cls),
-            )
-            for name, robots in plane.robots.items():
-                fields = {**populations[name].fields, **robots.fields}
-                populations[name] = replace(populations[name], fields=fields, own=OWN)
-        return ModelShape(
+        world = cls.declared_world.shape(cls, partial(place_of_field, cls))
+        cls.shape = ModelShape(
             name=cls.name,
             parameters={name: one.field for name, one in cls.parameters.items()},
             variables=cls.variables,
-            populations=populations,
-            patch=None if cls.torus is None else cls.torus.fields,
+            populations={n: world.inhabited(one.shape) for n, one in cls.populations.items()},
+            world=world,
             setup=tuple(phase.shape for phase in cls.setup),
             schedule=tuple(phase.shape for phase in cls.schedule),
-            plane=plane,
         )
+        cls._programs = {}
 
     @classmethod
     def typed(cls, compiled: bool = True) -> Program:
@@ -257,7 +213,7 @@ class Model(metaclass=ModelKind):
     def before_setup(cls: type[Loaded], **arguments: Any) -> Loaded:
         """Return a society whose setup has not run; arguments as of the class."""
         model = cls.__new__(cls)
-        model._sets_up = False  # type: ignore[misc]  # of this one
+        model._sets_up = False
         model.__init__(**arguments)  # type: ignore[misc]  # what __new__ left out
         model._made = True
         return model
@@ -282,42 +238,39 @@ class Model(metaclass=ModelKind):
         self._scheme = scheme
         self._hierarchy = hierarchy
         self.physics = physics
-        if physics != "compiled" and self.shape.plane is None:
-            raise SocialmindError(f"physics={physics!r} for {self.name}, which has no plane")
+        engines = self.shape.world.engines
+        if physics not in engines:
+            why = nearest(physics, engines) if len(engines) > 1 else "it has no plane"
+            raise SocialmindError(f"physics={physics!r} for {self.name}; {why}")
         self.without = (without,) if isinstance(without, str) else tuple(without)
-        self.watch: tuple[str, int] | None = None
-        self.watched: Receipt | None = None
+        self.watch = self.watched = None
         self._steerings = self.steerings(hierarchy)
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = self.typed(compiled)
         self.contexts = np.zeros(1, model_dtype(self.shape))
-        self.context: Any = self.contexts[0]
-        self._set_values(parameters)
-        self._set_ignored()
-        torus = type(self).torus
-        self._check_memory()
-        self.grid = None if torus is None else Grid(torus.fields, self._size(torus.size, 1))
-        self.schemes = self._schemes()
-        self.tables = self._tables()
-        self.arena = None if self.shape.plane is None else Arena(self)
-        if self.arena is not None and not self.minded:
-            for name in self.arena.shape.robots:
-                self.context[f"_{name}_steered"] = 1
+        self.context = self.contexts[0]
+        set_values(self.context, self.parameters, self.variables, parameters, self.name)
+        bits = ignored(self.interruptions, self.without, self.name)
+        if bits:
+            self.context["_ignored"] = bits
+        size = type(self).declared_world.size
+        self.ground = type(self).declared_world.ground(
+            self, None if size is None else size_of(self.context, size, 1)
+        )
+        self.schemes, files = schemes_of(self.populations, self.folder(), scheme, self.name)
+        self.tables = tables_of(self, self._steerings)
+        self.ground.settle_in()
         self.stream = np.zeros(1, STREAM)
         self.stream["key_0"], self.stream["key_1"] = self.seed & 0xFFFFFFFF, self.seed >> 32
-        self.connected: list[NDArray[Any]] = []
-        self._addresses = [
-            name
-            for name in self.contexts.dtype.names or ()
-            if name.startswith("_")
-            and name not in _KEPT
-            and not name.startswith("_has_")
-            and not name.endswith(_KEPT_OF_POPULATIONS)
-        ]
+        self.connected = []
         self.names = {
             name: np.array(
                 names_of_minds(
-                    self.program, name, self.schemes.get(name), self.assemblies.get(name)
+                    self.program,
+                    name,
+                    self.schemes.get(name),
+                    self.assemblies.get(name),
+                    files.get(name),
                 ),
                 np.int64,
             )
@@ -326,153 +279,16 @@ class Model(metaclass=ModelKind):
         self.engine = Engine(self, compiled)
         if self._sets_up:
             self.engine.set_up()
-            if self.arena is not None:
-                self.arena.build()
-
-    def _set_values(self, parameters: Mapping[str, Any]) -> None:
-        for name in parameters:
-            if name not in self.parameters:
-                raise SocialmindError(
-                    f"{self.name} has no parameter {name!r}; {nearest(name, self.parameters)}"
-                )
-        for name, one in self.parameters.items():
-            self.context[name] = one.stored(parameters.get(name, one.default))
-        for field in self.variables.values():
-            default: Any = field.default
-            if field.optional:
-                self.context[presence(field.name)] = default is not None
-            self.context[field.name] = 0 if default is None else default
-
-    def _set_ignored(self) -> None:
-        """Note which interruptions are not heeded, as bits."""
-        names = list(self.interruptions)
-        for name in self.without:
-            if name not in names:
-                raise SocialmindError(
-                    f"no interruption called {name!r} in {self.name}; {nearest(name, names)}"
-                )
-            self.context["_ignored"] |= 1 << names.index(name)
-
-    def _size(self, size: int | str, least: int) -> int:
-        if isinstance(size, str):
-            found = int(self.context[size])
-            if found < least:
-                raise SocialmindError(f"parameter {size}: found {found}; expected {least} or more")
-            return found
-        return size
-
-    def _check_memory(self) -> None:
-        """Refuse a world or a population that the machine's memory cannot hold."""
-        torus = type(self).torus
-        if torus is not None:
-            size = self._size(torus.size, 1)
-            row = row_dtype(dict(torus.fields), None).itemsize
-            what = f"{shown(size)} × {shown(size)} patches of {self.name}"
-            check_memory(size * size * row, what, SocialmindError)
-        for name, population in self.populations.items():
-            size = self._size(population.size, 0)
-            shape = self.shape.populations[name]
-            # Beside its row an agent has a place in five more arrays, and its mind.
-            row = row_dtype(dict(shape.fields), shape).itemsize + 5 * 8
-            what = f"{shown(size)} agents of {name!r} in {self.name}"
-            check_memory(size * row, what, SocialmindError)
-
-    def _schemes(self) -> dict[str, CognitiveScheme]:
-        minded = {name: one for name, one in self.populations.items() if one.mind is not None}
-        given = self._scheme
-        if given is not None and not isinstance(given, Mapping):
-            if len(minded) != 1:
-                raise SocialmindError(
-                    f"a scheme for {self.name}, which has {len(minded)} populations with minds; "
-                    f"give a mapping from {', '.join(minded) or 'their names'}"
-                )
-            given = {next(iter(minded)): given}
-        schemes = {}
-        for name, population in minded.items():
-            source: Any = (given or {}).get(name, population.mind)
-            if isinstance(source, CognitiveScheme):
-                schemes[name] = source
-                continue
-            own = given is None or name not in given
-            path = self.folder() / source if own else Path(source)
-            schemes[name] = CognitiveScheme.load(path, decision_makers=population.decision_makers)
-        for name, population in minded.items():
-            # Another scheme may have fewer plans than the model knows how to carry out.
-            if given is None or name not in given:
-                _check_plans(name, population, schemes[name])
-        return schemes
-
-    def _tables(self) -> dict[str, Table]:
-        tables: dict[str, Table] = {}
-        for place, (name, population) in enumerate(self.populations.items()):
-            society = None
-            if name in self.schemes:
-                scheme = self.schemes[name]
-                # Breeds that share a scheme share its groups.
-                same = [n for n in self.schemes if self.schemes[n] == scheme and n in tables]
-                society = tables[same[0]].society if same else Society(scheme, self.seed, place)
-            shape = self.shape.populations[name]
-            minds = None
-            if name in self.assemblies:
-                minds = partial(self._minds, name)
-            tables[name] = Table(self, shape, self._size(population.size, 0), society, minds)
-        return tables
-
-    def _minds(self, name: str, capacity: int) -> PopulationMinds:
-        """Return the hierarchies of a population for so many agents."""
-        from socialmind.mind.population_minds import PopulationMinds
-
-        population = self.populations[name]
-        return PopulationMinds(
-            self.assemblies[name],
-            capacity,
-            self.seed,
-            name,
-            population.own_genomes,
-            population.instances,
-            self._steerings[name].drive,
-            lambda: self.tick,
-        )
+            self.ground.build()
 
     def __setattr__(self, name: str, value: Any) -> None:
         if self._made and name not in self.variables and not name.startswith("_"):
-            value = self._admitted(name, value)
+            value = admitted(self, kept_names(Model), name, value)
         object.__setattr__(self, name, value)
 
-    def _admitted(self, name: str, value: Any) -> Any:
-        """Return what an attribute may be set to, or refuse it.
-
-        A society takes its variables, what its class declares, what `__init__` made, and names
-        with a leading underscore, which are the modeller's own.
-        """
-        if name in _REPLACED or isinstance(getattr(type(self), name, None), Parameter | property):
-            return value  # these speak for themselves
-        known = [*self.variables, *self.parameters, *self.populations]
-        if name in self.populations:
-            raise UnknownNameError(
-                f"the population {name!r} of {self.name} stays; set fields of its agents: "
-                f"society.{name}.FIELD = …"
-            )
-        if name == "world":
-            raise UnknownNameError(
-                f"the world of {self.name} stays; set fields of its patches: "
-                "society.world.FIELD = …"
-            )
-        if name in ("ticks", "score_every"):
-            return whole_number(value, name, 0, error=SocialmindError)
-        there = getattr(type(self), name, None)
-        if name in KEPT_BY_MODELS or name in SETTINGS:
-            raise UnknownNameError(
-                f"{name!r} of {self.name} stays as it was when the society was made; make another"
-            )
-        if inspect.isroutine(there) and not callable(value):
-            raise UnknownNameError(f"{name!r} of {self.name}, which is a method; call it")
-        if there is None and name not in vars(self):
-            raise UnknownNameError(
-                f"{self.name} has no variable {name!r}; {nearest(name, known)}; declare it in the "
-                f"class ({name}: float = 0.0), set it in __init__, or call it _{name}"
-            )
-        return value
+    def connect(self) -> None:
+        """Write into the society's record where its arrays are."""
+        connect(self)
 
     # Running ----------------------------------------------------------------------------------
 
@@ -490,8 +306,7 @@ class Model(metaclass=ModelKind):
         self._in_rules = bare
         for table in self.tables.values():
             table.hand_out(bare)
-        if self.grid is not None:
-            self.grid.hand_out(bare)
+        self.ground.hand_out(bare)
 
     @property
     def tick(self) -> int:
@@ -555,16 +370,13 @@ class Model(metaclass=ModelKind):
         symbol, takes = self.program.plans[population][name]
         self.engine.functions[symbol](*taken(takes, agent, self, rng).values())
 
-    # On a plane -------------------------------------------------------------------------------
-
     @property
     def over(self) -> str | None:
         """The interruption that ended it, or what `stop_when` said; None while it goes on."""
         why = self.stop_when()
         if why:
             return why if isinstance(why, str) else "stop_when"
-        number = int(self.context["_over"]) if self.shape.plane is not None else 0
-        return list(self.interruptions)[number - 1] if number else None
+        return self.ground.over
 
     @property
     def minded(self) -> bool:
@@ -584,9 +396,7 @@ class Model(metaclass=ModelKind):
         Raises:
             SocialmindError: no plane, no such robots, or wrong commands.
         """
-        if self.arena is None:
-            raise SocialmindError(f"{self.name} has no plane with robots to steer")
-        self.arena.steer(population, commands)
+        self.ground.steer(population, commands)
 
     # Observing --------------------------------------------------------------------------------
 
@@ -600,17 +410,10 @@ class Model(metaclass=ModelKind):
         plain = {
             name: getattr(self, name) for name, one in self.variables.items() if one.size is None
         }
-        plane = self.shape.plane
-        if plane is None:
-            stops = type(self).stop_when is not Model.stop_when
-            return sizes | plain | ({"over": self.over} if stops else {})
-        tables = [self.tables[name] for name in plane.robots]
-        scores = [one for table in tables for one in table.score.tolist()]
-        count = len(scores) + sum(int(table.counters[GONE]) for table in tables)
-        # The dead count with what they had.
-        scores += [float(table.counters.view(np.float64)[GONE_SCORE]) for table in tables]
-        fared = {"score": sum(scores) / count if count else None} if plane.robots else {}
-        return sizes | fared | plain | {"over": self.over}
+        stops = (
+            type(self).declared_world.has_episodes or type(self).stop_when is not Model.stop_when
+        )
+        return sizes | self.ground.series() | plain | ({"over": self.over} if stops else {})
 
     def agents(self) -> dict[str, Any]:
         """Return what a run records of each agent at a tick: a name and a sequence for each column.
@@ -621,9 +424,8 @@ class Model(metaclass=ModelKind):
         """
         if not self.tables:
             return {}
-        if self.shape.plane is not None and self.shape.plane.robots:
-            return trajectories(self)
-        return agent_columns(self)
+        there = self.ground.agents()
+        return agent_columns(self) if there is None else there
 
     def plans(self, table: Table) -> list[str | None]:
         """Return the names of the plans of a population's living, None where there is none."""
@@ -711,33 +513,13 @@ class Model(metaclass=ModelKind):
 
     def _own(self) -> dict[str, Any]:
         """Return the attributes that a modeller's methods gave the society."""
-        return {name: one for name, one in vars(self).items() if name not in KEPT_BY_MODELS}
+        return {name: one for name, one in vars(self).items() if name not in kept_names(Model)}
 
     def mesa(self) -> Any:
         """Return a real `mesa.Model` over this society; see docs/mesa.md."""
         from socialmind.mesa.model import mesa_model
 
         return mesa_model(self)
-
-
-def _check_plans(name: str, population: Population, scheme: CognitiveScheme) -> None:
-    """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
-    cognitons = [one.name for one in scheme.cognitons]
-    for cogniton in population.bounds:
-        if cogniton not in cognitons:
-            raise ModelError(
-                f"bounds of the cogniton {cogniton!r} of {name!r}, which the scheme "
-                f"{scheme.name!r} does not have",
-                remedy=nearest(cogniton, cognitons),
-            )
-    for plan in population.plans:
-        if plan not in scheme.plans:
-            raise ModelError(
-                f"a function for the plan {plan!r} of {name!r}, which the scheme {scheme.name!r} "
-                "does not have",
-                "a function for each of its plans",
-                nearest(plan, scheme.plans),
-            )
 
 
 def _unpacked_model(content: bytes) -> Model:
@@ -754,7 +536,7 @@ def _remade(
 ) -> Loaded:
     """Return a society in a state, with attributes that a modeller's methods gave it."""
     made = kind.__new__(kind)
-    made._sets_up = False  # type: ignore[misc]  # of this one, until it has its state
+    made._sets_up = False  # until it has its state
     Model.__init__(made, **settings)
     del made._sets_up
     made.restore(state)

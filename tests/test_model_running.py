@@ -92,8 +92,9 @@ def test_a_misspelt_cogniton_is_refused_with_file_line_and_what_there_is(herd, t
         model(compiled=compiled)
     assert error.value.file == str(tmp_path / "model.py")
     assert error.value.line == 14
-    assert "the cogniton 'Hungre', which the scheme 'cattle' does not have" in str(error.value)
-    assert "Hunger" in str(error.value)
+    said = f"the cogniton 'Hungre', which the scheme 'cattle' ({tmp_path / 'scheme.yaml'}) does not"
+    assert said in str(error.value)
+    assert "did you mean 'Hunger'?" in str(error.value)
 
 
 def test_a_missing_scheme_is_said(herd, tmp_path):

@@ -1,10 +1,13 @@
 """What is imported at the start: a command line that is only read waits for no library."""
 
+import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
+CHECKOUT = Path(__file__).parents[1]
 HEAVY = ("numpy", "numba", "scipy", "pandas", "pyarrow", "matplotlib", "mesa", "yaml", "rich")
 
 
@@ -42,3 +45,15 @@ def test_names_are_there_when_asked_for():
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_ctrl_c_at_the_very_start(tmp_path):
+    (tmp_path / "typer.py").write_text("raise KeyboardInterrupt\n")
+    path = os.pathsep.join([str(tmp_path), str(CHECKOUT)])
+    done = subprocess.run(
+        [sys.executable, "-m", "socialmind", "list"],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "")

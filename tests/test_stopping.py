@@ -112,6 +112,13 @@ def test_a_run_ends_where_the_society_stops(tmp_path):
     assert series["tick"].tolist() == [0, 2] and series["over"].dropna().tolist() == ["rich"]
 
 
+def test_short_advances_do_not_make_the_next_stretch_long():
+    society = Bazaar(enough=1e9)
+    for _ in range(100):
+        society.advance(1)
+    assert society.engine._ticks_per_chunk <= 2  # Ctrl-C is heard between two stretches
+
+
 def test_a_plane_has_interruptions():
     with pytest.raises(ModelError, match="interruptions"):
         type("Flat", (Model,), {"world": Plane(), "stop_when": lambda self: True})

@@ -1,6 +1,7 @@
 """Random streams: known answers, distributions, and nobody's luck disturbed."""
 
 import math
+import zlib
 
 import numba
 import numpy as np
@@ -97,6 +98,42 @@ def test_poisson_means_from_nothing_to_the_largest():
     assert large.std() == pytest.approx(math.sqrt(1e9), rel=0.1)
 
 
+def poisson_numbers(stream, mean, n):
+    numbers = np.zeros(n, np.int64)
+    for i in range(n):
+        numbers[i] = streams.poisson(stream, mean)
+    return numbers
+
+
+def test_poisson_numbers_stay_as_they_are():
+    """Many, since some of the method's constants decide about one number in thousands only."""
+    fast = numba.njit(poisson_numbers)
+    for mean, sum_of_few, kept_few, sum_of_many, kept_many in KEPT_POISSON:
+        stream = Stream(31)
+        stream.begin(5, 2, 1)
+        states = np.zeros(1, STREAM)
+        for name in STREAM.names:
+            states[name] = getattr(stream, name)
+        few, many = poisson_numbers(stream, mean, 1000), fast(states[0], mean, 300_000)
+        assert few.tolist() == many[:1000].tolist()
+        assert (few.sum(), many.sum()) == (sum_of_few, sum_of_many), mean
+        assert (zlib.crc32(few.tobytes()), zlib.crc32(many.tobytes())) == (kept_few, kept_many)
+        # The sum is Poisson too, of 300,000 times the mean: nearly normal.
+        expected = 300_000 * mean
+        assert abs(sum_of_many - expected) < 4 * math.sqrt(expected)
+
+
+KEPT_POISSON = [
+    (9.999, 9957, 529304690, 2999235, 2879148381),
+    (10.0, 9851, 3746215337, 2997851, 1548546825),
+    (10.5, 10436, 824349103, 3147380, 871419416),
+    (12.0, 11864, 646223512, 3597635, 2103558195),
+    (40.0, 39808, 4249393087, 11993768, 4192745474),
+    (300.0, 299759, 1528314384, 89982121, 1185004954),
+    (1e9, 999999893182, 454182155, 299999962930486, 3660341721),
+]
+
+
 def test_factorials():
     for k in (0, 1, 2, 9, 10, 11, 57, 1000, 10**9):
         assert streams.log_factorial(k) == pytest.approx(math.lgamma(k + 1), rel=1e-13, abs=1e-13)
@@ -176,6 +213,34 @@ KEPT_TOO = [
 ]
 
 
+def test_orders_and_a_gamma_number_of_shape_one_stay_as_they_are():
+    stream = Stream(2024)
+    stream.begin(7, 3, 5)
+    assert stream.gamma(1.0, 1.0).hex() == "0x1.ac0f12466fa09p-1"
+    assert 0 <= stream.integers(0, 2**53) < 2**53
+    places = np.arange(11)
+    stream.begin(streams.ORDER_TAG, 0, 3)
+    shuffle(stream, places, 11)
+    assert places.tolist() == [8, 1, 0, 6, 10, 5, 7, 2, 9, 3, 4]
+
+
+def test_a_stream_is_that_of_an_agent_a_tick_and_a_phase():
+    stream = Stream(2**40 + 3)
+    assert (stream.key_0, stream.key_1) == (3, 2**8)
+    stream.random()
+    stream.begin(7, 2**32 + 9, 2**40 + 5)
+    assert (stream.agent, stream.tick, stream.tag, stream.draws) == (9, 5, 7 * 2**16 + 2**8, 0)
+
+
+def test_phases_of_one_name_have_tags_of_their_own():
+    first = 0x8000 + 11439  # the CRC-32 of "live", of 0x4000
+    found = streams.phase_tags(streams.SCHEDULE_TAG, ["live", "live", "live"])
+    assert found == [first, first + 1, first + 2]
+    # This name's is the last tag there is: the next is the first.
+    found = streams.phase_tags(streams.SCHEDULE_TAG, ["rule_12890"] * 2)
+    assert found == [0xBFFF, 0x8000]
+
+
 def test_successive_numbers_are_not_correlated():
     numbers = drawn(40_000, lambda rng: rng.random())
     assert abs(np.corrcoef(numbers[:-1], numbers[1:])[0, 1]) < 0.02
@@ -195,6 +260,7 @@ def test_successive_numbers_are_not_correlated():
         (lambda rng: rng.poisson(-0.5), "mean of 0"),
         (lambda rng: rng.poisson(math.nan), "mean of 0"),
         (lambda rng: rng.poisson(math.inf), "mean of 0"),
+        (lambda rng: rng.poisson(math.nextafter(1e9, 2e9)), "mean of 0"),
         (lambda rng: rng.gamma(0, 1), "shape above 0"),
         (lambda rng: rng.gamma(-1, 1), "shape above 0"),
         (lambda rng: rng.gamma(math.nan, 1), "shape above 0"),

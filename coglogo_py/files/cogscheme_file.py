@@ -7,6 +7,7 @@ The reader takes every file that CogLogo 1.18.1 loads and understands it alike, 
 - repeated dependency lines are one link;
 - groups of a scheme without cognitons are groups, not breeds;
 - a missing line for the decision maker means MaximumWeight, with a warning;
+- a missing ENDCS is no error, as in CogLogo, but for a warning: the file may have been cut off;
 - a bias not above 0, NaN or infinite numbers and unknown decision makers are errors.
 
 The grammar stands in docs/schemes.md. Blank lines and spaces are part of names.
@@ -81,6 +82,8 @@ def parse(
         if groups or cognitons:
             expected = "ROL, GRP or ENDCS" if groups else "COG, GRP or ENDCS"
         raise lines.unexpected(expected, "every section begins with its keyword")
+    if lines.next is None:
+        lines.warn("no ENDCS at the end; the file may have been cut off", lines.taken)
     return kind(
         name,
         cognitons,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from socialmind.model import Model
+    from socialmind.agents.running import Running
 
 POPULATION = "population"
 """The column that says which population an agent is of."""
@@ -21,7 +21,7 @@ OWN = ("tick", POPULATION, "agent", "plan")
 """The table's own columns, in their order; a field of such a name goes by its population's too."""
 
 
-def agent_columns(model: Model) -> dict[str, Any]:
+def agent_columns(model: Running) -> dict[str, Any]:
     """Return identity, plan and fields of the agents of all populations at a tick.
 
     Args:

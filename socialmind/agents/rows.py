@@ -13,12 +13,14 @@ from typing import Any
 from coglogo_py.mind import Mind
 from coglogo_py.receipts.receipt import Receipt
 from socialmind.agents.attributes import field_property, held_array, unknown
-from socialmind.compiling.lowering import PLACES
-from socialmind.errors import UnknownNameError, ValueRefusedError
-from socialmind.language.arithmetic import brought_back, turned
+from socialmind.errors import UnknownNameError
+from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
 from socialmind.mind.kernel import weights
 from socialmind.values import fitted
+
+Keeper = Callable[[float, str], float]
+"""Takes a place and, for an error, whose it is; gives it as agents of the world keep it."""
 
 
 class Row:
@@ -162,23 +164,19 @@ def _hierarchy(row: Row) -> Any:
     return row._table.minds.of(row._slot)
 
 
-def row_class(shape: PopulationShape, wraps: bool, turns: bool, edged: bool = False) -> type[Row]:
+def row_class(shape: PopulationShape, keepers: Mapping[str, Keeper]) -> type[Row]:
     """Return the class of a population's rows as rules hold them, its fields as properties.
 
     Args:
         shape: the population's.
-        wraps: whether places are brought back into a torus.
-        turns: whether headings are kept in [0, 360).
-        edged: whether places outside an arena are refused.
+        keepers: by field, what brings a place back into the world, or refuses it.
     """
     members: dict[str, Any] = {"__slots__": ()}
     for field in shape.fields.values():
         members[field.name] = field_property(field, _slot_of_row)
-        if wraps and field.name in PLACES:
-            members[field.name] = _place_property(field.name)
-        if edged and field.name in PLACES:
-            members[field.name] = _edged_property(field.name)
-        if turns and field.name == "heading":
+        if field.name in keepers:
+            members[field.name] = _place_property(field.name, keepers[field.name])
+        if field.name == "heading":
             members["heading"] = _heading
     if shape.minded:
         members["mind"] = property(_mind)
@@ -273,47 +271,18 @@ def _slot_of_row(row: Any) -> tuple[Any, int]:
     return row._table.columns, row._slot
 
 
-def _place_property(name: str) -> property:
-    """Return a coordinate, which is brought back into the world where it is set."""
+def _place_property(name: str, keep: Keeper) -> property:
+    """Return a coordinate, which is brought back into the world where it is set, or refused."""
 
-    def write(row: Any, value: float) -> None:
-        table = row._table
-        grid = table.model.grid
-        table.columns[name][row._slot] = brought_back(value, grid.low, grid.size)
-
-    return property(_reader(name), write)
-
-
-def _edged_property(name: str) -> property:
-    """Return a coordinate, which is refused outside the arena (`Table.edge`)."""
-
-    def write(row: Any, value: float) -> None:
-        table = row._table
-        table.columns[name][row._slot] = inside(name, value, table.edge, f"agent {row.id}")
-
-    return property(_reader(name), write)
-
-
-def _reader(name: str) -> Callable[[Any], float]:
     def read(row: Any) -> float:
         value: float = row._table.columns[name].item(row._slot)
         return value
 
-    return read
+    def write(row: Any, value: float) -> None:
+        table = row._table
+        table.columns[name][row._slot] = keep(value, f"agent {row.id}")
 
-
-def inside(name: str, value: float, edge: float, whose: str) -> float:
-    """Return a coordinate of a body.
-
-    Raises:
-        ValueRefusedError: it is outside the arena.
-    """
-    if edge > 0 and not abs(value) <= edge:
-        raise ValueRefusedError(
-            f"{name} = {value:g} of {whose}, which is outside the arena; "
-            f"expected -{edge:g} … {edge:g}"
-        )
-    return value
+    return property(read, write)
 
 
 def _read_heading(row: Any) -> float:

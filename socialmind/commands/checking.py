@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import ast
+import warnings
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
 
 from coglogo_py import CognitiveScheme, SchemeError
+from coglogo_py.errors import shown
 from socialmind.catalogue import load_model
 from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
 from socialmind.errors import ModelError, SocialmindError
@@ -22,7 +25,7 @@ from socialmind.sources.folders import MODEL_FILE, model_folder
 from socialmind.sources.trust import programs_in
 
 if TYPE_CHECKING:
-    from coglogo_py import Finding
+    from coglogo_py import DecisionMaker, Finding
     from socialmind.mind.description import MindDescription
     from socialmind.model import Model
 
@@ -48,7 +51,8 @@ def print_findings(file: str, trust: bool = False) -> bool:
     if path.suffix in SCHEME_SUFFIXES or (path.is_file() and path.suffix != ".py"):
         if not path.is_file():
             raise SocialmindError(f"{path}: no such file")
-        odd = [f"{path}: {found}" for found in CognitiveScheme.load(path).check()]
+        scheme, odd = _read(path)
+        odd += [f"{path}: {found}" for found in scheme.check()]
     else:
         odd = findings_of_model(load_model(file)) if trust else findings_of_folder(file)
     for line in odd:
@@ -67,9 +71,10 @@ def findings_of_folder(file: str) -> list[str]:
     """
     folder = model_folder(file)
     declared: dict[Path, list[str] | None] = {}
+    unseen: list[str] = []
     for name, content in programs_in(folder).items():
         if name.endswith(".py"):
-            declared |= _declared_schemes(Path(name), content)
+            declared |= _declared_schemes(Path(name), content, unseen)
     tell_programs(folder)
     odd = []
     for path, plans in declared.items():
@@ -77,15 +82,40 @@ def findings_of_folder(file: str) -> list[str]:
             raise SocialmindError(f"{path}: no such file; a population takes its minds from it")
         inside(folder, path.relative_to(folder).as_posix(), "the scheme", folder / MODEL_FILE)
         try:
-            odd += [f"{path}: {one}" for one in CognitiveScheme.load(path).check(plans=plans)]
+            scheme, cut = _read(path)
+            odd += [*cut, *(f"{path}: {one}" for one in scheme.check(plans=plans))]
         except SchemeError as error:
             if "decision maker" not in error.found:  # it may be one of the model's own
                 raise
+            unseen.append(f"{path}: the scheme, whose decision maker may be the model's own")
+    for one in unseen:
+        typer.echo(f"{one} was not looked at; --trust does, and runs the programs", err=True)
     return odd
 
 
-def _declared_schemes(file: Path, content: bytes) -> dict[Path, list[str] | None]:
-    """Return the schemes and plans that a file's `Population(…, mind="…", plans={…})` write out."""
+def _read(
+    path: Path, decision_makers: Iterable[type[DecisionMaker]] = ()
+) -> tuple[CognitiveScheme, list[str]]:
+    """Return a scheme, and what is odd about its file: what reading warns of, an end cut off."""
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        scheme = CognitiveScheme.load(path, decision_makers)
+    odd = [str(one.message) for one in said]
+    # A file of this form has no end mark, but whoever writes one ends its last line.
+    if path.suffix.lower() in (".yaml", ".yml") and not path.read_bytes().endswith((b"\n", b"\r")):
+        odd.append(
+            f"{path}: its last line has no end: was the file cut off? If it is whole, end the line"
+        )
+    return scheme, odd
+
+
+def _declared_schemes(
+    file: Path, content: bytes, unseen: list[str]
+) -> dict[Path, list[str] | None]:
+    """Return the schemes and plans that a file's `Population(…, mind="…", plans={…})` write out.
+
+    What is computed instead goes to `unseen`, with its line.
+    """
     try:
         tree = parsed(content)
     except SyntaxError as error:
@@ -94,14 +124,25 @@ def _declared_schemes(file: Path, content: bytes) -> dict[Path, list[str] | None
         raise ModelError(f"not a Python file ({error})", file=file) from None
     found: dict[Path, list[str] | None] = {}
     for call in ast.walk(tree):
-        if not (isinstance(call, ast.Call) and getattr(call.func, "id", "") == "Population"):
+        called = getattr(call, "func", None)
+        if getattr(called, "id", getattr(called, "attr", "")) != "Population":
             continue
+        assert isinstance(call, ast.Call)  # nothing else has a function
         given = {one.arg: one.value for one in call.keywords}
         mind, plans = given.get("mind"), given.get("plans")
+        place = f"{file}:{call.lineno}: Population(…"
+        for name in ("mind", "hierarchy", None):
+            one = given.get(name)
+            written = isinstance(one, ast.Constant) and (name == "mind" or one.value is None)
+            if one is not None and not written:
+                what = "**" if name is None else f"{name}="
+                unseen.append(f"{place}, {what}{shown(ast.unparse(one))[1:-1]})")
         if isinstance(mind, ast.Constant) and isinstance(mind.value, str):
             keys = plans.keys if isinstance(plans, ast.Dict) else []
             names = [one.value for one in keys if isinstance(one, ast.Constant)]
             whole = isinstance(plans, ast.Dict) and len(names) == len(keys)
+            if plans is not None and not whole:
+                unseen.append(f"{place}, plans=…): whether the scheme has these plans")
             path = file.parent / mind.value
             if path.resolve().is_relative_to(file.parent.resolve()):
                 found[path] = [str(one) for one in names] if whole else None
@@ -122,7 +163,8 @@ def findings_of_model(model_class: type[Model]) -> list[str]:
             place = str(path)
             if not path.is_file():
                 raise SocialmindError(f"{path}: no such file; {name} take their minds from it")
-            scheme = CognitiveScheme.load(path, population.decision_makers)
+            scheme, cut = _read(path, population.decision_makers)
+            odd += cut
         found: list[Finding] = scheme.check(plans=population.plans)
         odd += [f"{place}: {one}" for one in found]
     return odd + _findings_of_hierarchies(model_class)

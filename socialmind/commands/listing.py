@@ -47,7 +47,7 @@ def print_model(name: str) -> None:
     lines = [("population", "size", "agents", "mind", "fields"), *rows]
     tables = [aligned(lines)] if rows else []
     facts = [("variables", ", ".join(model_class.shape.variables)), ("world", _world(model_class))]
-    if model_class.shape.plane is not None:
+    if model_class.shape.world.has_episodes:
         from socialmind.experiments.scoring import measures_of
 
         facts.append(("measures", ", ".join(measures_of(model_class))))

@@ -68,7 +68,10 @@ def _print_table(found: Score) -> None:
         between = f"{_number(one.low)} … {_number(one.high)}" if one.low == one.low else "–"
         table.add_row(name, _number(one.mean), between)
     table.caption = f"{found.ticks:,} ticks"
-    Console(file=sys.stdout).print(table)
+    console = Console(file=sys.stdout)
+    with console.capture() as shown:  # written by itself it would end the program where a pipe does
+        console.print(table)
+    typer.echo(shown.get(), nl=False)
 
 
 def _number(value: float) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import codecs
+import os
 import shlex
 import sys
 import unicodedata
@@ -15,6 +16,28 @@ PLAIN = {"…": "...", "–": "-", "—": "-", "−": "-", "·": "*", "×": "x",
     **{"ß": "ss", "ı": "i", "│": "|", "─": "-", "━": "-", "╸": "-", "╺": "-"},
 }
 """What stands for a character where a terminal has no such one; others lose their accents."""
+
+
+def open_what_is_closed() -> None:
+    """Give input, output and messages that were closed before the start somewhere to go.
+
+    Else the next file that is opened takes the number of the output, and what is meant for a
+    reader is written into it.
+    """
+    for stream, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, stream) is None:
+            number = os.open(os.devnull, os.O_RDWR)  # the lowest that is free
+            os.set_inheritable(number, True)
+            setattr(sys, stream, os.fdopen(number, mode, encoding="utf-8"))
+
+
+def silence_what_is_broken() -> None:
+    """Let streams whose reader has gone write nowhere; Python would complain at its own end."""
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except OSError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def write_plainly() -> None:

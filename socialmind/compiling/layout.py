@@ -72,12 +72,8 @@ def model_dtype(shape: ModelShape) -> np.dtype[Any]:
         columns += field.dtype
     plain = "tick stream idle idle_agent idle_tick world_size world_low world_high patches"
     columns += [(f"_{name}", "i8") for name in plain.split()]
-    if shape.plane is not None:
-        of_plane = "over ignored outside plane build move look settings settings_0"
-        columns += [(f"_{name}", "i8") for name in of_plane.split()]
-        for name in shape.plane.robots:
-            parts = "steered eyes first senses senses_0 motors motors_0"
-            columns += [(f"_{name}_{part}", "i8") for part in parts.split()]
+    # Those of patches stand in every record: a checkpoint holds it as it is.
+    columns += [(f"_{one}", "i8") for one in shape.world.columns if one not in plain.split()]
     for population in shape.populations.values():
         name = population.name
         columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]

@@ -62,8 +62,7 @@ class _Lowering(ast.NodeTransformer):
 
     def __init__(self, shape: ModelShape | None) -> None:
         self.turns = shape is not None
-        self.wraps = shape is not None and shape.patch is not None
-        self.plane = None if shape is None else shape.plane
+        self.world = None if shape is None else shape.world
         self.loops = 0
         self.kept = 0
 
@@ -72,7 +71,7 @@ class _Lowering(ast.NodeTransformer):
         handler = None if mark is None else getattr(self, f"lower_{mark[0]}", None)
         if handler is not None:
             return handler(node, mark)
-        return self.generic_visit(node)
+        return super().visit(node)
 
     # Fields -----------------------------------------------------------------------------------
 
@@ -147,13 +146,9 @@ class _Lowering(ast.NodeTransformer):
 
     def kept_within(self, population: str, name: str, value: ast.expr) -> ast.expr:
         """Return a new place or heading as agents keep it (`rows` has the interpreted twin)."""
-        if self.plane is not None and population in self.plane.bodies and name in PLACES:
-            wide = self.plane.half_width
-            half = _parsed(f"_model.{wide}") if isinstance(wide, str) else ast.Constant(float(wide))
-            return ast.Call(_name("_within"), [value, half], [])
-        if self.wraps and name in PLACES:
-            low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
-            return ast.Call(_name("_brought_back"), [value, low, size], [])
+        keeping = () if self.world is None else self.world.kept_within(population, name)
+        if keeping:
+            return ast.Call(_name(keeping[0]), [value, *map(_parsed, keeping[1:])], [])
         if self.turns and name == "heading":
             return ast.Call(_name("_turned"), [value], [])
         return value
@@ -175,7 +170,7 @@ class _Lowering(ast.NodeTransformer):
 
     lower_world = lower_population
 
-    def lower_world_size(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+    def lower_world_number(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
         return _parsed(f"_model._world_{mark[1]}")
 
     def lower_patch_place(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:

@@ -13,14 +13,11 @@ from coglogo_py import kernel as _kernel
 from coglogo_py.arrays import MindArrays as _MindArrays
 from coglogo_py.arrays import SchemeArrays as _SchemeArrays
 from coglogo_py.compiled.machine_code import kept as _kept
-from socialmind.agents import bookkeeping as _bookkeeping
 from socialmind import streams as _streams
 from socialmind.language import arithmetic as _arithmetic
 from socialmind.compiling.memory import as_pointer as _as_pointer
 from socialmind.compiling.memory import fetch_ahead as _fetch_ahead
 from socialmind.compiling.memory import some as _some
-from socialmind.mind.kernel import weights as _weights
-from socialmind.worlds.torus import geometry as _torus
 
 # What only compiled code calls needs no door for Python; each would cost time to compile.
 _inner = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)
@@ -44,15 +41,6 @@ _rng_permutation = _streams.permutation
 _rng_shuffle = _streams.shuffle_array
 _begin = _streams.begin
 _shuffle = _streams.shuffle
-_born = _bookkeeping.born
-_died = _bookkeeping.died
-_settle = _bookkeeping.settle
-_short_of_room = _bookkeeping.short_of_room
-_find_slot = _bookkeeping.slot_of_agent
-_living = _bookkeeping.is_living
-_nth_living = _bookkeeping.nth_living
-_patch_index = _inner(_torus.patch_index)
-_patches_in_radius = _inner(_torus.patches_in_radius)
 
 
 @_inner

@@ -8,6 +8,7 @@ text in vector files stays text, and the colours are told apart by the colour-bl
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
+
+from socialmind.runs.capsule import replace_file
 
 COLUMN = 90.0
 """Width of a one-column figure, in mm."""
@@ -116,9 +119,24 @@ def save(figures: Mapping[str, Figure], folder: Path) -> list[Path]:
                 path = folder / f"{name}{suffix}"
                 # Without its date a PDF of the same data is the same file.
                 metadata = {"CreationDate": None} if suffix == ".pdf" else None
-                drawn.savefig(path, dpi=300, metadata=metadata)
+                write_figure(drawn, path, dpi=300, metadata=metadata)
                 written.append(path)
     return written
+
+
+def write_figure(drawn: Figure, path: Path, **options: Any) -> None:
+    """Write a figure in the form that the suffix names, whole or not at all.
+
+    It is drawn in memory: on a full disk Matplotlib's writers fail with errors of their own.
+
+    Args:
+        drawn: the figure.
+        path: the file.
+        **options: as of `Figure.savefig`.
+    """
+    content = BytesIO()
+    drawn.savefig(content, format=path.suffix[1:].lower(), **options)
+    replace_file(path, content.getvalue())
 
 
 def panel_title(axes: Axes, letter: str, title: str) -> None:

@@ -13,6 +13,17 @@ from socialmind.compiling.layout import (
 from socialmind.language.shape import PopulationShape
 from socialmind.language.typing.signatures import MIND, Named
 
+AGENTS = """from socialmind.agents import bookkeeping as _bookkeeping
+from socialmind.mind.kernel import weights as _weights
+
+_born = _bookkeeping.born
+_died = _bookkeeping.died
+_settle = _bookkeeping.settle
+_short_of_room = _bookkeeping.short_of_room
+_find_slot = _bookkeeping.slot_of_agent
+_living = _bookkeeping.is_living
+_nth_living = _bookkeeping.nth_living"""
+
 _POPULATION = """NAME_ROW = DTYPE
 
 

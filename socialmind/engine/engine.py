@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from types import ModuleType
 
     from coglogo_py.decision import DecisionMaker
-    from socialmind.model import Model
+    from socialmind.agents.running import Running
 
 CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
@@ -39,7 +39,7 @@ class Engine:
         compiled: run its rules compiled, or interpreted.
     """
 
-    def __init__(self, model: Model, compiled: bool) -> None:
+    def __init__(self, model: Running, compiled: bool) -> None:
         self.model = model
         self.compiled = compiled
         self._functions: dict[str, Callable[..., Any]] | None = None
@@ -65,11 +65,7 @@ class Engine:
     def functions(self) -> dict[str, Callable[..., Any]]:
         """The rules as interpreted Python."""
         if self._functions is None:
-            world = {
-                "_in_radius": lambda world, x, y, radius: world.around(x, y, radius),
-                "_all_patches": lambda world: world.patches,
-            }
-            self._functions = self.model.program.interpreted(world)
+            self._functions = self.model.program.interpreted(self.model.ground.functions())
         return self._functions
 
     def set_up(self) -> None:
@@ -104,10 +100,11 @@ class Engine:
                 self._make_room()
             left -= done
             took = time.perf_counter() - begin
-            if done == wanted and took < CHUNK_SECONDS / 2:
+            # Many short advances say nothing of how long a stretch may be.
+            if done == self._ticks_per_chunk and took < CHUNK_SECONDS / 2:
                 self._ticks_per_chunk *= 2
-            elif took > CHUNK_SECONDS and self._ticks_per_chunk > 1:
-                self._ticks_per_chunk //= 2
+            elif took > CHUNK_SECONDS and wanted > 1:
+                self._ticks_per_chunk = wanted // 2
 
     def _advance_outside(self, ticks: int) -> None:
         """Run a number of ticks whose motion is not compiled."""
@@ -115,16 +112,14 @@ class Engine:
 
         def one() -> int:
             # Within what is done again when it fails, so that nothing moves twice.
-            if model.arena is not None and model.over is None:
-                model.arena.move()
+            model.ground.before_compiled_tick()
             return int(self.module.advance(model.contexts, 1))
 
         for _ in range(ticks):
             self._make_room()
             connect(model)
             self._guarded(one, run_tick)
-            if model.arena is not None and model.arena.shifting:
-                model.arena.build()
+            model.ground.after_compiled_tick()
 
     def _make_room(self) -> None:
         for name in self.model.program.births:
@@ -182,12 +177,12 @@ class Engine:
         raise error  # a fault of ours, not of a rule
 
     def _entities(self) -> int:
-        grid, tables = self.model.grid, self.model.tables
-        patches = 0 if grid is None else len(grid.rows)
-        return patches + sum(len(table) for table in tables.values())
+        tables = self.model.tables.values()
+        return int(self.model.ground.entities) + sum(len(table) for table in tables)
 
     def _bytes(self) -> int:
-        grid, tables = self.model.grid, self.model.tables
+        tables = self.model.tables
         arrays = [table.rows.nbytes + 64 * len(table.rows) for table in tables.values()]
         arrays += [table.minds.bytes for table in tables.values() if table.minds is not None]
-        return sum(arrays) + (0 if grid is None else grid.rows.nbytes)
+        arrays += [one.nbytes for one in self.model.ground.arrays().values()]
+        return sum(arrays)

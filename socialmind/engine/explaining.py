@@ -9,10 +9,10 @@ from socialmind.errors import SocialmindError
 
 if TYPE_CHECKING:
     from coglogo_py.receipts.receipt import Receipt
-    from socialmind.model import Model
+    from socialmind.agents.running import Running
 
 
-def explained(model: Model, agent: int, tick: int) -> Receipt:
+def explained(model: Running, agent: int, tick: int) -> Receipt:
     """Explain the decision that was in force at a tick: an agent's last one up to it.
 
     Args:

@@ -6,10 +6,12 @@ data that the loop finds through the model's record, so a sweep over them compil
 
 from __future__ import annotations
 
-from socialmind.compiling.layout import dtype_text, model_dtype, row_dtype
+from collections.abc import Sequence
+
+from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
-from socialmind.engine.access import call_text, plans_text, population_text
+from socialmind.engine.access import AGENTS, call_text, plans_text, population_text
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
 from socialmind.streams import ORDER_TAG
@@ -24,45 +26,30 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             puts its function into the module as `_own_<population>`.
     """
     shape = program.shape
-    parts = [HEAD, runtime_names(), f"MODEL = {dtype_text(model_dtype(shape))}"]
-    if shape.patch is not None:
-        parts.append(f"PATCH = {dtype_text(row_dtype(dict(shape.patch), None))}")
-        parts.append(_PATCHES)
+    parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {dtype_text(model_dtype(shape))}"]
+    world = shape.world.text(program)
+    parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
     for population in shape.populations.values():
         parts.append(population_text(population, population.name in own_makers))
-    minded = [name for name, one in shape.populations.items() if one.hierarchy]
-    robots = {} if shape.plane is None else shape.plane.robots
+    minded = [one for one in shape.populations.values() if one.hierarchy]
     if minded:
         from socialmind.mind.code import text as minds
 
         parts += [
             minds.HEAD,
-            *(minds.population_text(name, name in robots) for name in minded),
+            *(minds.population_text(one.name, one.evaluated_by_world) for one in minded),
         ]
     for function in program.functions.values():
         parts.append(f"@_inner\n{lowered(function, shape)}")
     for name, plans in program.plans.items():
         parts.append(plans_text(name, list(plans.values())))
     parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]
-    if program.plane is not None:
-        from socialmind.worlds.plane.ticks.text import plane_text
-
-        parts.append(plane_text(program.plane, _phase_calls(program)))
-    parts.append(_loops_text(shape, program))
-    if program.plane is not None:
-        from socialmind.worlds.plane.ticks.lockstep_text import lockstep_text
-
-        setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
-        deciding = [name for name, one in shape.populations.items() if one.minded]
-        parts.append(lockstep_text(program.plane, setup, deciding))
-    return "\n\n\n".join(parts) + "\n"
-
-
-_PATCHES = """@_inner
-def _patches(_model):
-    size = _model._world_size
-    return carray(_as_pointer(_model._patches), (size * size,), PATCH)"""
+    setup, tick = _calls(program.setup), world.tick.replace("PHASES", _calls(program.schedule))
+    parts.append(world.stages.replace("PHASES", _calls(program.schedule)))
+    parts.append(_loops_text(shape, program, setup, tick))
+    parts.append(world.after.replace("SETUP", setup or "    pass"))
+    return "\n\n\n".join(part for part in parts if part) + "\n"
 
 
 _SOME = """@_inner
@@ -71,7 +58,11 @@ def _some_NAME(holder):
 
 
 def _optional_names(shape: ModelShape) -> list[str]:
-    owners = [shape.variables, shape.patch or {}, *(p.fields for p in shape.populations.values())]
+    owners = [
+        shape.variables,
+        shape.world.patch or {},
+        *(p.fields for p in shape.populations.values()),
+    ]
     return sorted({field.name for own in owners for field in own.values() if field.optional})
 
 
@@ -136,11 +127,11 @@ def _phase_text(shape: ModelShape, phase: Phase) -> str:
     return "\n".join(lines)
 
 
-def _phase_calls(program: Program) -> str:
-    return "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.schedule)
+def _calls(phases: Sequence[Phase]) -> str:
+    return "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in phases)
 
 
-def _loops_text(shape: ModelShape, program: Program) -> str:
+def _loops_text(shape: ModelShape, program: Program, setup: str, tick: str) -> str:
     settle = "".join(
         f"    _settle(_counters_{name}(_model), _order_{name}(_model), _alive_{name}(_model), "
         f"_free_{name}(_model))\n"
@@ -151,12 +142,6 @@ def _loops_text(shape: ModelShape, program: Program) -> str:
         "        return True\n"
         for name in program.births
     )
-    setup = "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in program.setup)
-    tick = _phase_calls(program)
-    if program.plane is not None:
-        from socialmind.worlds.plane.ticks.text import TICK
-
-        tick = TICK
     return f'''@_inner
 def _end_tick(_model):
 {settle}    return

@@ -15,11 +15,11 @@ from socialmind.society.phases import Rule
 from socialmind.streams import ORDER_TAG, Stream, shuffle
 
 if TYPE_CHECKING:
+    from socialmind.agents.running import Running
     from socialmind.language.program import Phase
-    from socialmind.model import Model
 
 
-def run_setup(model: Model, functions: dict[str, Rule]) -> None:
+def run_setup(model: Running, functions: dict[str, Rule]) -> None:
     """Run the setup of a model in interpreted Python."""
     with model.following_rules():
         for phase in model.program.setup:
@@ -27,38 +27,20 @@ def run_setup(model: Model, functions: dict[str, Rule]) -> None:
     _settle(model)
 
 
-def run_tick(model: Model, functions: dict[str, Rule]) -> None:
+def run_tick(model: Running, functions: dict[str, Rule]) -> None:
     """Run one tick of a model in interpreted Python."""
     with model.following_rules():
-        if model.arena is None:
-            _run_schedule(model, functions)
-        else:
-            _run_plane(model, functions)
+        model.ground.run_tick(functions, lambda: _run_schedule(model, functions))
     _settle(model)
     model.context["_tick"] += 1
 
 
-def _run_schedule(model: Model, functions: dict[str, Rule]) -> None:
+def _run_schedule(model: Running, functions: dict[str, Rule]) -> None:
     for phase in model.program.schedule:
         _run(model, functions, phase)
 
 
-def _run_plane(model: Model, functions: dict[str, Rule]) -> None:
-    """Run a tick on a plane, on which nothing happens any more after an interruption."""
-    from socialmind.worlds.plane.ticks.interpreted import before_minds, settle_rewards, think
-
-    over = model.over
-    if over is None:
-        before_minds(model, functions)
-    if model.over is None:
-        think(model)
-        _run_schedule(model, functions)
-        if model.arena is not None and model.arena.shifting:
-            model.arena.build()
-    settle_rewards(model, functions, model.over != over)
-
-
-def _run(model: Model, functions: dict[str, Rule], phase: Phase) -> None:
+def _run(model: Running, functions: dict[str, Rule], phase: Phase) -> None:
     stream = Stream(model.seed)
     rule = functions[phase.symbol]
     if phase.shape.population is None:
@@ -77,7 +59,7 @@ def _run(model: Model, functions: dict[str, Rule], phase: Phase) -> None:
             _follow(model, rule, phase, agent, stream)
 
 
-def _follow(model: Model, rule: Rule, phase: Phase, agent: Any, stream: Stream) -> None:
+def _follow(model: Running, rule: Rule, phase: Phase, agent: Any, stream: Stream) -> None:
     """Let an agent, or the model, follow a rule; what fails is said with its place."""
     try:
         rule(*taken(phase.takes, agent, model, stream).values())
@@ -95,12 +77,12 @@ def _follow(model: Model, rule: Rule, phase: Phase, agent: Any, stream: Stream) 
         raise RuleError(what, place, model.tick, who) from error
 
 
-def taken(takes: tuple[str, ...], agent: Any, model: Model, rng: Stream) -> dict[str, Any]:
+def taken(takes: tuple[str, ...], agent: Any, model: Running, rng: Stream) -> dict[str, Any]:
     """Return those of agent, model and stream that a rule takes, in its order."""
     values = {"agent": agent, "model": model, "rng": rng}
     return {name: values[name] for name in takes}
 
 
-def _settle(model: Model) -> None:
+def _settle(model: Running) -> None:
     for table in model.tables.values():
         table.settle()

@@ -165,7 +165,6 @@ def robot_of(model_class: type[Model], parameters: Mapping[str, Any] | None = No
             "PlaneParallelEnv any number"
         )
     (name,) = (name for name, size in sizes.items() if size == 1)
-    plane: Any = model_class.shape.plane
-    if not plane.robots[name].actuators:
+    if not model_class.shape.world.robots[name].actuators:
         raise SocialmindError(f"the robot of {model_class.name} has no actuators to steer")
     return name

@@ -17,7 +17,6 @@ from socialmind.errors import SocialmindError, nearest
 from socialmind.learning.training.course import lessons_module
 from socialmind.model import Model
 from socialmind.sources.folders import model_folder
-from socialmind.worlds.plane.arena import ENGINES
 
 if TYPE_CHECKING:
     from socialmind.envs.drawing import Drawing
@@ -63,9 +62,9 @@ class SteeredWorld:
         _check_names(self.model_class, physics, without, parameters or {})
         self.sizes = sizes_of(self.model_class, parameters)
         self._limit = limit_of(self.model_class, ticks)
-        plane: Any = self.model_class.shape.plane
-        self.bodies = {name: one for name, one in plane.robots.items() if one.actuators}
-        self.fps = round(1 / plane.dt)
+        world = self.model_class.shape.world
+        self.bodies = {name: one for name, one in world.robots.items() if one.actuators}
+        self.fps = round(1 / world.dt)
         self._made_with = {"physics": physics, "without": without, **(parameters or {})}
         self._drawn = render_mode is not None
         self._drawing: Drawing | None = None
@@ -95,8 +94,8 @@ class SteeredWorld:
         """Run a tick; in the last one robots are paid what is still due to them."""
         model = self.running
         model.advance()
-        if self.up and model.over is None and model.arena is not None:
-            model.arena.settle()
+        if self.up and model.over is None:
+            model.ground.settle()
         if not self._drawn:
             return
         if self._drawing is None:
@@ -189,7 +188,8 @@ def _check_names(
     model_class: type[Model], physics: str, without: Sequence[str], parameters: Mapping[str, Any]
 ) -> None:
     """Refuse engines, interruptions and parameters that there are not, before the first reset."""
-    given = [("engine", [physics], ENGINES), ("parameter", parameters, model_class.parameters)]
+    engines = model_class.shape.world.engines
+    given = [("engine", [physics], engines), ("parameter", parameters, model_class.parameters)]
     ignored = [without] if isinstance(without, str) else without
     given.append(("interruption", ignored, model_class.interruptions))
     for what, names, known in given:
@@ -207,8 +207,8 @@ def sizes_of(
     Raises:
         SocialmindError: it has no plane.
     """
-    plane = model_class.shape.plane
-    if plane is None:
+    world = model_class.shape.world
+    if not world.has_episodes:
         raise SocialmindError(
             f"the model {model_class.name} has no plane; expected one that declares "
             "world = Plane(…)"
@@ -216,7 +216,7 @@ def sizes_of(
     known = {name: one.default for name, one in model_class.parameters.items()}
     known |= parameters or {}
     sizes = {}
-    for name in plane.robots:
+    for name in world.robots:
         size = model_class.populations[name].size
         sizes[name] = int(known.get(size, 0) if isinstance(size, str) else size)
     return sizes

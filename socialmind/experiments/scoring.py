@@ -26,7 +26,6 @@ from socialmind.mind.description import MindDescription
 from socialmind.work.importable import found, referred
 from socialmind.work.processes import dismiss, pool
 from socialmind.work.side_by_side import LOST
-from socialmind.worlds.plane.arena import ENGINES
 from socialmind.worlds.plane.measures import Measure, survived, total
 
 if TYPE_CHECKING:
@@ -127,13 +126,14 @@ def score(
         SocialmindError: a model without a plane, or an argument out of range.
         ModelError: a mind that does not fit, or measures of what there is not.
     """
-    if model_class.shape.plane is None:
+    if not model_class.shape.world.has_episodes:
         raise SocialmindError(
             f"the model {model_class.name} has no plane, so there are no episodes to score; "
             "expected one that declares world = Plane(…)"
         )
-    if engine not in ENGINES:
-        raise SocialmindError(f"engine {engine!r}; {nearest(engine, ENGINES)}")
+    engines = model_class.shape.world.engines
+    if engine not in engines:
+        raise SocialmindError(f"engine {engine!r}; {nearest(engine, engines)}")
     for name, number, least in (("episodes", episodes, 1), ("seed", seed, 0)):
         if number < least:
             raise SocialmindError(f"{name} {number}; expected a whole number, {least} or more")
@@ -186,8 +186,8 @@ def measures_of(model_class: type[Model]) -> dict[str, Measure]:
     """
     if model_class.measures:
         return dict(model_class.measures)
-    plane = model_class.shape.plane
-    robots = next((n for n, one in plane.robots.items() if one.hierarchy), "") if plane else ""
+    there = model_class.shape.world.robots
+    robots = next((name for name, one in there.items() if one.hierarchy), "")
     fields = model_class.shape.populations[robots].fields if robots else {}
     objects = {"objects": total("delivered")} if "delivered" in fields else {}
     return {**objects, "survived": survived(), "collisions": total("collisions")}

@@ -15,7 +15,6 @@ from socialmind.errors import close, nearest
 from socialmind.language.refusals import MODULES
 from socialmind.language.types import RowType
 from socialmind.language.typing.signatures import MATH, MATH_CONSTANTS
-from socialmind.worlds.torus.geometry import COMMANDS
 
 if TYPE_CHECKING:
     from socialmind.language.typing.expressions import ExpressionTyper
@@ -130,7 +129,7 @@ def for_name(typer: ExpressionTyper, name: str) -> str:
         return f"the agent of this rule is called {agent!r}: write {agent}.…"
     if name in (*MATH, *MATH_CONSTANTS, "pow"):
         return f"import math at the top of the file, and write math.{name}"
-    if name in COMMANDS:
+    if name in typer.shape.world.commands:
         return f"write model.world.{name}({agent or 'agent'}, …)"
     for holder, kind in typer.variables.items():
         if isinstance(kind, RowType) and name in typer.shape.populations[kind.population].fields:
@@ -167,7 +166,7 @@ def for_agent(typer: ExpressionTyper, node: ast.Attribute, population: str) -> s
     if node.attr == "model" and "model" not in typer.source.parameters:
         return _parameter_to_add(typer, "model")
     known = _filled(AGENT, node.attr, typer, holder)
-    if known is None and node.attr in COMMANDS:
+    if known is None and node.attr in typer.shape.world.commands:
         known = f"write model.world.{node.attr}({holder}, …)"
     return known or declaring(
         node.attr, fields, f"the class of the agents of {population!r}", typer
@@ -176,7 +175,7 @@ def for_agent(typer: ExpressionTyper, node: ast.Attribute, population: str) -> s
 
 def for_agents_method(typer: ExpressionTyper, holder: str, name: str) -> str:
     """Return what to write in place of something that agents cannot be told to do."""
-    if name in COMMANDS:
+    if name in typer.shape.world.commands:
         return f"write model.world.{name}({holder}, …)"
     known = _filled(AGENT, name, typer, holder)
     return known or f"{nearest(name, ('die', 'hatch', 'run_plan'))}; or call a function"
@@ -186,7 +185,7 @@ def for_model(typer: ExpressionTyper, name: str) -> str:
     """Return what to write in place of something that the model does not declare."""
     shape = typer.shape
     known = [*shape.parameters, *shape.variables, *shape.populations, "tick"]
-    known += [] if shape.patch is None else ["world"]
+    known += ["world"] if shape.world.commands else []
     return _filled(MODEL, name, typer) or declaring(name, known, "the class of the model", typer)
 
 

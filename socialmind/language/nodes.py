@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import math
 from typing import Any
 
 from socialmind.language.types import AnyType
@@ -24,7 +25,9 @@ def call(name: str, arguments: list[ast.expr], near: ast.AST) -> ast.Call:
 
 
 def constant(value: Any, near: ast.AST) -> ast.expr:
-    """Return a written number at the place of a node."""
+    """Return a written number at the place of a node; NaN has one sign at both speeds."""
+    if value != value:
+        value = math.nan
     return ast.copy_location(ast.Constant(value), near)
 
 

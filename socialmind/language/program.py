@@ -6,7 +6,7 @@ import ast
 import types as python_types
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from socialmind.errors import ModelError, close, nearest
 from socialmind.language import arithmetic
@@ -16,9 +16,6 @@ from socialmind.language.syntax import compiled
 from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TableType, TextType
 from socialmind.language.typing.statements import FunctionTyper
 from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
-
-if TYPE_CHECKING:
-    from socialmind.worlds.plane.ticks.stages import PlaneProgram
 
 
 @dataclass(frozen=True)
@@ -84,7 +81,6 @@ class Program:
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
         self.births: list[str] = []
         self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
-        self.plane: PlaneProgram | None = None
         self._sources: dict[Callable[..., Any], RuleSource] = {}
         self._modules: dict[python_types.ModuleType, Names] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
@@ -95,10 +91,7 @@ class Program:
         self._reached: dict[str, set[str]] = {}
         self.setup = self._phases(shape.setup, SETUP_TAG)
         self.schedule = self._phases(shape.schedule, SCHEDULE_TAG)
-        if shape.plane is not None:
-            from socialmind.worlds.plane.ticks.stages import planned
-
-            self.plane = planned(self, shape.plane)
+        self.world: Any = shape.world.typed(self)
 
     def source(self, function: Callable[..., Any]) -> RuleSource:
         """Return the source of a function, read once."""

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import Any, ClassVar, NamedTuple
 
 from socialmind.fields import Field
-
-if TYPE_CHECKING:
-    from socialmind.worlds.plane.plane import PlaneShape
 
 
 @dataclass(frozen=True)
@@ -24,6 +22,7 @@ class PopulationShape:
         hierarchy: whether its agents have hierarchies of skills.
         weighed: whether these weigh the plans of its cogniton minds.
         own: the fields that a hatched agent does not take from its parent: they are as at birth.
+        evaluated_by_world: whether a tick of the world evaluates its hierarchies.
     """
 
     name: str
@@ -33,6 +32,7 @@ class PopulationShape:
     hierarchy: bool = False
     weighed: bool = False
     own: tuple[str, ...] = ()
+    evaluated_by_world: bool = False
 
 
 @dataclass(frozen=True)
@@ -50,26 +50,88 @@ class PhaseShape:
     shuffled: bool = True
 
 
+class WorldText(NamedTuple):
+    """What a world writes into the compiled module of a model.
+
+    Attributes:
+        before: what rules call.
+        stages: what its tick calls, after the rules and phases.
+        tick: the body of a tick; PHASES stands for the calls of the schedule's phases.
+        after: what calls ticks, at the end.
+    """
+
+    before: str = ""
+    stages: str = ""
+    tick: str = "PHASES"
+    after: str = ""
+
+
+class WorldShape:
+    """What is known of a world before anything runs: nothing, unless a world says otherwise.
+
+    `socialmind.worlds.contract` says how a world is declared, and what it gives a running society.
+
+    Attributes:
+        patch: the fields of a patch, or None for a world without patches.
+        numbers: whole numbers of the world that rules read, as `model.world.size`.
+        commands: what rules call as `model.world.NAME(agent, …)`: rules of the world and an agent.
+        columns: whole numbers in the model's record that its compiled code needs.
+        kept_columns: those of them that are state, not addresses and sizes.
+        robots: the populations that sense and act, by name, as the world has them.
+        engines: what may move bodies there, the default first.
+        dt: seconds a tick.
+        has_episodes: whether runs are episodes, which interruptions end, worlds run in lockstep.
+    """
+
+    patch: Mapping[str, Field] | None = None
+    numbers: tuple[str, ...] = ()
+    commands: Mapping[str, Callable[..., Any]] = MappingProxyType({})
+    columns: tuple[str, ...] = ()
+    kept_columns: tuple[str, ...] = ()
+    robots: Mapping[str, Any] = MappingProxyType({})
+    engines: ClassVar[tuple[str, ...]] = ("compiled",)
+    dt: float = 1.0
+    has_episodes: ClassVar[bool] = False
+
+    def inhabited(self, population: PopulationShape) -> PopulationShape:
+        """Return a population as it is in this world, with what it has there."""
+        return population
+
+    def kept_within(self, population: str, field: str) -> tuple[str, ...]:
+        """Return the function that brings a place back into the world, and its further arguments.
+
+        They are written into compiled code; the ground's `keeper` says the same interpreted. Empty
+        where agents may be anywhere.
+        """
+        return ()
+
+    def typed(self, program: Any) -> Any:
+        """Return what the world adds to a program: the functions of its own, typed, or None."""
+        return None
+
+    def text(self, program: Any) -> WorldText:
+        """Return what the world writes into the compiled module of a program."""
+        return WorldText()
+
+
 @dataclass(frozen=True)
 class ModelShape:
-    """A model: parameters, globals, populations, the fields of its patches, its phases.
+    """A model: parameters, globals, populations, its world, its phases.
 
     Attributes:
         name: the model's name, as error messages give it.
         parameters: fields that rules only read.
         variables: fields that rules read and write (NetLogo's globals).
         populations: by name.
-        patch: the fields of a patch, or None for a model without a world.
+        world: what its rules know of its world.
         setup: the phases that run once, before the first tick.
         schedule: the phases of a tick.
-        plane: what the model's bodies sense and do on a plane, or None.
     """
 
     name: str
     parameters: Mapping[str, Field]
     variables: Mapping[str, Field]
     populations: Mapping[str, PopulationShape]
-    patch: Mapping[str, Field] | None
+    world: WorldShape
     setup: tuple[PhaseShape, ...]
     schedule: tuple[PhaseShape, ...]
-    plane: PlaneShape | None = None

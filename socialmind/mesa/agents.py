@@ -99,8 +99,7 @@ class SocietyAgent(mesa.Agent):
 
     @property
     def _low(self) -> int:
-        grid = self._table.model.grid
-        return 0 if grid is None else grid.low
+        return int(getattr(self._table.model.ground.world, "low", 0))
 
     @property
     def cell(self) -> Any:

@@ -16,7 +16,6 @@ from mesa.datacollection import DataCollector
 from socialmind.errors import ModelError, UnknownNameError, nearest
 from socialmind.mesa.agents import SocietyAgent, class_of_agents
 from socialmind.mesa.grid import SocietyGrid
-from socialmind.model import Model
 
 _MESA_NAMES = frozenset(
     ("current_step", "random", "rng", "running", "scenario", "seed", "steps", "time")
@@ -43,7 +42,7 @@ class SocietyModel(mesa.Model):
     _reporters: ClassVar[dict[str, Any] | None] = None
     _made = False
 
-    def __init__(self, society: Model) -> None:
+    def __init__(self, society: Any) -> None:
         self.society = society
         self._living: dict[str, dict[int, SocietyAgent]] = {name: {} for name in society.tables}
         self._following = False
@@ -73,7 +72,7 @@ class SocietyModel(mesa.Model):
     def __getattr__(self, name: str) -> Any:
         """Return a column of the society's series, or fail as Python does."""
         if not name.startswith("_") and "society" in self.__dict__:
-            if name in ("grid", "space", "space_of_cells") and self.society.grid is None:
+            if name in ("grid", "space", "space_of_cells") and not self.society.ground.layered:
                 # Python comes here when these raised AttributeError; say why.
                 raise AttributeError(f"{self.society.name} has no torus, hence no grid")
             series = self.society.series()
@@ -150,9 +149,9 @@ class SocietyModel(mesa.Model):
             AttributeError: the model has no world.
         """
         if self._grid is None:
-            if self.society.grid is None:
+            if not self.society.ground.layered:
                 raise AttributeError(f"{self.society.name} has no torus, hence no grid")
-            self._grid = SocietyGrid(self.society.grid, self.random)
+            self._grid = SocietyGrid(self.society.ground.world, self.random)
         return self._grid
 
     @property
@@ -186,7 +185,7 @@ class SocietyModel(mesa.Model):
         }
 
 
-def mesa_model(society: Model) -> SocietyModel:
+def mesa_model(society: Any) -> SocietyModel:
     """Return a society as a `mesa.Model`.
 
     Its class is its own and named after the model. Calling it without arguments, as SolaraViz's
@@ -216,12 +215,12 @@ def mesa_model(society: Model) -> SocietyModel:
     return made
 
 
-def _initialiser(society: Model) -> Any:
+def _initialiser(society: Any) -> Any:
     """Return the `__init__` of a society's class; its signature is what SolaraViz reads."""
     kind, compiled, schemes = type(society), society.compiled, society.schemes
     settings: dict[str, Any] = {"seed": society.seed, **society.parameter_values()}
 
-    def initialise(model: SocietyModel, society: Model | None = None, **changed: Any) -> None:
+    def initialise(model: SocietyModel, society: Any = None, **changed: Any) -> None:
         if society is None:
             values = settings | {name: _read(kind, name, changed[name]) for name in changed}
             society = kind(compiled=compiled, scheme=schemes or None, **values)
@@ -238,7 +237,7 @@ def _initialiser(society: Model) -> Any:
     return initialise
 
 
-def _read(kind: type[Model], name: str, value: Any) -> Any:
+def _read(kind: Any, name: str, value: Any) -> Any:
     """Return a setting, which SolaraViz gives as a text from its field for texts."""
     if not isinstance(value, str):
         return value

@@ -81,8 +81,9 @@ def save_arrays(
             file.flush()
             os.fsync(file.fileno())
         unfinished.replace(path)
-    except OSError:
+    except OSError as error:
         unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
+        error.filename = error.filename or str(path)  # what is written does not know where
         raise
 
 

@@ -265,8 +265,9 @@ def replace_file(path: Path, content: bytes) -> None:
         with unfinished.open("xb") as file:
             file.write(content)
         unfinished.replace(path)
-    except OSError:
+    except OSError as error:
         unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
+        error.filename = error.filename or str(path)  # what is written does not know where
         raise
 
 
@@ -342,6 +343,9 @@ def place(target: Path, files: Mapping[str, bytes]) -> None:
             if target.exists():
                 raise FileExistsError(f"{target}: was made by another program") from error
             raise
+    except OSError as error:
+        error.filename = error.filename or str(target)
+        raise
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
 
@@ -409,10 +413,10 @@ def versions() -> dict[str, str]:
     import numba
     import numpy as np
 
-    import socialmind
+    from socialmind.version import __version__
 
     return {
-        "socialmind": socialmind.__version__,
+        "socialmind": __version__,
         "python": platform.python_version(),
         "numpy": np.__version__,
         "numba": numba.__version__,

@@ -245,6 +245,14 @@ def resume(
     return capsule.folder
 
 
+def no_room(error: OSError, folder: Path, when: str) -> SocialmindError:
+    """Return what to say of a disk that is full, or of a file that may not grow further."""
+    return SocialmindError(
+        f"{folder}: {os.strerror(error.errno or 0)} at {when}; what the last checkpoint holds is "
+        "safe: make room and go on with --resume"
+    )
+
+
 class _Execution:
     """One process's work on a run, from a checkpoint or the start to the last tick."""
 
@@ -286,10 +294,8 @@ class _Execution:
                 with suppress(OSError):  # there may be no room to say so
                     self._capsule.update(status=capsules.FAILED, error=str(failure))
                 if isinstance(error, OSError) and error.errno in NO_ROOM:
-                    raise SocialmindError(
-                        f"{self._capsule.folder}: {os.strerror(error.errno)} at tick "
-                        f"{self._model.tick}; what the last checkpoint holds is safe: make room "
-                        "and go on with --resume"
+                    raise no_room(
+                        error, self._capsule.folder, f"tick {self._model.tick}"
                     ) from error
                 if known:
                     raise
@@ -333,7 +339,7 @@ class _Execution:
             count = min(stop - tick, chunk)
             begin = clock()
             self._model.advance(count)
-            elapsed = clock() - begin
+            elapsed = max(0.0, clock() - begin)  # some virtual machines set even this clock back
             self._loop_seconds += elapsed
             # A first chunk of one tick holds the compilation; growth by four finds the pace soon.
             rate = count / max(elapsed, 1e-9)
@@ -366,7 +372,7 @@ class _Execution:
                 "first_tick": idle.first_tick,
             },
             loop_seconds=self._loop_seconds,
-            seconds=time.perf_counter() - self._started,
+            seconds=max(0.0, time.perf_counter() - self._started),
             state=self._model.state(),
             sums={part: one for table in self._tables.values() for part, one in table.sums.items()},
             run=self._capsule.manifest.identity(),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,11 +15,11 @@ from socialmind.errors import ModelError
 from socialmind.language.program import Program
 
 if TYPE_CHECKING:
+    from socialmind.agents.running import Running
     from socialmind.mind.evaluation.arrays import Assembly
-    from socialmind.model import Model
 
 
-def connect(model: Model) -> None:
+def connect(model: Running) -> None:
     """Write into the model's record where its arrays are, and how large, unless it knows.
 
     The arrays are kept: while they are, no other array can take an address that was written.
@@ -29,10 +30,6 @@ def connect(model: Model) -> None:
         return
     context = model.context
     context["_stream"] = _address(model.stream)
-    if model.grid is not None:
-        context["_world_size"] = model.grid.size
-        context["_world_low"] = model.grid.low
-        context["_world_high"] = model.grid.high
     for name, table in model.tables.items():
         context[f"_{name}_room"] = len(table.rows)
     for name, array in arrays.items():
@@ -41,11 +38,10 @@ def connect(model: Model) -> None:
             for axis, length in enumerate(array.shape):
                 context[f"_{name}_{axis}"] = length
     model.connected = list(arrays.values())
-    if model.arena is not None:
-        model.arena.connect()
+    model.ground.connect(context)
 
 
-def connected_arrays(model: Model) -> list[Any]:
+def connected_arrays(model: Running) -> list[Any]:
     """Return the arrays of a model that change in a run, beside its record and its minds."""
     return [
         array
@@ -58,11 +54,9 @@ def _address(array: Any) -> int:
     return int(array.__array_interface__["data"][0])
 
 
-def _all_arrays(model: Model) -> dict[str, Any]:
+def _all_arrays(model: Running) -> dict[str, Any]:
     """Return the arrays of a model by the names that the record gives their addresses."""
-    arrays: dict[str, Any] = {}
-    if model.grid is not None:
-        arrays["patches"] = model.grid.rows
+    arrays: dict[str, Any] = dict(model.ground.arrays())
     for name, table in model.tables.items():
         for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
             arrays[f"{name}_{part}"] = getattr(table, part)
@@ -84,8 +78,16 @@ def names_of_minds(
     population: str,
     scheme: CognitiveScheme | None,
     assembly: Assembly | None = None,
+    file: Path | None = None,
 ) -> list[int]:
     """Return where in a scheme and a hierarchy the names stand that a population's rules write.
+
+    Args:
+        program: the model's.
+        population: whose.
+        scheme: that of its minds.
+        assembly: its hierarchy of skills.
+        file: where the scheme was read from, for errors.
 
     Raises:
         ModelError: a rule names what the minds do not have, or a plan has no function.
@@ -93,9 +95,10 @@ def names_of_minds(
     tables: dict[str, dict[Any, int]] = {}
     owners: dict[str, str] = {}
     if scheme is not None:
-        _check_plans(program, population, scheme)
+        _check_plans(program, population, scheme, file)
         tables |= _parts_of_scheme(scheme)
-        owners |= dict.fromkeys(tables, f"the scheme {scheme.name!r}")
+        place = "" if file is None else f" ({file})"
+        owners |= dict.fromkeys(tables, f"the scheme {scheme.name!r}{place}")
     if assembly is not None:
         from socialmind.mind.code.drive import tables_of
 
@@ -122,7 +125,9 @@ def _parts_of_scheme(scheme: CognitiveScheme) -> dict[str, dict[Any, int]]:
     return tables
 
 
-def _check_plans(program: Program, population: str, scheme: CognitiveScheme) -> None:
+def _check_plans(
+    program: Program, population: str, scheme: CognitiveScheme, file: Path | None
+) -> None:
     """Refuse a plan of a scheme that has no function."""
     if population in program.plans:
         for plan in scheme.plans:
@@ -131,6 +136,7 @@ def _check_plans(program: Program, population: str, scheme: CognitiveScheme) -> 
                     f"the plan {plan!r} of the scheme {scheme.name!r}, which has no function",
                     "a function for each plan",
                     f"the population {population!r} has {', '.join(program.plans[population])}",
+                    file,
                 )
 
 

@@ -16,42 +16,8 @@ from socialmind.society.parameter import Parameter
 from socialmind.society.phases import PhaseDeclaration
 from socialmind.society.population import Population
 from socialmind.values import fitted
-from socialmind.worlds.plane.devices import Interruption, Reward
-from socialmind.worlds.plane.measures import RESERVED, Measure
-from socialmind.worlds.plane.plane import Plane
-from socialmind.worlds.torus.torus import Torus
+from socialmind.worlds.contract import World
 
-OWN_NAMES = frozenset(
-    (
-        "compiled",
-        "connected",
-        "context",
-        "contexts",
-        "engine",
-        "grid",
-        "hierarchy",
-        "arena",
-        "assemblies",
-        "before_setup",
-        "steerings",
-        "physics",
-        "over",
-        "minded",
-        "names",
-        "program",
-        "scheme",
-        "schemes",
-        "seed",
-        "shape",
-        "stream",
-        "tables",
-        "watch",
-        "watched",
-        "without",
-        "world",
-    )
-)
-"""What an instance keeps under these names, and what it is made with."""
 SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "name": ((str,), "a text"),
     "ticks": ((int,), "a whole number, 0 or more"),
@@ -96,11 +62,16 @@ class Declaration(NamedTuple):
     parameters: dict[str, Parameter]
     variables: dict[str, Field]
     populations: dict[str, Population]
-    torus: Torus | None
-    plane: Plane | None
-    rewards: dict[str, Reward]
-    interruptions: dict[str, Interruption]
-    measures: dict[str, Measure]
+    world: World
+    rewards: dict[str, Any]
+    interruptions: dict[str, Any]
+    measures: dict[str, Any]
+
+
+def kept_names(model: type) -> frozenset[str]:
+    """Return the names under which an instance keeps what is its own, and what it is made with."""
+    made_with = list(inspect.signature(model).parameters)[:-1]
+    return frozenset((*model.__annotations__, *made_with, "world"))
 
 
 def declaration_of(cls: type, model: type) -> Declaration:
@@ -124,7 +95,7 @@ def declaration_of(cls: type, model: type) -> Declaration:
         value = cls.__dict__.get(name)
         if isinstance(value, Parameter):
             _check_kind(cls, value, kind)
-        elif not isinstance(value, Population | Torus | Plane) and name not in SETTINGS:
+        elif not isinstance(value, Population | World) and name not in SETTINGS:
             _check_name(cls, model, name, "a variable")
             missing: tuple[Any, ...] = () if name not in cls.__dict__ else (value,)
             setattr(cls, name, Variable(declared(cls, name, kind, *missing)))
@@ -134,14 +105,13 @@ def declaration_of(cls: type, model: type) -> Declaration:
         {name: value for name, value in own.items() if isinstance(value, Parameter)},
         {name: value.field for name, value in own.items() if isinstance(value, Variable)},
         {name: value for name, value in own.items() if isinstance(value, Population)},
-        world if isinstance(world, Torus) else None,
-        world if isinstance(world, Plane) else None,
+        world if isinstance(world, World) else World(),
         dict(own.get("rewards", {})),
         dict(own.get("interruptions", {})),
         dict(own.get("measures", {})),
     )
     _check_sizes(cls, found)
-    _check_plane(cls, model, found)
+    _check_devices(cls, model, found)
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
     return found
@@ -149,8 +119,8 @@ def declaration_of(cls: type, model: type) -> Declaration:
 
 def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
     """Refuse an attribute of a class that is of a wrong kind or hides what models use."""
-    if isinstance(value, Parameter | Population | Torus | Plane):
-        if not isinstance(value, Torus | Plane):
+    if isinstance(value, Parameter | Population | World):
+        if not isinstance(value, World):
             _check_name(cls, model, name, "a part of the model")
         elif name != "world":
             kind = type(value).__name__
@@ -168,7 +138,7 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
             alone = isinstance(value, PhaseDeclaration)
             remedy = f"write {name} = (…,), with a comma" if alone else None
             _refuse(cls, name, f"{name} = {value if alone else shown(value)}", expected, remedy)
-    elif name in OWN_NAMES or (hasattr(model, name) and not name.startswith("__")):
+    elif name in kept_names(model) or (hasattr(model, name) and not name.startswith("__")):
         there = getattr(model, name, None)
         allowed: tuple[type, ...] = ()
         if isinstance(there, property):
@@ -189,7 +159,7 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
 def _check_name(cls: type, model: type, name: str, what: str) -> None:
     if name.startswith("_"):
         _refuse(cls, name, f"{what} called {name!r}", "a name without a leading underscore")
-    if name in OWN_NAMES or hasattr(model, name):
+    if name in kept_names(model) or hasattr(model, name):
         _refuse(cls, name, f"{what} called {name!r}", "a name that models do not use")
 
 
@@ -212,8 +182,8 @@ def _check_kind(cls: type, parameter: Parameter, kind: Any) -> None:
 def _check_sizes(cls: type, found: Declaration) -> None:
     """Refuse a size that is neither a number nor a parameter of whole numbers."""
     sized: list[tuple[str, Any, int]] = [(n, p.size, 0) for n, p in found.populations.items()]
-    if found.torus is not None:
-        sized.append(("world", found.torus.size, 1))
+    if found.world.size is not None:
+        sized.append(("world", found.world.size, 1))
     whole = [name for name, one in found.parameters.items() if one.kind is int]
     for name, size, least in sized:
         if isinstance(size, str):
@@ -224,31 +194,18 @@ def _check_sizes(cls: type, found: Declaration) -> None:
             _refuse(cls, name, f"the size {shown(size)}", f"a whole number, {least} or more")
 
 
-def _check_plane(cls: type, model: type, found: Declaration) -> None:
-    """Refuse what belongs to a plane where there is none, and a half-width that is no parameter."""
-    kinds = {"rewards": Reward, "interruptions": Interruption, "measures": Measure}
-    for name, kind in kinds.items():
+def _check_devices(cls: type, model: type, found: Declaration) -> None:
+    """Refuse what the world knows nothing of."""
+    kinds = found.world.devices
+    for name in ("rewards", "interruptions", "measures"):
         for key, device in getattr(found, name).items():
-            if not isinstance(device, kind):
-                _refuse(cls, name, f"{device!r} as {key!r}", f"one of the {name} of socialmind")
-            if found.plane is None:
+            if name not in kinds:
                 _refuse(cls, name, f"{name} without a plane", None, "write world = Plane(…)")
-    for key in found.measures:
-        if key in RESERVED:
-            _refuse(cls, "measures", f"a measure called {key!r}", "another name: a score has it")
-    if found.plane is None:
-        for name, one in found.populations.items():
-            if one.body is not None or one.sensors or one.actuators:
-                _refuse(cls, name, f"bodies of {name!r} without a plane", "world = Plane(…)")
-        return
-    if cls.stop_when is not model.stop_when:  # type: ignore[attr-defined]  # models have it
-        _refuse(cls, "stop_when", "stop_when() on a plane", "interruptions = {…}")
-    if isinstance(found.plane.half_width, str):
-        wide, numbers = found.plane.half_width, [n for n, p in found.parameters.items()
-                                                 if p.kind is float]  # fmt: skip
-        if wide not in numbers:
-            what = "a number or the name of a parameter of numbers"
-            _refuse(cls, "world", f"the half-width {wide!r}", what, nearest(wide, numbers))
+            if not isinstance(device, kinds[name]):
+                _refuse(cls, name, f"{device!r} as {key!r}", f"one of the {name} of socialmind")
+    if found.world.has_episodes and cls.stop_when is not model.stop_when:  # type: ignore[attr-defined]  # models have it
+        kind = type(found.world).__name__.lower()
+        _refuse(cls, "stop_when", f"stop_when() on a {kind}", "interruptions = {…}")
 
 
 def _check_phases(cls: type, name: str, phases: Any, populations: dict[str, Population]) -> None:

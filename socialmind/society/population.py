@@ -44,7 +44,6 @@ TAKEN_NAMES = frozenset(
         "counters",
         "default",
         "dtype",
-        "edge",
         "free",
         "model",
         "order",

@@ -10,21 +10,26 @@ from numpy.typing import NDArray
 from socialmind.society.state_check import check_state
 
 if TYPE_CHECKING:
-    from socialmind.model import Model
+    from socialmind.agents.running import Running
+
+KEPT = ("tick", "idle", "idle_agent", "idle_tick")
+"""Columns of the record with a leading underscore that are state, beside the world's own."""
 
 
-def state_of(model: Model) -> dict[str, NDArray[Any]]:
+def state_of(model: Running) -> dict[str, NDArray[Any]]:
     """Return copies of all arrays of a model that change in a run, by name.
 
     Args:
         model: at any tick.
     """
     context = model.contexts.copy()
-    for name in model._addresses:
-        context[name] = 0  # `connect` finds them anew
+    kept = {f"_{one}" for one in (*KEPT, *model.shape.world.kept_columns)}
+    for name in context.dtype.names or ():
+        if name.startswith("_") and not name.startswith("_has_") and name not in kept:
+            context[name] = 0  # an address or a size: `connect` finds them anew
     state: dict[str, NDArray[Any]] = {"context": context}
-    if model.grid is not None:
-        state["world.rows"] = model.grid.rows.copy()
+    for part, array in model.ground.state().items():
+        state[f"world.{part}"] = array
     for name, table in model.tables.items():
         for part, array in table.snapshot().items():
             state[f"{name}.{part}"] = array
@@ -37,7 +42,7 @@ def state_of(model: Model) -> dict[str, NDArray[Any]]:
     return state
 
 
-def restore(model: Model, state: Mapping[str, NDArray[Any]]) -> None:
+def restore(model: Running, state: Mapping[str, NDArray[Any]]) -> None:
     """Put a model into a state.
 
     Args:
@@ -50,8 +55,7 @@ def restore(model: Model, state: Mapping[str, NDArray[Any]]) -> None:
     check_state(model, state)
     model.contexts[:] = state["context"]
     model.connected = []
-    if model.grid is not None:
-        model.grid.restore({"rows": state["world.rows"]})
+    model.ground.restore(_part(state, "world"))
     for name, table in model.tables.items():
         own = _part(state, name)
         table.restore({key: array for key, array in own.items() if "." not in key})
@@ -59,8 +63,7 @@ def restore(model: Model, state: Mapping[str, NDArray[Any]]) -> None:
             table.society.restore(_part(own, "minds"))
         if table.minds is not None:
             table.minds.restore(_part(own, "hierarchy"))
-    if model.arena is not None:
-        model.arena.build()
+    model.ground.build()
 
 
 def _part(state: Mapping[str, NDArray[Any]], name: str) -> dict[str, NDArray[Any]]:

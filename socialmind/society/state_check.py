@@ -14,13 +14,13 @@ from socialmind.agents.bookkeeping import ALIVE, COUNT, ENTRIES, FREE, NEXT_ID, 
 from socialmind.errors import SocialmindError
 
 if TYPE_CHECKING:
-    from socialmind.model import Model
+    from socialmind.agents.running import Running
     from socialmind.society.table import Table
 
 Arrays = Mapping[str, NDArray[Any]]
 
 
-def check_state(model: Model, state: Arrays) -> None:
+def check_state(model: Running, state: Arrays) -> None:
     """Raise unless arrays are a state of a model.
 
     Args:
@@ -34,15 +34,15 @@ def check_state(model: Model, state: Arrays) -> None:
     context = state["context"][0]
     if context["_tick"] < 0 or context["_idle"] < 0:
         raise _refused(model, "context", "a tick before the first")
-    if model.shape.plane is not None and not 0 <= context["_over"] <= len(model.interruptions):
-        raise _refused(model, "context", "an interruption that the model lacks")
-    if model.grid is not None:
-        _check(state, "world.rows", model.grid.rows.dtype, model.grid.rows.shape, model)
+    of_world = {name[6:]: array for name, array in state.items() if name.startswith("world.")}
+    odd_world = model.ground.check_state(of_world, context)
+    if odd_world is not None:
+        raise _refused(model, *odd_world.split(" holds ", 1))
     for name, table in model.tables.items():
         _check_table(model, name, table, state)
 
 
-def _check_table(model: Model, name: str, table: Table, state: Arrays) -> None:
+def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None:
     """Look at one population's arrays."""
     rows = _check(state, f"{name}.rows", table.dtype, (None,), model)
     capacity = len(rows)
@@ -95,7 +95,7 @@ def _check(
     name: str,
     dtype: np.dtype[Any] | None,
     shape: tuple[int | None, ...] | None,
-    model: Model,
+    model: Running,
 ) -> NDArray[Any]:
     """Return an array of a state, when it has a type and a shape (None: any length)."""
     if name not in state:
@@ -111,5 +111,5 @@ def _check(
     return found
 
 
-def _refused(model: Model, name: str, found: str) -> SocialmindError:
+def _refused(model: Running, name: str, found: str) -> SocialmindError:
     return SocialmindError(f"the checkpoint is not one of {model.name}: {name} holds {found}")

@@ -26,29 +26,28 @@ from socialmind.agents.bookkeeping import (
     short_of_room,
     slot_of_agent,
 )
-from socialmind.agents.rows import Row, held_class, inside, row_class
+from socialmind.agents.rows import Row, held_class, row_class
 from socialmind.columns import check_fields, column, columns_of
 from socialmind.compiling.layout import row_dtype
-from socialmind.compiling.lowering import PLACES
 from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
 from socialmind.fields import Field, presence, set_default
-from socialmind.language.arithmetic import brought_back, turned
+from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
 from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
     from coglogo_py import Mind, Society
+    from socialmind.agents.running import Running
     from socialmind.language.program import Program
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
-    from socialmind.model import Model
 
 
 KEPT_BY_TABLES = frozenset(
     (
         "acting", "alive", "columns", "counters", "default", "dtype", "free", "minds", "model",
-        "edge", "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
+        "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
     )
 )  # fmt: skip
 """What a table keeps under names without an underscore; users assign to fields alone."""
@@ -77,7 +76,7 @@ class Table:
 
     def __init__(
         self,
-        model: Model,
+        model: Running,
         shape: PopulationShape,
         size: int,
         society: Society | None,
@@ -91,9 +90,8 @@ class Table:
         self.default = np.zeros(1, self.dtype)
         for field in shape.fields.values():
             set_default(self.default, field)
-        self._turns = True
-        self._wraps = model.grid is not None
-        self.edge = _edge_of(model, shape.name)
+        keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
+        self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
         for name in ("x", "y", "heading"):
             self.default[name] = self._kept_within(name, self.default[name])
         if shape.minded:
@@ -121,7 +119,7 @@ class Table:
         if weighing is not None and society is not None and self.minds is not None:
             description = self.minds.assembly.description
             self.weighing = weighing.places(society.scheme, description)
-        self._bare = row_class(shape, self._wraps, self._turns, self.edge > 0)
+        self._bare = row_class(shape, self._keepers)
         self._held = held_class(self._bare, shape)
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
@@ -260,16 +258,14 @@ class Table:
 
     def _kept_within(self, name: str, values: NDArray[Any]) -> NDArray[Any]:
         """Return places and headings as agents keep them, one by one as rules set them."""
-        grid = self.model.grid
-        if self._wraps and name in PLACES and grid is not None:
-            low, size = grid.low, grid.size
-            return np.array([brought_back(one, low, size) for one in values.tolist()], float)
-        if self._turns and name == "heading":
+        if name == "heading":
             return np.array([turned(one) for one in values.tolist()], float)
-        if self.edge > 0 and name in PLACES:
-            for place, one in enumerate(values.tolist()):
-                inside(name, one, self.edge, f"{self.shape.name!r} (row {place})")
-        return values
+        keep = self._keepers.get(name)
+        if keep is None:
+            return values
+        whose = repr(self.shape.name)
+        kept = [keep(one, f"{whose} (row {row})") for row, one in enumerate(values.tolist())]
+        return np.array(kept, float)
 
     def hand_out(self, bare: bool) -> None:
         """Give out agents as rules hold them, or, as else, as users do."""
@@ -451,18 +447,10 @@ class Table:
         return self.society.mind_in(mind)
 
 
-def _edge_of(model: Model, population: str) -> float:
-    """Return how far from the middle the bodies of a population may be put; 0 for anywhere."""
-    plane = model.shape.plane
-    if plane is None or population not in plane.bodies:
-        return 0.0
-    wide = plane.half_width
-    return float(model.context[wide] if isinstance(wide, str) else wide)
-
-
 def _ends(identities: NDArray[np.int64]) -> str:
     return f", {identities[0]} … {identities[-1]}" if len(identities) else "; none lives"
 
 
-def _population_of(model: Model, name: str) -> Table:
-    return model.tables[name]
+def _population_of(model: Running, name: str) -> Table:
+    table: Table = model.tables[name]
+    return table

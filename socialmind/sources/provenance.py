@@ -19,7 +19,7 @@ from functools import lru_cache
 from importlib.util import resolve_name
 from pathlib import Path
 from types import FrameType, ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from socialmind.compiling.reached import is_of_a_package
 from socialmind.errors import SocialmindError
@@ -27,9 +27,6 @@ from socialmind.language.syntax import parsed
 from socialmind.sources import folders
 from socialmind.sources.folders import MODEL_FILE, deciding_files, models_in
 from socialmind.sources.loading import PRIVATE
-
-if TYPE_CHECKING:
-    from socialmind.model import Model
 
 VERSION = 2
 """Of how sources are found and hashed; a record without one is of the model's folder alone."""
@@ -46,6 +43,23 @@ _read_by: dict[str, dict[str, None]] = {}
 """What the code of each module read while it was loaded, or when a society asked it something."""
 _defining: set[str] = set()
 """The modules in which a model was defined."""
+
+
+class ModelClass(Protocol):
+    """What is asked of a model's class."""
+
+    __module__: str
+
+    @property
+    def shape(self) -> Any:
+        """What its rules may read and write."""
+
+    @property
+    def variables(self) -> Mapping[str, Any]:
+        """The fields of its own."""
+
+    def typed(self, compiled: bool = True) -> Any:
+        """Return its typed rules."""
 
 
 @dataclass(frozen=True)
@@ -106,7 +120,7 @@ class Sources:
         }
 
 
-def sources_of(model_class: type[Model]) -> Sources:
+def sources_of(model_class: ModelClass) -> Sources:
     """Find what decides how a model runs."""
     file = _file_of(sys.modules.get(model_class.__module__))
     home = None if file is None else file.parent
@@ -238,11 +252,11 @@ sys.addaudithook(_note_read)
 _KNOWN = frozenset((*sys.stdlib_module_names, "socialmind", "coglogo_py", "numpy"))
 
 
-def _reached_modules(model_class: type[Model]) -> tuple[dict[str, ModuleType], dict[str, str]]:
+def _reached_modules(model_class: ModelClass) -> tuple[dict[str, ModuleType], dict[str, str]]:
     """Return the user's modules that a model reaches, and the versions of packages."""
     modules: dict[str, ModuleType] = {}
     packages: dict[str, str] = {}
-    waiting = [base.__module__ for base in model_class.__mro__]
+    waiting = [base.__module__ for base in getattr(model_class, "__mro__", ())]
     while waiting:
         name = waiting.pop()
         module = sys.modules.get(name)
@@ -380,7 +394,7 @@ def _other_models(file: Path, home: Path | None) -> list[tuple[Path, str]]:
     return list(found.items())
 
 
-def _minds_and_schemes(model_class: type[Model]) -> Iterator[Path]:
+def _minds_and_schemes(model_class: ModelClass) -> Iterator[Path]:
     """Yield where a model's schemes and minds lie, of which a run keeps copies of its own."""
     file = _file_of(sys.modules.get(model_class.__module__))
     for population in getattr(model_class, "populations", {}).values():
@@ -394,7 +408,7 @@ def _lies_in(path: Path, places: set[Path]) -> bool:
     return any(resolved == place or place in resolved.parents for place in places)
 
 
-def _cells_of(model_class: type[Model]) -> str:
+def _cells_of(model_class: ModelClass) -> str:
     """Return a hash of a model that no file holds: of its rules with their constants, and so on."""
     digest = hashlib.sha256(repr(model_class.shape.parameters).encode())
     digest.update(repr(model_class.variables).encode())

@@ -6,11 +6,14 @@ import os
 import shutil
 import signal
 import threading
+import warnings
 from collections.abc import Callable
 from concurrent.futures import Executor, ProcessPoolExecutor
 from multiprocessing import get_context, parent_process
 from multiprocessing.connection import wait
 from typing import Any
+
+from coglogo_py.compiled.code_folder import CacheWarning
 
 
 def pool(
@@ -45,6 +48,7 @@ def _begin(
     begin: Callable[..., None] | None, arguments: tuple[Any, ...], folder: str | None
 ) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    warnings.simplefilter("ignore", CacheWarning)  # the process that gives out the work says so
     parent = parent_process()
     if parent is not None:
         threading.Thread(target=_end_with, args=(parent.sentinel, folder), daemon=True).start()

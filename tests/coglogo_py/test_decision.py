@@ -58,6 +58,8 @@ WEIGHTS = [
     [1e-300, -1e-300],
     [1.7e308, -1.7e308, 1.7e308],
     [1.7e308] * 9,
+    [-1.7e308, 0.0, 0.0],
+    [7e15, 1e15, 5e15, 4e15, 5e15, 9e15, 0.0],  # by rank the shares before the last exceed 1
     [-1.7e308, -1.7e308],
     list(np.linspace(-3.0, 40.0, 60)),
 ]
@@ -135,6 +137,33 @@ def test_weighted_stochastic_by_hand(weights, expected):
     assert WeightedStochastic.probabilities(np.array(weights), 1.0) == pytest.approx(expected)
 
 
+@pytest.mark.parametrize(
+    ("weights", "expected"),
+    [
+        ([0.0, 1e301], [1e-301, 1.0]),  # offset 1
+        ([-1.7e308, 0.0, 0.0], [1 / 1.7e308 / 2, 0.5, 0.5]),
+        ([3e299, 7e299, 1e300], [0.15, 0.35, 0.5]),
+        ([1e308, 1e308, 1.5e308, 1.5e308], [0.2, 0.2, 0.3, 0.3]),
+    ],
+)
+def test_shares_near_the_end_of_the_number_range(weights, expected):
+    found = WeightedStochastic.probabilities(np.array(weights), 1.0)
+    assert found == pytest.approx(expected, rel=1e-13, abs=0)
+
+
+def test_shares_to_the_last_bit():
+    # The least weight is 1: no weight is moved. 2⁵³ + 2 less 1 and more 1 would be 2⁵³.
+    found = WeightedStochastic.probabilities(np.array([1.0, 2.0**53 + 2, 2.0**53]), 1.0)
+    assert found.tolist() == [2.0**-54 * (1 - 2.0**-52), 0.5, 0.5 - 2.0**-53]
+    # Scaled down by 10⁻¹⁰ / 3: some sums are then another last bit than unscaled.
+    found = WeightedStochastic.probabilities(np.array(NEAR_THE_END), 1.0)
+    assert [one.hex() for one in found.tolist()] == SHARES_NEAR_THE_END
+
+
+NEAR_THE_END = [4.3e299, 2.6e299, 7.4e299]
+SHARES_NEAR_THE_END = ["0x1.33ea8479bbf8dp-2", "0x1.745d1745d1746p-3", "0x1.08f377f1ada68p-1"]
+
+
 def test_weighted_stochastic_walks_in_the_order_of_the_scheme():
     weights = np.array([1.0, 3.0])
     assert WeightedStochastic.choose(weights, 1.0, 0.25) == 0  # a draw on the border counts
@@ -150,6 +179,21 @@ def test_biased_weighted_stochastic_by_hand():
     assert chances == pytest.approx([math.sqrt(0.5), 1 - math.sqrt(0.5)])
     assert BiasedWeightedStochastic.choose(np.array([1.0, 3.0]), 2.0, 0.866) == 1
     assert BiasedWeightedStochastic.choose(np.array([1.0, 3.0]), 2.0, 0.8661) == 0
+
+
+@pytest.mark.parametrize(
+    ("bias", "u", "weights"),
+    [
+        (1.0, 0.5, [3.0, 3.0]),
+        (2.0, 0.5, [1.0] * 4),
+        (0.5, 0.25, [7.0, 7.0]),
+        (0.5, 0.0625, [1.0] * 4),
+    ],
+)
+def test_a_biased_draw_on_the_border_counts(bias, u, weights):
+    weights = np.array(weights)
+    assert BiasedWeightedStochastic.choose(weights, bias, u) == 0
+    assert BiasedWeightedStochastic.choose(weights, bias, math.nextafter(u, 1.0)) == 1
 
 
 def test_a_bias_of_one_changes_nothing_but_the_walk():

@@ -1,6 +1,7 @@
 """The compiled operations against the makers, against their own text interpreted, and by hand."""
 
 import importlib.util
+import itertools
 import math
 
 import numba
@@ -20,7 +21,9 @@ from coglogo_py import (
     WeightedStochastic,
     kernel,
 )
+from coglogo_py.decision import weight_shares
 from coglogo_py.laying_out import grown, maker_code, mind_arrays, scheme_arrays
+from coglogo_py.streams import uniforms
 
 PLANS = ("eat", "rest", "trade", "flee")
 ALMOST_ONE = math.nextafter(1.0, 0.0)
@@ -138,6 +141,64 @@ def test_over_all_draws_each_plan_comes_as_often_as_its_probability_says(maker, 
         counts[kernel.choose(int(code), bias, weights, (i + 0.5) / n)] += 1
     # Each plan's draws are one interval: its count is off by less than one at either end.
     assert np.abs(counts - n * maker.probabilities(weights, maker.bias)).max() <= 1
+
+
+BORDERS = [
+    [1.0, 3.0],
+    [3.0, 3.0],
+    [5.0, -2.0, 5.0, 1.0],
+    [1.0, 2.0**53 + 2, 2.0**53],
+    [-1.7e308, 0.0, 0.0],
+    [4.3e299, 2.6e299, 7.4e299],
+]
+
+
+@pytest.mark.parametrize("weights", BORDERS, ids=str)
+def test_a_draw_on_the_border_of_a_share_is_the_earlier_plan_s(weights):
+    weights = np.array(weights)
+    shares = weight_shares(weights)
+    by_rank = np.argsort(-shares, kind="stable").tolist()
+    for code, order in (
+        (kernel.WEIGHTED_STOCHASTIC, range(len(weights))),
+        (kernel.BIASED_WEIGHTED_STOCHASTIC, by_rank),
+    ):
+        border = 0.0
+        for earlier, later in itertools.pairwise(order):
+            border += shares[earlier]
+            if border < ALMOST_ONE:
+                assert kernel.choose(code, 1.0, weights, border) == earlier
+                assert kernel.choose(code, 1.0, weights, math.nextafter(border, 1.0)) == later
+
+
+@pytest.mark.parametrize(
+    ("bias", "u", "n"), [(2.0, 0.5, 4), (0.5, 0.25, 2), (0.5, 0.0625, 4), (1.0, 0.5, 2)]
+)
+def test_a_biased_draw_on_the_border_counts(bias, u, n):
+    # u to the power of the bias is 1 / n, the first of n equal shares.
+    code, weights = kernel.BIASED_WEIGHTED_STOCHASTIC, np.full(n, 3.0)
+    assert kernel.choose(code, bias, weights, u) == 0
+    assert kernel.choose(code, bias, weights, math.nextafter(u, 1.0)) == 1
+
+
+def test_a_draw_hangs_on_seed_stream_mind_and_decision():
+    arrays = scheme_arrays(scheme_of())
+    minds = mind_arrays(arrays, 4, 2**40 + 3)
+    slot = kernel.new_mind(arrays, minds)
+    minds.counters[kernel.STREAM] = 5
+    minds.mind_id[slot] = 77
+    minds.draws[slot] = 2**33 + 9
+    expected = uniforms(9, 77, 2, 0x4D490005, 3, 2**8)[0]
+    assert kernel.next_draw(minds, slot) == expected
+    assert minds.draws[slot] == 2**33 + 9
+
+
+def test_who_is_born_in_the_place_of_a_dead_mind_draws_from_the_first_number_on():
+    arrays, minds = arrays_of(scheme_of(WeightedStochastic()))
+    slot = kernel.new_mind(arrays, minds)
+    kernel.choose_next_plan(arrays, minds, slot, np.empty(2), np.empty(2, np.int64))
+    kernel.die(arrays, minds, slot)
+    assert kernel.new_mind(arrays, minds) == slot
+    assert (minds.draws[slot], minds.mind_id[slot]) == (0, 1)
 
 
 OPERATIONS = st.lists(
@@ -337,6 +398,16 @@ def test_a_weight_beyond_the_largest_number_is_refused_and_no_draw_is_counted():
     with pytest.raises(ValueError, match="beyond the largest"):
         kernel.choose_next_plan(arrays, minds, 0, np.empty(2), np.empty(2, np.int64))
     assert minds.draws[0] == 0
+
+
+def test_a_weight_beyond_the_largest_number_of_a_closed_plan_is_nobody_s():
+    weigher = Cogniton("weigher", start_value=1e308, influence={"eat": 10}, conditional=("rest",))
+    arrays, minds = arrays_of(CognitiveScheme("closed", (weigher,)))
+    kernel.new_mind(arrays, minds)
+    weights, available = np.empty(2), np.empty(2, np.bool_)
+    assert kernel.plan_weights(arrays, minds, 0, weights, available) == 1
+    assert available.tolist() == [False, True]
+    assert weights[1] == 0.0
 
 
 def test_a_decision_without_a_plan_counts_as_a_draw():

@@ -2,9 +2,11 @@
 
 import re
 import shutil
+from dataclasses import replace
 
 import pytest
 
+from coglogo_py import CognitiveScheme
 from socialmind.experiments import Run
 
 SCHEME = """
@@ -91,6 +93,49 @@ def test_check_of_a_model_knows_its_plans(socialmind, grazers, tmp_path):
     result = socialmind("check", tmp_path / "odd")
     assert result.exit_code == 1
     assert f"{scheme}: plan never available: plan 'Wander'" in result.stdout
+
+
+def test_check_says_what_it_did_not_look_at(socialmind, grazers, tmp_path):
+    shutil.copytree(grazers, tmp_path / "odd")
+    model = tmp_path / "odd" / "model.py"
+    text = model.read_text()
+    line = next(n for n, one in enumerate(text.splitlines(), 1) if "= Population(" in one)
+
+    def said(old="", new=""):
+        model.write_text(text.replace(old, new))
+        result = socialmind("check", tmp_path / "odd")
+        assert (result.exit_code, result.stdout) == (0, f"{tmp_path / 'odd'}: nothing odd found\n")
+        return [one for one in result.stderr.splitlines() if "not looked at; --trust" in one]
+
+    assert said() == []
+    place = f"{model}:{line}: Population(…"
+    (one,) = said('"scheme.yaml"', "NAME + '.yaml'")
+    assert one.startswith(f"{place}, mind=NAME + '.yaml') was not")
+    (one,) = said('plans={"Wander": wander, "Graze": graze}', "plans=PLANS")
+    assert one.startswith(f"{place}, plans=…): whether the scheme has these plans was not")
+    (one,) = said('Population(\n        Grazer, "n_grazers", mind', "sm.Population(\n**MORE, mind")
+    assert one.startswith(f"{place}, **MORE) was not")
+    (one,) = said('mind="scheme.yaml"', 'mind="scheme.yaml", hierarchy="mind"')
+    assert one.startswith(f"{place}, hierarchy='mind') was not")
+    scheme = tmp_path / "odd" / "scheme.yaml"
+    scheme.write_text(scheme.read_text().replace("WeightedStochastic", "Mine"))
+    (one,) = said()
+    assert one.startswith(f"{scheme}: the scheme, whose decision maker may be the model's own was")
+
+
+def test_check_of_a_file_that_may_have_been_cut_off(socialmind, grazers, tmp_path):
+    scheme = replace(CognitiveScheme.load(grazers / "scheme.yaml"), plan_order=None)
+    for name in ("a.cogscheme", "a.yaml"):
+        path = tmp_path / name
+        scheme.save(path)
+        whole = path.read_bytes()
+        assert socialmind("check", path).exit_code == 0
+        lines = whole.splitlines(keepends=True)
+        cut = whole[:-1] if name == "a.yaml" else b"".join(lines[:-1])  # without its ENDCS
+        path.write_bytes(cut)
+        result = socialmind("check", path)
+        assert result.exit_code == 1
+        assert result.stdout.startswith(f"{path}:") and "cut off" in result.stdout
 
 
 def test_explain_prints_the_receipt(socialmind, done):

@@ -50,6 +50,37 @@ def test_a_turkish_locale(tmp_path):
     assert "1 or more" in out.decode()
 
 
+def shell(line, folder):
+    """Run a line of a shell in which `socialmind` stands for the program; gives code and errors."""
+    program = f'socialmind() {{ "{sys.executable}" -m socialmind.cli "$@"; }}; {line}'
+    environment = {**os.environ, "PYTHONPATH": str(CHECKOUT)}
+    done = subprocess.run(
+        ["bash", "-c", program], cwd=folder, env=environment, capture_output=True, text=True
+    )
+    return done.returncode, done.stderr
+
+
+def test_streams_that_are_closed(tmp_path):
+    assert shell("socialmind new a >&-", tmp_path) == (0, "")
+    assert shell("socialmind new b <&- >&- 2>&-", tmp_path) == (0, "")
+    assert shell("socialmind new a >&- 2>&-", tmp_path) == (2, "")
+    template = CHECKOUT / "socialmind" / "template"
+    for file in template.glob("*.*"):  # not one of them took the output's number
+        assert (tmp_path / "b" / file.name).read_bytes() == file.read_bytes()
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+def test_output_that_nobody_takes(tmp_path):
+    assert shell("socialmind --version >/dev/full", tmp_path) == (
+        2,
+        "socialmind: No space left on device\n",
+    )
+    assert shell("socialmind new a >/dev/full", tmp_path)[0] == 2
+    gone = "socialmind new {} 2>&1 | true; exit ${{PIPESTATUS[0]}}"
+    assert shell(gone.format("b"), tmp_path) == (141, "")
+    assert shell(gone.format("a"), tmp_path) == (141, "")  # what is wrong is said to nobody
+
+
 def test_characters_and_what_stands_for_them():
     assert plain("1 … 5 × 10⁶ – Suró") == "1 ... 5 x 106 - Suro"
     assert plain("雪") == "?"

@@ -78,6 +78,13 @@ def test_a_value_beyond_the_bound_is_set_to_it_and_does_not_come_to_rest(value, 
     assert towards_neutral(value, 0.5, 0.0, 30.0) == after
 
 
+def test_coming_to_rest_by_hand():
+    assert towards_neutral(21.0, 0.25, 5.0, 30.0) == 9.0  # 5 + 16 / 4
+    assert towards_neutral(-11.0, 0.25, 5.0, 30.0) == 1.0
+    assert towards_neutral(36.0, 0.25, 5.0, 30.0) == 35.0
+    assert towards_neutral(-26.0, 0.25, 5.0, 30.0) == -25.0
+
+
 class Store(Agent):
     food: float = 1000.0
     expected: float = 10.0

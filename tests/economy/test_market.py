@@ -112,6 +112,12 @@ class Fair(Model):
     schedule = (each(stalls, look), each(traders, trade), each(stalls, fade))
 
 
+def test_a_market_begins_empty_and_neutral():
+    (stall,) = Fair(1, compiled=False).stalls
+    assert (stall.staple, stall.ware) == (0.0, 0.0)
+    assert (stall.staple_demand, stall.ware_demand, stall.perception) == (0.0, 0.0, 0.0)
+
+
 def test_in_rules_it_is_the_same_at_both_speeds():
     compiled, interpreted = Fair(1), Fair(1, compiled=False)
     for society in (compiled, interpreted):

@@ -67,6 +67,12 @@ def test_whole_episodes_repeat_themselves(rovers, physics):
     assert not equal(told, episode(first, None, actions))
 
 
+def test_what_the_tick_of_the_reset_paid_is_in_the_first_reward_alone(rover, monkeypatch):
+    monkeypatch.setattr(PlaneEnv, "_column", lambda env, name: 3.0)  # paid in every tick
+    rover.reset(seed=1)
+    assert [rover.step(FORWARD)[1] for _ in range(3)] == [6.0, 3.0, 3.0]
+
+
 def test_worlds_follow_one_another_from_one_seed(rover, rovers):
     worlds = [rover.reset(seed=one)[1]["world"] for one in (7, None, None)]
     assert len(set(worlds)) == 3

@@ -15,7 +15,7 @@ from socialmind.learning.lessons.keys import seed_for
 from socialmind.mind import MindDescription, Perceptron, Skill
 from socialmind.worlds.plane import Disc, Measure, Plane, Robot, against, ratio, total, wheel
 
-ROVERS = Path(__file__).parent / "rovers"
+ROVERS = Path(__file__).parents[1] / "runs" / "rovers"
 
 
 @pytest.fixture(scope="module")

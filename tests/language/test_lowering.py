@@ -2,6 +2,9 @@
 
 # ruff: noqa: RUF012  # the defaults of array fields are lists
 
+import math
+import struct
+
 import numpy as np
 import pytest
 
@@ -33,6 +36,8 @@ class Ground(Patch):
     last: bool | None = None
 
 
+HOLE = -math.nan
+HOLES = (math.nan, HOLE, -0.0, -math.inf)
 SCHEME = CognitiveScheme("one", (Cogniton("Want", start_value=1.0, influence={"go": 1.0}),))
 
 
@@ -82,6 +87,9 @@ def carry_on(agent, model, rng):
         known = here.last
         here.last = not known
     agent.flags[0] = here.marks[0] and model.seen[1]
+    for place in range(4):
+        model.holes[place] = HOLES[place]
+    model.holes[4] = HOLE
 
 
 def wait(model):
@@ -99,6 +107,7 @@ class OddModel(Model):
     first: int | None = None
     seen: list[bool] = [True, False]
     sums: list[float] = [0.0, 0.0, 0.0]
+    holes: list[float] = [0.0] * 5
     agent = Population(Odd, 4, mind=SCHEME, plans={"go": go})
     order = Population(Other, 3)
     world = Torus(5, Ground)
@@ -123,6 +132,10 @@ def test_odd_names_and_fields_run_alike(speeds):
     assert fast._met == []
     assert not speeds.differences(fast, slow)
     assert list(fast.seen) == list(slow.seen)
+    nan, minus_zero = struct.pack("d", math.nan), struct.pack("d", -0.0)
+    written = [nan, nan, minus_zero, struct.pack("d", -math.inf), nan]
+    for model in (fast, slow):  # bytes: what a table holds is compared with these
+        assert [struct.pack("d", one) for one in model.holes] == written
     assert fast.agent.flags.dtype == bool
     assert fast.world.marks.any()
 

@@ -319,7 +319,13 @@ STATEMENTS = {
     "person.f = model.world[1, 1]": ("[…] on the world", "model.world.patch(x, y)"),
     "person.i = model.next_id()": ("next_id() of the model", "person.id"),
     "model.running = False": ("the model's 'running'", "until `stop_when`"),
-    "person.b = (0, 1) in PAIRS": ("`in` a tuple of pairs", "for dx, dy in PAIRS:"),
+    "person.b = (0, person.i) in PAIRS": (
+        "`in` a tuple of pairs",
+        "`for a, b in PAIRS:` with `if a == 0 and b == person.i: found = True`",
+    ),
+    "person.b = person.i in PAIRS": ("`in` a tuple of pairs", "for a, b in PAIRS:"),
+    "person.b = (person.i, 1) == (0, 1)": ("several values in a comp", "`x == 0 and y == 1`"),
+    "person.b = PAIRS[0] == PAIRS[1]": ("several values in a comp", "`x == 0 and y == 1`"),
     "person.f = rng.normal()": ("0 arguments for rng.normal()", "rng.normal(mean, deviation)"),
 }
 

@@ -113,6 +113,27 @@ def test_commands_and_influences_of_a_drive_by_hand():
     assert many.evaluate({})["M"] == pytest.approx(np.full(3, 3.2 / 4.5))
 
 
+def repeating(mind):
+    for value, weight in ((1.0, 3.0), (0.25, 1.0)):
+        mind.command("M", value, weight)
+        mind.command_variable("V", value, weight)
+    mind.add_influence("Middle", 0.25)
+    mind.add_influence("Middle", 0.5)
+
+
+def test_what_a_drive_says_twice_adds_up_and_the_master_need_not_be_first():
+    skills = [
+        constant("Above", {"SK:Middle": 1.0, "MO:M": 1.0}),
+        constant("Middle", {"MO:N": 0.75, "MO:M": 0.5}),
+    ]
+    hierarchy = Hierarchy(mind(skills, ["V"]), "Middle", drive=repeating)
+    # M: (1.75 · 0.5 + 3.0 · 1.0 + 1.0 · 0.25) / (1.75 + 3.0 + 1.0); nothing reaches Above.
+    for heard in (0.0, 3.25 / 4.0):
+        assert hierarchy.evaluate({}) == pytest.approx({"M": 4.125 / 5.75, "N": 0.75})
+        assert hierarchy.influences() == {"Above": 0.0, "Middle": 1.75}
+        assert hierarchy.variables() == {"V": heard}
+
+
 def jumping(mind):
     if mind.sensor("S") > 0.5:
         mind.set_variable("V", 1.0)

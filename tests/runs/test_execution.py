@@ -6,6 +6,7 @@ import subprocess
 import sys
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import filelock
@@ -18,6 +19,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import Interrupted, Run, replay, resume, run
 from socialmind.runs import execution as execution_module
 from socialmind.runs.capsule import Capsule
+from socialmind.runs.checkpoint import Checkpoint
 from socialmind.sources.folders import catalogue
 
 CHECKOUT = Path(__file__).parents[2]
@@ -218,7 +220,7 @@ def killed(tmp_path, body):
     """Run Python code that ends by SIGKILL; gives the folder it worked in."""
     script = f"""
 import os, signal, sys
-sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/experiments")!r}]
+sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/runs")!r}]
 from drifters import Drifters
 from socialmind.experiments import (run, resume)
 from socialmind.runs import execution
@@ -297,7 +299,7 @@ def test_killed_by_the_clock(drifters, whole, tmp_path):
     """Whenever the kill comes, the folder is either not there or goes on."""
     script = f"""
 import sys
-sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/experiments")!r}]
+sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/runs")!r}]
 from drifters import Drifters
 from socialmind.experiments import run
 run(Drifters, 1003, 3, every=4, agents_every=20, out=sys.argv[1], checkpoint_every=0.01)
@@ -323,6 +325,14 @@ def test_extended_equals_one_long_run(drifters, whole, tmp_path, first):
     resume(folder, ticks=1003, model_class=drifters)
     assert tables_of(folder) == tables_of(whole)
     assert Run(folder).manifest.ticks == 1003
+
+
+def test_the_time_of_all_stretches_is_added_up(drifters, tmp_path):
+    folder = run(drifters, 20, out=tmp_path / "run")
+    path = Capsule(folder).checkpoint
+    replace(Checkpoint.load(path), seconds=1000.0, loop_seconds=900.0).save(path)
+    timings = Run(resume(folder, ticks=40, model_class=drifters)).manifest.timings
+    assert 1000.0 < timings["seconds"] < 1900.0 and 900.0 <= timings["loop_seconds"] < 1800.0
 
 
 def test_extended_twice_and_killed_while_reopened(drifters, whole, tmp_path):

@@ -19,7 +19,9 @@ def test_a_class_of_a_model_s_file_is_found_by_the_model_s_name():
     assert found(reference) is cls
 
 
-def test_a_class_of_any_other_file_is_found_by_its_path(slopes):
+def test_a_class_of_any_other_file_is_found_by_its_path(tmp_path):
+    (tmp_path / "slopes.py").write_text("class Slope:\n    pass\n")
+    slopes = load_file(tmp_path / "slopes.py")
     reference = referred(slopes.Slope)
     assert (reference.model, Path(reference.file).name) == ("", "slopes.py")
     assert found(pickle.loads(pickle.dumps(reference))) is slopes.Slope

@@ -1,6 +1,8 @@
 """The torus has NetLogo's geometry."""
 
+import hashlib
 import math
+import struct
 from types import SimpleNamespace
 
 import pytest
@@ -52,6 +54,14 @@ def test_what_leaves_on_one_side_comes_back_on_the_other(value, expected):
     assert torus.wrapped(value, -16, 33) == pytest.approx(expected)
 
 
+@pytest.mark.parametrize(("edge", "size"), [(-1.5, 3), (-3.5, 7), (-5.5, 11), (-19.5, 39)])
+def test_a_hair_below_the_far_edge_of_a_copy_is_in_the_world(edge, size):
+    for copy in range(1, 60):
+        value = math.nextafter(edge + size * copy, -math.inf)
+        found = torus.wrapped(value, -(size // 2), size)
+        assert edge <= found < edge + size
+
+
 @given(st.floats(-1e15, 1e15), sizes)
 def test_every_coordinate_is_brought_back_into_the_world(value, size):
     low = -(size // 2)
@@ -75,6 +85,30 @@ def test_the_short_way_is_at_most_half_the_world(difference, size):
     assert abs(short) <= size / 2 + 1e-9
     rounds = (difference - short) / size
     assert abs(rounds - round(rounds)) < 1e-6
+
+
+def test_the_short_way_by_hand():
+    # Half the world away both ways are as long: it keeps the sign.
+    found = [torus.short_way(one, 33) for one in (16.5, -16.5, 16.6, -16.6, 33.0, -33.0, 70.0)]
+    assert found == pytest.approx([16.5, -16.5, -16.4, 16.4, 0.0, 0.0, 4.0])
+
+
+def test_the_arc_tangent_is_right_to_the_last_bits():
+    # In the first eighth nothing is added that could hide an error.
+    for step in range(1, 1001):
+        share = step / 1000
+        right = math.degrees(math.atan2(share, 1.0))
+        assert torus.compass(share, 1.0) == pytest.approx(right, rel=6e-16, abs=0)
+        assert torus.compass(1.0, share) == pytest.approx(90.0 - right, rel=6e-16, abs=0)
+    assert torus.compass(1.0, 1.0) == 45.0
+    # And they are the same bits for ever, or recorded runs would not repeat.
+    bits = b"".join(struct.pack("<d", torus.compass(step / 1000, 1.0)) for step in range(1001))
+    assert hashlib.sha256(bits).hexdigest()[:16] == "b91a7073259d0d28"
+
+
+def test_a_hair_west_of_north_is_north():
+    assert torus.compass(-1e-20, 1.0) == 0.0
+    assert torus.compass(-1e-13, 1.0) == pytest.approx(360.0) and torus.compass(-1e-13, 1.0) < 360.0
 
 
 def test_faces_the_short_way_round():
@@ -137,8 +171,34 @@ def test_right_and_left_undo_each_other(heading, angle):
     torus.right(None, agent, angle)
     assert 0 <= agent.heading <= 360
     torus.left(None, agent, angle)
+    assert 0 <= agent.heading <= 360
     turned = (agent.heading - heading) % 360
     assert min(turned, 360 - turned) < 1e-9
+
+
+def test_turning_by_hand():
+    agent = turtle(heading=350.0)
+    torus.right(None, agent, 20.0)
+    assert agent.heading == 10.0
+    torus.left(None, agent, 30.0)
+    assert agent.heading == 340.0
+
+
+def test_who_is_put_somewhere_is_brought_back_into_the_world():
+    agent = turtle()
+    torus.move_to(world_of(33), agent, 17.0, -20.0)
+    assert (agent.x, agent.y) == (-16.0, 13.0)
+
+
+def test_walking_by_hand():
+    world, agent = world_of(33), turtle(15.0, 1.0)
+    torus.walk_to(world, agent, -14.0, -2.0, 2.5)  # 4 east over the edge and 3 south
+    assert (agent.x, agent.y) == pytest.approx((-16.0, -0.5))
+    assert agent.heading == pytest.approx(90.0 + math.degrees(math.atan2(3, 4)))
+    torus.walk_to(world, agent, -16.0, 1.0, 20.0)  # nearer than the step
+    assert (agent.x, agent.y, agent.heading) == (-16.0, 1.0, 0.0)
+    torus.walk_to(world, agent, -26.0, 1.0, 1.0)
+    assert agent.x == pytest.approx(16.0) and agent.heading == 270.0
 
 
 @given(inside, inside, inside, inside, st.floats(0.01, 3), st.integers(1, 40))
@@ -157,6 +217,25 @@ def test_walking_on_the_spot():
     agent = turtle(2.0, 3.0, 77.0)
     torus.walk_to(world_of(9), agent, 2.0, 3.0, 0)
     assert (agent.x, agent.y, agent.heading) == (2.0, 3.0, 77.0)
+
+
+def test_is_on_a_patch_by_hand():
+    world = world_of(33)
+    for x, y, there in [
+        (0.0, 0.0, True), (0.5, 0.0, False), (0.49, -0.5, True), (0.0, -0.51, False),
+        (33.0, 0.0, True), (0.0, -33.4, True), (-0.5, 33.4, True), (33.4, 1.0, False),
+    ]:  # fmt: skip
+        assert torus.is_on(world, turtle(), x, y) is there
+    assert torus.is_on(world, turtle(-0.49, -0.49), 0.46, 0.46)
+    # 32.2 away the other way round, and on its patch.
+    assert torus.is_on(world, turtle(0.0, -15.6), 0.0, 16.6)
+    assert torus.is_on(world, turtle(-15.6, 0.0), 16.6, 0.0)
+
+
+def test_patches_stand_column_by_column():
+    places = [(-16, -16), (-16, -15), (-15, -16), (16, 16), (17, 0), (0.5, -0.5)]
+    found = [torus.patch_index(x, y, -16, 33) for x, y in places]
+    assert found == [0, 1, 33, 33 * 33 - 1, 16, 17 * 33 + 16]
 
 
 @given(inside, inside, st.floats(-60, 60), st.floats(-60, 60), sizes)
@@ -192,6 +271,18 @@ def test_in_radius_by_hand():
     assert list(world.in_radius(turtle(0.5, 0.5), 0.1)) == []
 
 
+def test_in_radius_over_the_edge_of_a_small_world():
+    # Patches of a world of 3, whose places are 0 … 8: from x − 1 on, then from y − 1.
+    assert list(torus.patches_in_radius(1.0, 1.0, 1.0, -1, 3)) == [5, 7, 8, 6, 2]
+    # Of 5 by 5, from a corner: more rows than there are, but not the four patches 2 · √2 away.
+    for x, y in ((2.0, 2.0), (-2.0, 2.0), (2.0, -2.0), (-2.0, -2.0)):
+        found = list(torus.patches_in_radius(x, y, 2.5, -2, 5))
+        far = {
+            ((round(x) + i + 2) % 5) * 5 + (round(y) + j + 2) % 5 for i in (-2, 2) for j in (-2, 2)
+        }
+        assert len(found) == 21 and set(found) == set(range(25)) - far
+
+
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, 1e300])
 def test_points_that_are_nowhere(bad):
     with pytest.raises(ValueError, match="nowhere"):
@@ -200,6 +291,14 @@ def test_points_that_are_nowhere(bad):
         list(torus.patches_in_radius(0.0, bad, 1.0, -16, 33))
     with pytest.raises(ValueError, match="nowhere"):
         list(torus.patches_in_radius(0.0, 0.0, abs(bad), -16, 33))
+
+
+def test_lattices_by_hand():
+    assert torus.lattice(33, 2) == [(-8, 0), (8, 0)]
+    # Three columns and two rows: the first row first.
+    rows = [(-11, -8), (0, -8), (11, -8), (-11, 8), (0, 8), (11, 8)]
+    assert torus.lattice(33, 6) == rows
+    assert [torus.lattice_columns(n) for n in (1, 2, 3, 4, 5, 6, 12)] == [1, 2, 3, 2, 5, 3, 4]
 
 
 @given(st.integers(1, 60), st.integers(1, 60))

@@ -156,7 +156,7 @@ def compared(
     finite = bool(np.isfinite(x).all() and np.isfinite(y).all())
     one, other = _interval(x, level), _interval(y, level)
     if not finite:
-        difference = Interval(_difference(one.mean, other.mean), math.nan, math.nan)
+        difference = Interval(one.mean - other.mean, math.nan, math.nan)
     elif paired:
         difference = interval_of(x - y, level)
     else:
@@ -241,10 +241,6 @@ def _interval(values: NDArray[np.float64], level: float) -> Interval:
     # Of infinities of both signs there is no mean.
     signs = set(np.sign(values[np.isinf(values)]).tolist())
     return Interval(math.nan if len(signs) > 1 else signs.pop() * math.inf, math.nan, math.nan)
-
-
-def _difference(one: float, other: float) -> float:
-    return math.nan if one == other else one - other
 
 
 def _standardised(difference: float, deviation: float, free: int) -> float:

@@ -58,8 +58,7 @@ def split_of(roles: pd.DataFrame) -> pd.DataFrame:
             f"a table of roles: agent {row['agent']} has none at tick {row['tick']}; expected one "
             "for each agent, such as 'undecided'"
         )
-    counted = pd.crosstab(roles["tick"], roles["role"])
-    return counted.sort_index().sort_index(axis=1)
+    return pd.crosstab(roles["tick"], roles["role"])  # sorted both ways
 
 
 def wanted_shares(wanted: Wanted, ticks: ArrayLike) -> pd.DataFrame:

@@ -14,7 +14,7 @@ from matplotlib.patches import Rectangle
 
 from socialmind.drawing.look import LOOKS
 from socialmind.drawing.plane import FOOT, Picture
-from socialmind.drawing.style import COLUMN, PAGE
+from socialmind.drawing.style import COLUMN, PAGE, write_figure
 from socialmind.experiments.pictures.film import Frame
 from socialmind.experiments.pictures.repeating import Name, Repeated
 from socialmind.mind.views.drawing import HierarchyPicture
@@ -155,8 +155,8 @@ class Page:
         """Write the page."""
         # Without its date a file of the same run is the same file.
         metadata = {".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
-        self.figure.savefig(
-            path, dpi=self._dots, metadata=metadata.get(path.suffix.lower()),
+        write_figure(
+            self.figure, path, dpi=self._dots, metadata=metadata.get(path.suffix.lower()),
             facecolor=self._look.page,
         )  # fmt: skip
 

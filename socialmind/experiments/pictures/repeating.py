@@ -63,8 +63,7 @@ class Repeated:
         if mind and self.robot is not None:
             observe(self._model.assemblies[self.robot[0]])
         self._see_mind()
-        plane = self._model.shape.plane
-        self._jump = 2.0 * FASTEST * (1.0 if plane is None else plane.dt)
+        self._jump = 2.0 * FASTEST * self._model.shape.world.dt
         self._teams = [
             name for name, one in self._model.populations.items() if issubclass(one.agent, Robot)
         ]

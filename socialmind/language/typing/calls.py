@@ -41,7 +41,6 @@ from socialmind.language.typing.built_in import (
 from socialmind.language.typing.draws import typed_draw
 from socialmind.language.typing.hierarchies import hierarchy_call
 from socialmind.language.typing.signatures import CHOSEN, MIND, Signature
-from socialmind.worlds.torus import geometry as torus
 
 if TYPE_CHECKING:
     from socialmind.language.typing.expressions import ExpressionTyper
@@ -348,13 +347,16 @@ def _population(
 def _world(
     typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: WorldType, name: str
 ) -> Typed:
-    if name == "patch":
+    world = typer.shape.world
+    if name == "patch" and world.patch is not None:
         arguments = fitted(typer, node, "patch", Signature((FLOAT, FLOAT), NONE))
         return _made(node, base, name, arguments, ("patch_at",)), PatchType()
-    if name in torus.COMMANDS:
-        return helper(typer, node, torus.COMMANDS[name], first=[(base, kind)])
+    if name in world.commands:
+        return helper(typer, node, world.commands[name], first=[(base, kind)])
     if name in ("in_radius", "patches"):
         loop = "patches" if name == "patches" else "in_radius(agent, radius)"
         typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{loop}:`")
-    advice = hints.for_world(typer, name, [*torus.COMMANDS, "patch", "in_radius"])
+    advice = hints.for_world(
+        typer, name, [*world.commands, *(("patch", "in_radius") if world.patch is not None else ())]
+    )
     return typer.refuse(node, f"the world's {name}()", advice)

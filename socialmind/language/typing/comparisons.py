@@ -44,6 +44,9 @@ def typed_comparison(typer: ExpressionTyper, node: ast.Compare) -> Typed:
         return _choices(typer, node, typed)
     if any(isinstance(kind, PlanType | TextType) for kind in kinds):
         return _plans(typer, node, typed)
+    if any(isinstance(kind, TupleType | TableType) for kind in kinds):
+        advice = "compare them one by one: `x == 0 and y == 1`"
+        typer.refuse(node, "several values in a comparison", advice)
     if any(isinstance(kind, RowType) for kind in kinds):
         return _agents(typer, node, typed)
     if len(typed) == 2 and kinds[0] == kinds[1] == BOOL:
@@ -97,7 +100,14 @@ def _one_of_several(typer: ExpressionTyper, node: ast.Compare, operator: ast.cmp
         if isinstance(kind, TableType) and not isinstance(kind.item, TupleType):
             several = tables.written(kind.values, several)
         if isinstance(kind, TableType) and isinstance(kind.item, TupleType):
-            advice = "compare in a for loop: `for dx, dy in PAIRS:`"
+            names = "abcdefgh"[: len(kind.item.items)]
+            parts = node.left.elts if isinstance(node.left, ast.Tuple) else []
+            sought = [ast.unparse(one) for one in parts] or ["…"] * len(names)
+            question = " and ".join(f"{a} == {b}" for a, b in zip(names, sought, strict=False))
+            advice = (
+                f"ask in a loop: `found = False`, then `for {', '.join(names)} in "
+                f"{ast.unparse(several)}:` with `if {question}: found = True`"
+            )
             typer.refuse(node, "`in` a tuple of pairs", advice)
     if not isinstance(several, ast.Tuple | ast.List | ast.Set) or not several.elts:
         typer.refuse(node, "`in` without written values", "write `x in (1, 2)`, or a for loop")

@@ -324,11 +324,12 @@ class ExpressionTyper:
         if isinstance(kind, PatchType):
             if node.attr in ("x", "y"):
                 return marked(new, ("patch_place", node.attr)), INT
-            return self.field(new, self.shape.patch, kind, ("patch",))
+            return self.field(new, self.shape.world.patch, kind, ("patch",))
         if isinstance(kind, WorldType):
-            if node.attr in ("size", "low", "high"):
-                return marked(new, ("world_size", node.attr)), INT
-            remedy = hints.for_world(self, node.attr, ("size", "low", "high"))
+            numbers = self.shape.world.numbers
+            if node.attr in numbers:
+                return marked(new, ("world_number", node.attr)), INT
+            remedy = hints.for_world(self, node.attr, numbers)
             if node.attr == "patches":
                 remedy = "write `for patch in model.world.patches:`"
             self.refuse(node, f"the world's {node.attr!r} as a value", remedy)
@@ -358,7 +359,7 @@ class ExpressionTyper:
             return marked(node, ("tick",)), INT
         if name in self.shape.populations:
             return marked(node, ("population", name)), PopulationType(name)
-        if name == "world" and self.shape.patch is not None:
+        if name == "world" and self.shape.world.commands:
             return marked(node, ("world",)), WorldType()
         fields = {**self.shape.parameters, **self.shape.variables}
         if name not in fields:

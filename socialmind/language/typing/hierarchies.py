@@ -22,11 +22,10 @@ def hierarchy_call(
     known = [one for one in HIERARCHY if not (kind.driven and one in BETWEEN_EVALUATIONS)]
     if name not in known:
         typer.refuse(node, f"the {called}'s {name}()", nearest(name, known))
-    plane = typer.program.shape.plane
-    if name == "evaluate" and plane is not None and kind.population in plane.robots:
+    if name == "evaluate" and typer.shape.populations[kind.population].evaluated_by_world:
         typer.refuse(
             node,
-            f"evaluate() of {kind.population!r}, whose hierarchies the plane evaluates",
+            f"evaluate() of {kind.population!r}, whose hierarchies the world evaluates",
             "leave it out: each tick evaluates them once, after the sensors",
         )
     if node.keywords:

@@ -82,7 +82,7 @@ class Ground:
 
         if not issubclass(self.environment, Model):
             return self.environment(**arguments)
-        if self.environment.shape.plane is None:
+        if not self.environment.shape.world.has_episodes:
             from socialmind.learning.episodes.society_episodes import SocietyEpisodes
 
             return SocietyEpisodes(self.environment, **arguments)

@@ -23,16 +23,16 @@ class Lives:
 
     def __init__(self, model: Model) -> None:
         self._model = model
-        plane: Any = model.shape.plane
-        self._gone = {name: {one for one, _ in self._dead(name)} for name in plane.robots}
-        self._kept: dict[str, dict[int, Any]] = {name: {} for name in plane.robots}
+        robots = model.shape.world.robots
+        self._gone = {name: {one for one, _ in self._dead(name)} for name in robots}
+        self._kept: dict[str, dict[int, Any]] = {name: {} for name in robots}
 
     def advance(self, last: bool) -> None:
         """Run a tick; in the last one of an episode robots are paid what is still due to them."""
         model = self._model
         model.advance(1)
-        if last and model.over is None and model.arena is not None:
-            model.arena.settle()
+        if last and model.over is None:
+            model.ground.settle()
         for name, gone in self._gone.items():
             for identity, row in self._dead(name):
                 if identity not in gone:

@@ -68,7 +68,7 @@ class Episodes:
         record: Sequence[str] = (),
         without: Sequence[str] = (),
     ) -> None:
-        if model_class.shape.plane is None:
+        if not model_class.shape.world.has_episodes:
             raise ModelError(f"episodes of {model_class.name!r}", "a model on a plane")
         self.model_class = model_class
         self.parameters = dict(parameters or {})
@@ -78,13 +78,13 @@ class Episodes:
         self.record = several(record, "record")
         self.without = (without,) if isinstance(without, str) else several(without, "without")
         for name, one in model_class.populations.items():
-            if one.hierarchy is not None and name not in model_class.shape.plane.robots:
+            if one.hierarchy is not None and name not in model_class.shape.world.robots:
                 raise ModelError(f"episodes with hierarchies of {name!r}", "those of robots alone")
-        minded = [n for n, one in model_class.shape.plane.robots.items() if one.hierarchy]
+        minded = [n for n, one in model_class.shape.world.robots.items() if one.hierarchy]
         self.pupils = pupils_of(model_class, minded, hierarchy, master, skill, drive, population)
         self.skills, self.population = self.pupils.skills, self.pupils.population
         self.steerings, self.genome_size = self.pupils.steerings, self.pupils.genome_size
-        self.robots = model_class.shape.plane.robots
+        self.robots = model_class.shape.world.robots
         self.recorded = {name: self._place(name) for name in self.record}
         self.stopped = False
         self._batch: Batch | None = None

@@ -56,7 +56,7 @@ class SocietyEpisodes:
         physics: str = "compiled",
         record: Sequence[str] = (),
     ) -> None:
-        if model_class.shape.plane is not None:
+        if model_class.shape.world.has_episodes:
             raise ModelError(f"{model_class.name!r}, which has a plane", None, "use Episodes")
         if not callable(getattr(model_class, "score", None)):
             raise ModelError(

@@ -87,8 +87,7 @@ class PlaneWorld:
         stand_in = self.skill.changed(function=Programmed(self._answer))
         description = self._episodes.description.with_modules(skills=[stand_in])
         self._hierarchy = Hierarchy(description, led.master, drive=led.drive)
-        plane: Any = model_class.shape.plane  # Episodes refuses models without one
-        robots = plane.robots[self._episodes.population]
+        robots = model_class.shape.world.robots[self._episodes.population]
         self._read = [
             (place, name)
             for place, name in enumerate(robots.sensors)

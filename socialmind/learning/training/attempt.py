@@ -132,12 +132,12 @@ class Attempt:
             teaching, position = self._teaching, self._at
             while not (teaching.over or self._cycle_over):
                 teaching.advance(workers, stop)
-                self.seconds += time.perf_counter() - begun
+                self.seconds += max(0.0, time.perf_counter() - begun)
                 begun = time.perf_counter()
                 self._checkpoint()
                 on_generation(self._news(teaching, position))
             result = teaching.result(workers, stop)
-            self.seconds += time.perf_counter() - begun
+            self.seconds += max(0.0, time.perf_counter() - begun)
             self._conclude(teaching, result)
             on_lesson(teaching.lesson, result)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-import socialmind
 from coglogo_py.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
@@ -27,10 +27,12 @@ from socialmind.mind.description import MindDescription
 from socialmind.model import Model
 from socialmind.runs import capsule as capsules
 from socialmind.runs.arrays_file import refuse_folder, remove
+from socialmind.runs.execution import NO_ROOM, no_room
 from socialmind.runs.sources import edited, model_source
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, remember, require
+from socialmind.version import __version__
 from socialmind.work.signals import deferred_signals
 
 OnGeneration = Callable[[News, float | None], None]
@@ -281,7 +283,7 @@ def _go(
             from socialmind.drawing import style as paper
 
             paper.save({"curve": draw_curve(curve)}, capsule.figures)
-        seconds = round(time.perf_counter() - begun, 3)
+        seconds = round(max(0.0, time.perf_counter() - begun), 3)
         capsule.update(
             status=status,
             error=error,
@@ -313,7 +315,10 @@ def _go(
                 capsule.folder, attempt.number, lesson, attempt.generation, arrived[0]
             ) from None
         except Exception as error:
-            so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+            with suppress(OSError):  # there may be no room to say so
+                so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+            if isinstance(error, OSError) and error.errno in NO_ROOM:
+                raise no_room(error, capsule.folder, f"attempt {finished + 1}") from error
             raise
         so_far(capsules.FINISHED)
 
@@ -364,7 +369,7 @@ def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum
         SocialmindError: they, the model or socialmind are others than they were.
     """
     manifest = capsule.manifest
-    then, today = manifest.versions.get("socialmind"), socialmind.__version__
+    then, today = manifest.versions.get("socialmind"), __version__
     if then != today:
         raise SocialmindError(
             f"{capsule.folder}: made by socialmind {then}, this is {today}, whose trainings may "

@@ -8,7 +8,7 @@ from typing import Any
 
 from socialmind.compiling.modules import compiled_module
 from socialmind.language.program import Program
-from socialmind.language.shape import ModelShape, PopulationShape
+from socialmind.language.shape import ModelShape, PopulationShape, WorldShape
 from socialmind.mind.code.drive import names_of, typed_drive
 from socialmind.mind.code.programs import typed_function, typed_programs
 from socialmind.mind.code.text import MIND_NAME, module_text
@@ -20,7 +20,7 @@ from socialmind.mind.modules import Skill
 def _outside_models() -> ModelShape:
     """Return the shape of what is no model: a mind alone."""
     shape = PopulationShape(MIND_NAME, {}, hierarchy=True)
-    return ModelShape("the mind", {}, {}, {MIND_NAME: shape}, None, (), ())
+    return ModelShape("the mind", {}, {}, {MIND_NAME: shape}, WorldShape(), (), ())
 
 
 def check_program(skill: Skill) -> None:

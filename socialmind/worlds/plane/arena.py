@@ -2,58 +2,63 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.agents.bookkeeping import GONE, GONE_SCORE
+from socialmind.agents.running import Running
+from socialmind.compiling.lowering import PLACES
+from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, nearest
 from socialmind.fields import place_of_field
-from socialmind.society.connection import connect
+from socialmind.worlds.contract import Functions, Ground, address
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
 from socialmind.worlds.plane.plane import CELL, PlaneShape, RobotShape
 from socialmind.worlds.plane.sensors import RangeFinder
+from socialmind.worlds.plane.trajectories import trajectories
 
 if TYPE_CHECKING:
     from socialmind.mind.evaluation.arrays import Assembly
-    from socialmind.model import Model
     from socialmind.worlds.plane.devices import Device
 
-ENGINES = ("compiled", "pymunk")
-"""What moves the bodies."""
 _MOTION = ("x", "y", "angle", "push_x", "push_y", "torque")
 
 
-class Arena:
+class Arena(Ground):
     """The plane of a running model.
 
     Args:
-        model: the model, with its tables made.
+        model: the model; its tables are made later.
 
     Attributes:
         half_width: from the middle to a border, 0 without borders.
-        arrays: what the compiled engine works on.
+        plane_arrays: what the compiled engine works on.
 
     Raises:
         SocialmindError: an engine that there is not.
         ModelError: a mind that wants sensors or actuators that the body lacks.
     """
 
-    def __init__(self, model: Model) -> None:
-        if model.shape.plane is None:
-            raise SocialmindError(f"{model.name} has no plane")
-        if model.physics not in ENGINES:
-            hint = nearest(model.physics, ENGINES)
-            raise SocialmindError(f"physics: found {model.physics!r}; {hint}")
-        self._model = model
-        self.shape: PlaneShape = model.shape.plane
+    def __init__(self, model: Running) -> None:
+        super().__init__(model)
+        self.world = self
+        shape: Any = model.shape.world
+        self.shape: PlaneShape = shape
         wide = self.shape.half_width
         self.half_width = float(model.context[wide]) if isinstance(wide, str) else float(wide)
-        program: Any = model.program.plane
+        program: Any = model.program.world
         given = {name: float(model.context[name]) for name in model.shape.parameters}
         self.settings: NDArray[np.float64] = program.settings_of(given)
         self.shifting: bool = program.shifting
+        self._motion: Any = None
+
+    def settle_in(self) -> None:
+        """Find the bodies in the society's tables, and what their minds read and command."""
+        model = self.society
         self.senses: dict[str, NDArray[np.int64]] = {}
         self.motors: dict[str, NDArray[np.int64]] = {}
         for name, robots in self.shape.robots.items():
@@ -62,15 +67,16 @@ class Arena:
                 self.senses[name], self.motors[name] = places
         self._eyes = self._seeing()
         try:
-            self.arrays: PlaneArrays = self._arrays()
+            self.plane_arrays: PlaneArrays = self._arrays()
         except ModelError as error:
             place = place_of_field(type(model), "world")
             raise ModelError(error.found, error.expected, error.remedy, *place) from None
         self._known = {kind: table.rows for kind, table in self._attached()}
-        self._motion: Any = None
+        for name in () if model.minded else self.shape.robots:
+            model.context[f"_{name}_steered"] = 1
 
     def _arrays(self) -> PlaneArrays:
-        tables = self._model.tables
+        tables = self.society.tables
         bodies = []
         for name, disc in self.shape.bodies.items():
             table = tables[name]
@@ -93,7 +99,7 @@ class Arena:
                 if isinstance(one, RangeFinder)
             ]
             if rays:
-                fields: Any = self._model.tables[name].dtype.fields
+                fields: Any = self.society.tables[name].dtype.fields
                 readings = fields["readings"][1] - fields["x"][1]
                 eyes[name] = Eyes(robots.kind, np.concatenate(rays), readings)
         return eyes
@@ -101,60 +107,96 @@ class Arena:
     def _attached(self) -> list[tuple[int | None, Any]]:
         """Return the numbers and tables of the bodies, and of the obstacles."""
         found: list[tuple[int | None, Any]] = [
-            (kind, self._model.tables[name]) for kind, name in enumerate(self.shape.bodies)
+            (kind, self.society.tables[name]) for kind, name in enumerate(self.shape.bodies)
         ]
         if self.shape.obstacles is not None:
-            found.append((None, self._model.tables[self.shape.obstacles]))
+            found.append((None, self.society.tables[self.shape.obstacles]))
         return found
 
     def reach_of(self, device: Device) -> float:
         """Return how far a device of this model sees."""
         reach = device.reach
-        return float(self._model.context[reach]) if isinstance(reach, str) else reach
+        return float(self.society.context[reach]) if isinstance(reach, str) else reach
 
     def eyes_of(self, name: str) -> int:
         """Return the address of the range finders of a population, 0 where it has none."""
         return self._eyes[name].address if name in self._eyes else 0
 
-    def connect(self) -> None:
+    def connect(self, context: Any) -> None:
         """Write into the model's record where the plane's arrays are."""
-        context = self._model.context
         for kind, table in self._attached():
             if self._known.get(kind) is not table.rows:
                 self._known[kind] = table.rows
-                self.arrays.attach(kind, table.rows, table.alive, _offset(table.dtype))
+                self.plane_arrays.attach(kind, table.rows, table.alive, _offset(table.dtype))
                 if kind is None:
-                    self.arrays.build()
+                    self.plane_arrays.build()
         module = kernel()
-        context["_plane"] = self.arrays.address
+        context["_plane"] = self.plane_arrays.address
         for name in ("build", "move", "look"):
             context[f"_{name}"] = getattr(module, name).address
-        context["_outside"] = self._model.physics != "compiled"
-        context["_settings"], context["_settings_0"] = _address(self.settings), len(self.settings)
+        context["_outside"] = self.society.physics != "compiled"
+        context["_settings"], context["_settings_0"] = address(self.settings), len(self.settings)
         for name in self.shape.robots:
             context[f"_{name}_eyes"] = self.eyes_of(name)
             for part in ("senses", "motors"):
                 array = getattr(self, part).get(name)
                 if array is not None:
-                    context[f"_{name}_{part}"] = _address(array)
+                    context[f"_{name}_{part}"] = address(array)
                     context[f"_{name}_{part}_0"] = len(array)
 
     def build(self) -> None:
         """Look at where the obstacles are, after the setup or a restored state."""
-        connect(self._model)
-        self.arrays.build()
-        if self._model.physics == "pymunk":
+        self.society.connect()
+        self.plane_arrays.build()
+        if self.society.physics == "pymunk":
             self.motion.build()
 
     def move(self) -> None:
         """Move the bodies by one tick."""
-        if self._model.physics == "pymunk":
+        if self.society.physics == "pymunk":
             self.motion.move()
             return
-        connect(self._model)
-        fault = kernel().move.ctypes(self.arrays.address, 0, 0)
+        self.society.connect()
+        fault = kernel().move.ctypes(self.plane_arrays.address, 0, 0)
         if fault:
             raise self._not_finite(fault - 1)
+
+    def check_state(self, state: Mapping[str, Any], context: Any) -> str | None:
+        """Say whether the record tells of an interruption that the model lacks."""
+        if not 0 <= context["_over"] <= len(self.society.interruptions):
+            return "context holds an interruption that the model lacks"
+        return None
+
+    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
+        """Take nothing: the rows of the bodies are its only memory."""
+
+    def keeper(self, population: str, field: str) -> Callable[[float, str], float] | None:
+        """Return what refuses a place outside the arena."""
+        if population not in self.shape.bodies or field not in PLACES or self.half_width <= 0:
+            return None
+        return partial(_inside, field, self.half_width)
+
+    def run_tick(self, functions: Functions, schedule: Callable[[], None]) -> None:
+        """Run a tick on the plane, interpreted."""
+        from socialmind.worlds.plane.ticks.interpreted import run_tick
+
+        run_tick(self, functions, schedule)
+
+    def before_compiled_tick(self) -> None:
+        """Move the bodies, unless the episode is over."""
+        if self.society.over is None:
+            self.move()
+
+    def after_compiled_tick(self) -> None:
+        """Look at the obstacles anew, where they may have changed."""
+        if self.shifting:
+            self.build()
+
+    @property
+    def over(self) -> str | None:
+        """The interruption that ended the episode."""
+        number = int(self.society.context["_over"])
+        return list(self.society.interruptions)[number - 1] if number else None
 
     def settle(self) -> None:
         """Pay robots what is still due to them: an episode ends here.
@@ -164,18 +206,33 @@ class Arena:
         """
         from socialmind.worlds.plane.ticks.interpreted import settle_rewards
 
-        settle_rewards(self._model, self._model.engine.functions, ended=True)
+        settle_rewards(self, self.society.engine.functions, ended=True)
+
+    def series(self) -> dict[str, Any]:
+        """Return the mean score of the robots, the dead included."""
+        if not self.shape.robots:
+            return {}
+        tables = [self.society.tables[name] for name in self.shape.robots]
+        scores = [one for table in tables for one in table.score.tolist()]
+        count = len(scores) + sum(int(table.counters[GONE]) for table in tables)
+        # The dead count with what they had.
+        scores += [float(table.counters.view(np.float64)[GONE_SCORE]) for table in tables]
+        return {"score": sum(scores) / count if count else None}
+
+    def agents(self) -> dict[str, Any] | None:
+        """Return where the robots are and how they fare."""
+        return trajectories(self.society) if self.shape.robots else None
 
     def _not_finite(self, place: int) -> SocialmindError:
         """Return the error for a body, by its place among the slots of all bodies."""
         for name in self.shape.bodies:
-            table = self._model.tables[name]
+            table = self.society.tables[name]
             if place < len(table.rows):
                 row = table.rows[place]
                 values = ", ".join(f"{field}={row[field].item()}" for field in _MOTION)
                 return ModelError(
                     f"agent {row['_id']} of {name!r}, whose motion is not finite in tick "
-                    f"{self._model.tick}: {values}",
+                    f"{self.society.tick}: {values}",
                     "numbers up to a thousand million",
                 )
             place -= len(table.rows)
@@ -186,19 +243,19 @@ class Arena:
         robots = self.shape.robots
         if population not in robots:
             raise SocialmindError(
-                f"no robots called {population!r} in {self._model.name}; "
+                f"no robots called {population!r} in {self.society.name}; "
                 f"{nearest(population, robots)}"
             )
         steered = f"_{population}_steered"
         if commands is None:
-            if not self._model.minded:
+            if not self.society.minded:
                 raise SocialmindError(
-                    f"robots of {self._model.name} without minds, which was made with "
+                    f"robots of {self.society.name} without minds, which was made with "
                     "hierarchy=False; steer them with commands"
                 )
-            self._model.context[steered] = 0
+            self.society.context[steered] = 0
             return
-        table, count = self._model.tables[population], len(robots[population].actuators)
+        table, count = self.society.tables[population], len(robots[population].actuators)
         given, slots = np.asarray(commands, np.float64), table.slots
         if given.shape not in ((count,), (len(slots), count)):
             raise SocialmindError(
@@ -208,7 +265,7 @@ class Arena:
         if not ((given >= 0.0) & (given <= 1.0)).all():
             raise SocialmindError(f"commands {given.tolist()}; expected numbers, 0 … 1")
         table.rows["commands"][slots, :count] = given
-        self._model.context[steered] = 1
+        self.society.context[steered] = 1
 
     @property
     def motion(self) -> Any:
@@ -216,7 +273,7 @@ class Arena:
         if self._motion is None:
             from socialmind.worlds.plane.pymunk_motion import motion_of
 
-            self._motion = motion_of(self._model)
+            self._motion = motion_of(self)
         return self._motion
 
 
@@ -269,5 +326,15 @@ def _offset(dtype: np.dtype[Any]) -> int:
     return int(fields["x"][1])
 
 
-def _address(array: NDArray[Any]) -> int:
-    return int(array.__array_interface__["data"][0])
+def _inside(name: str, edge: float, value: float, whose: str) -> float:
+    """Return a coordinate of a body.
+
+    Raises:
+        ValueRefusedError: it is outside the arena.
+    """
+    if not abs(value) <= edge:
+        raise ValueRefusedError(
+            f"{name} = {value:g} of {whose}, which is outside the arena; "
+            f"expected -{edge:g} … {edge:g}"
+        )
+    return value

@@ -4,24 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from socialmind.agents.running import Running
+from socialmind.compiling.lowering import PLACES
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field, class_fields
-from socialmind.worlds.plane.bodies import Body, Disc, Obstacle, Robot
+from socialmind.language.shape import PopulationShape, WorldShape, WorldText
+from socialmind.worlds.contract import Ground, Place, World
+from socialmind.worlds.plane.bodies import OWN, Body, Disc, Obstacle, Robot
 from socialmind.worlds.plane.devices import Device, Interruption, Reward
+from socialmind.worlds.plane.measures import RESERVED, Measure
 from socialmind.worlds.plane.sensors import RangeFinder
 
 if TYPE_CHECKING:
-    from socialmind.society.population import Population
     from socialmind.worlds.plane.devices import Act, Sense
+    from socialmind.worlds.plane.ticks.stages import PlaneProgram
 
 CELL = 6.0
 """Side of the cells in which obstacles are looked up; a matter of speed alone."""
 
 
-class Plane:
+class Plane(World):
     """The declaration of a square arena with borders, as the attribute `world` of a model.
 
     Coordinates run from -half_width to half_width, x to the right and y upward.
@@ -31,12 +36,16 @@ class Plane:
         dt: seconds a tick, above 0.
     """
 
+    devices: Mapping[str, type] = {  # never changed
+        "rewards": Reward,
+        "interruptions": Interruption,
+        "measures": Measure,
+    }
+    has_episodes = True
+
     def __init__(self, half_width: float | str = 70.0, dt: float = 1 / 30) -> None:
         self.half_width = half_width
         self.dt = dt
-
-    def __get__(self, model: Any, owner: type) -> Any:
-        return self if model is None else model.arena
 
     def check(self) -> None:
         """Refuse sizes and times out of range.
@@ -49,6 +58,32 @@ class Plane:
             raise ModelError(f"half_width={self.half_width!r} of a plane", "a number, 0 or more")
         if not (_is_number(dt) and 0 < dt < 1):
             raise ModelError(f"dt={self.dt!r} of a plane", "seconds, above 0 and below 1")
+
+    def shape(self, model: Any, place: Place) -> PlaneShape:
+        """Return the plane with the bodies on it, and what they sense, do and are rewarded for."""
+        for key in model.measures:
+            if key in RESERVED:
+                raise ModelError(
+                    f"a measure called {key!r}",
+                    "another name: a score has it",
+                    None,
+                    *place("measures"),
+                )
+        wide, numbers = self.half_width, [n for n, p in model.parameters.items() if p.kind is float]
+        if isinstance(wide, str) and wide not in numbers:
+            raise ModelError(
+                f"the half-width {wide!r}",
+                "a number or the name of a parameter of numbers",
+                nearest(wide, numbers),
+                *place("world"),
+            )
+        return plane_shape(self, model.populations, model.rewards, model.interruptions, place)
+
+    def ground(self, society: Running, size: int | None) -> Ground:
+        """Return the plane of a running society."""
+        from socialmind.worlds.plane.arena import Arena
+
+        return Arena(society)
 
 
 @dataclass(frozen=True)
@@ -111,7 +146,7 @@ def _array(name: str, size: int, default: float) -> Field:
 
 
 @dataclass(frozen=True)
-class PlaneShape:
+class PlaneShape(WorldShape):
     """A plane as the rules of a model know it.
 
     Attributes:
@@ -124,16 +159,72 @@ class PlaneShape:
     """
 
     half_width: float | str
-    dt: float
-    bodies: Mapping[str, Disc]
-    obstacles: str | None
-    robots: Mapping[str, RobotShape]
-    interruptions: tuple[str, ...]
+    dt: float = field()
+    bodies: Mapping[str, Disc] = field()
+    obstacles: str | None = field()
+    robots: Mapping[str, RobotShape] = field()
+    interruptions: tuple[str, ...] = field()
+    engines: ClassVar[tuple[str, ...]] = ("compiled", "pymunk")
+    has_episodes: ClassVar[bool] = True
+
+    @property
+    def columns(self) -> tuple[str, ...]:  # type: ignore[override]  # others have them as data
+        """The numbers in the model's record that a plane's compiled code needs."""
+        of_robots = ["steered", "eyes", "first", "senses", "senses_0", "motors", "motors_0"]
+        return (
+            *[
+                "over",
+                "ignored",
+                "outside",
+                "plane",
+                "build",
+                "move",
+                "look",
+                "settings",
+                "settings_0",
+            ],
+            *(f"{name}_{part}" for name in self.robots for part in of_robots),
+        )
+
+    @property
+    def kept_columns(self) -> tuple[str, ...]:  # type: ignore[override]  # others have them as data
+        """What ended the episode, what is not heeded, and who is steered from outside."""
+        return ("over", "ignored", *(f"{name}_steered" for name in self.robots))
+
+    def inhabited(self, population: PopulationShape) -> PopulationShape:
+        """Return a population with the readings, commands and memories of its robots."""
+        robots = self.robots.get(population.name)
+        if robots is None:
+            return population
+        fields = {**population.fields, **robots.fields}
+        return replace(population, fields=fields, own=OWN, evaluated_by_world=True)
+
+    def kept_within(self, population: str, field: str) -> tuple[str, ...]:
+        """Return what refuses a place outside the arena."""
+        if population not in self.bodies or field not in PLACES:
+            return ()
+        wide = self.half_width
+        return "_within", f"_model.{wide}" if isinstance(wide, str) else repr(float(wide))
+
+    def typed(self, program: Any) -> PlaneProgram:
+        """Return the typed devices."""
+        from socialmind.worlds.plane.ticks.stages import planned
+
+        return planned(program, self)
+
+    def text(self, program: Any) -> WorldText:
+        """Return the stages of a tick, and many worlds in lockstep."""
+        from socialmind.worlds.plane.ticks.lockstep_text import lockstep_text
+        from socialmind.worlds.plane.ticks.text import TICK, plane_text
+
+        deciding = [name for name, one in program.shape.populations.items() if one.minded]
+        plane = program.world
+        return WorldText("", plane_text(plane), TICK, lockstep_text(plane, deciding))
 
 
 def plane_shape(
     plane: Plane,
-    populations: Mapping[str, Population],
+    populations: Mapping[str, Any],
     rewards: Mapping[str, Reward],
     interruptions: Mapping[str, Interruption],
     place: Callable[[str], tuple[str | None, int | None]] = lambda name: (None, None),
@@ -236,7 +327,7 @@ def _shared_out(
     return found
 
 
-def _check_sought(name: str, device: Any, populations: Mapping[str, Population]) -> None:
+def _check_sought(name: str, device: Any, populations: Mapping[str, Any]) -> None:
     of = getattr(device, "of", None)
     if of is not None and of not in populations:
         raise ModelError(
@@ -246,7 +337,7 @@ def _check_sought(name: str, device: Any, populations: Mapping[str, Population])
         )
 
 
-def _check_population(name: str, one: Population, populations: Mapping[str, Population]) -> None:
+def _check_population(name: str, one: Any, populations: Mapping[str, Any]) -> None:
     moves = issubclass(one.agent, Body)
     if moves != (one.body is not None):
         raise ModelError(

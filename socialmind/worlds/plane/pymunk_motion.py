@@ -34,7 +34,7 @@ from socialmind.worlds.plane.kernel.motion import heading_of, turned
 from socialmind.worlds.plane.layout import FARTHEST, FASTEST, SETTLING, TOUCHING
 
 if TYPE_CHECKING:
-    from socialmind.model import Model
+    from socialmind.worlds.plane.arena import Arena
 
 MOST_KINDS = 31
 """Kinds of bodies in a world: pymunk tells 32 categories apart, and one is what never moves."""
@@ -321,16 +321,9 @@ class PymunkMotion:
                 rows["contact"][slot] = 0
 
 
-def motion_of(model: Model) -> PymunkMotion:
-    """Return what moves the bodies of a model with a plane, to be built once it is set up.
-
-    Raises:
-        ModelError: the model has no plane.
-    """
-    arena, tables = model.arena, model.tables
-    if arena is None:
-        raise ModelError(f"{model.name} has no plane", None, "declare one: world = Plane(70.0)")
-    shape = arena.shape
+def motion_of(arena: Arena) -> PymunkMotion:
+    """Return what moves the bodies of a plane, to be built once it is set up."""
+    shape, tables = arena.shape, arena.society.tables
     kinds = [Kind(name, disc, tables[name]) for name, disc in shape.bodies.items()]
     obstacles = None if shape.obstacles is None else tables[shape.obstacles]
     return PymunkMotion(arena.half_width, shape.dt, kinds, obstacles)

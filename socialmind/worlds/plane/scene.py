@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +17,7 @@ from socialmind.worlds.plane.devices import Act, Sense
 from socialmind.worlds.plane.sensors import RangeFinder
 
 if TYPE_CHECKING:
-    from socialmind.model import Model
-    from socialmind.society.table import Table
+    from socialmind.agents.running import Running
     from socialmind.worlds.plane.arena import Arena
 
 Floats = NDArray[np.float64]
@@ -88,7 +87,7 @@ class Scene:
         return None
 
 
-def scene_of(model: Model) -> Scene:
+def scene_of(model: Running) -> Scene:
     """Return what stands where in a model at this moment.
 
     Args:
@@ -97,8 +96,8 @@ def scene_of(model: Model) -> Scene:
     Raises:
         SocialmindError: its world is none.
     """
-    arena = model.arena
-    if arena is None:
+    arena = model.ground
+    if not isinstance(arena, Arena):
         raise SocialmindError(
             f"the model {model.name} has no plane to draw; expected one that declares "
             "world = Plane(…)"
@@ -130,12 +129,12 @@ def scene_of(model: Model) -> Scene:
     )
 
 
-def _columns(table: Table, *names: str) -> list[Floats]:
+def _columns(table: Any, *names: str) -> list[Floats]:
     slots = table.slots
     return [table.columns[name][slots].astype(np.float64) for name in names]
 
 
-def _robots(model: Model, arena: Arena, name: str) -> Iterator[RobotSeen]:
+def _robots(model: Running, arena: Arena, name: str) -> Iterator[RobotSeen]:
     table, radius = model.tables[name], arena.shape.bodies[name].radius
     for slot in table.slots.tolist():
         x, y, angle = (table.columns[column].item(slot) for column in ("x", "y", "angle"))
@@ -158,7 +157,7 @@ def _robots(model: Model, arena: Arena, name: str) -> Iterator[RobotSeen]:
         )
 
 
-def _rays(arena: Arena, table: Table, slot: int) -> Floats:
+def _rays(arena: Arena, table: Any, slot: int) -> Floats:
     """Return the segments of a robot's range finders, each along its middle."""
     name = table.shape.name
     readings, direction = table.columns["readings"][slot], table.columns["angle"].item(slot)
@@ -173,7 +172,7 @@ def _rays(arena: Arena, table: Table, slot: int) -> Floats:
     return np.array(segments) if segments else _NO_SEGMENTS
 
 
-def _lines(model: Model, arena: Arena, table: Table, slot: int) -> Floats:
+def _lines(model: Running, arena: Arena, table: Any, slot: int) -> Floats:
     """Return the segments from a robot to the targets that its sensors tell the bearing of."""
     segments: dict[tuple[Point, Point], None] = {}
     for sensor in arena.shape.robots[table.shape.name].sensors.values():
@@ -185,7 +184,7 @@ def _lines(model: Model, arena: Arena, table: Table, slot: int) -> Floats:
     return np.array(list(segments)) if segments else _NO_SEGMENTS
 
 
-def _outside(table: Table, slot: int, at: Point) -> Point:
+def _outside(table: Any, slot: int, at: Point) -> Point:
     """Return where a place in a body's frame (ahead, left) is on the plane."""
     x, y, angle = (table.columns[name].item(slot) for name in ("x", "y", "angle"))
     cos, sin = math.cos(angle), math.sin(angle)
@@ -193,7 +192,7 @@ def _outside(table: Table, slot: int, at: Point) -> Point:
 
 
 def _target(
-    model: Model, arena: Arena, table: Table, slot: int, sensor: Sense, begin: Point
+    model: Running, arena: Arena, table: Any, slot: int, sensor: Sense, begin: Point
 ) -> Point | None:
     """Return the centre of a sensor's target, as devices find it; None where there is none."""
     name = table.shape.name

@@ -11,13 +11,13 @@ from socialmind.fields import class_fields
 from socialmind.worlds.plane.bodies import Robot
 
 if TYPE_CHECKING:
-    from socialmind.model import Model
+    from socialmind.agents.running import Running
 
 RECORDED = ("x", "y", "angle", "speed", "carrying", "battery", "collisions", "score")
 """Of every robot: where it is and how fast, what it carries, and how it fares."""
 
 
-def trajectories(model: Model) -> dict[str, Any]:
+def trajectories(model: Running) -> dict[str, Any]:
     """Return the columns of the robots' table at a tick: `RECORDED` and the fields of their class.
 
     Args:
@@ -27,8 +27,7 @@ def trajectories(model: Model) -> dict[str, Any]:
         A sequence for each column, over the living robots. Several populations stand one after
         another, and a column says which; what one of them does not have is None.
     """
-    plane = model.shape.plane
-    names = [] if plane is None else list(plane.robots)
+    names = list(model.shape.world.robots)
     engines = set(class_fields(Robot))
     parts: dict[str, dict[str, Any]] = {}
     for name in names:

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+from socialmind.agents.running import Running
 from socialmind.errors import ModelError
-from socialmind.fields import Field, class_fields, place_of_field
+from socialmind.fields import class_fields, place_of_field
+from socialmind.language.shape import WorldShape
+from socialmind.worlds.contract import Ground, Place, World
 from socialmind.worlds.torus.geometry import COMMANDS
+from socialmind.worlds.torus.ground import TorusGround
 from socialmind.worlds.torus.patches import TAKEN_NAMES, Grid
+from socialmind.worlds.torus.shape import TorusShape
 
 
 class Patch:
@@ -18,7 +23,7 @@ class Patch:
     """
 
 
-class Torus:
+class Torus(World):
     """The declaration of a square torus of patches, as the attribute `world` of a model.
 
     Args:
@@ -51,10 +56,11 @@ class Torus:
                     *place_of_field(self.patch, name),
                 )
 
-    def __get__(self, model: Any, owner: type) -> Any:
-        return self if model is None else model.grid
+    def shape(self, model: Any, place: Place) -> WorldShape:
+        """Return what rules know of the torus: its patches, its size, and how to move on it."""
+        super().shape(model, place)
+        return TorusShape(class_fields(self.patch))
 
-    @property
-    def fields(self) -> dict[str, Field]:
-        """The fields of its patches."""
-        return class_fields(self.patch)
+    def ground(self, society: Running, size: int | None) -> Ground:
+        """Return the torus of a running society, with its patches."""
+        return TorusGround(society, size or 1)

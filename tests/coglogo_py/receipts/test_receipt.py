@@ -61,6 +61,13 @@ class TestWhatAReceiptHolds:
             "follow": ("herd", 1.0, False, (0.0, 0.0, 0.0, 0.0)),
         }
         assert [i.participation for i in receipt.influences] == [None, None, 0.5, 0.5]
+        mind.leave_all_groups()
+        mind.set_cogniton_value("hunger", 0.0)
+        receipt = mind.explain()
+        assert [i.participation for i in receipt.influences] == [None] * 4
+        assert [i.value for i in receipt.influences] == [0.0, None, None, None]
+        # Zero times the link of -1 to resting is no minus zero.
+        assert str(receipt.influences[0].contributions) == "(0.0, 0.0, 0.0, 0.0)"
 
     def test_why_a_plan_is_or_is_not_available(self):
         mind = mind_of(HUNGER, TIRED, groups=(HERD,))
@@ -122,7 +129,8 @@ class TestWhatAReceiptHolds:
         assert data["influences"][0]["contributions"]["eat"] == 10.0
         assert data["bias"] == 2.6
         assert data["smallest_change"]["change"] == receipt.smallest_change.change
-        assert mind_of(HUNGER).explain().to_dict()["bias"] is None
+        for maker in (MaximumWeight(), WeightedStochastic()):
+            assert mind_of(HUNGER, maker=maker).explain().to_dict()["bias"] is None
 
 
 class TestTheTable:

@@ -31,6 +31,12 @@ def test_work_is_counted_by_agent_and_task_with_amounts():
     assert found.to_dict("index") == {2: {"A": 0.0, "B": 4.0}, 4: {"A": 0.0, "B": 2.5}}
 
 
+def test_the_first_tick_counts_and_the_last_does_not():
+    table = pd.DataFrame({"tick": [3, 5, 9], "agent": [0, 0, 0], "task": list("ABB")})
+    assert works_of(table, since=3, until=9).to_dict("index") == {0: {"A": 1.0, "B": 1.0}}
+    assert works_of(table, since=3.5).to_dict("index") == {0: {"A": 0.0, "B": 2.0}}
+
+
 def test_the_mutual_information_by_hand():
     # p = [[3/8, 1/8], [1/8, 3/8]]: I = 6/8 log2(3/2) + 2/8 log2(1/2); both entropies are 1 bit.
     found = division_of_labour([[3, 1], [1, 3]])
@@ -52,6 +58,21 @@ def test_unequal_margins_by_hand():
     agents = -(6 / 8 * math.log2(6 / 8) + 2 / 8 * math.log2(2 / 8))
     assert found.agents_to_tasks == pytest.approx(information / tasks)
     assert found.tasks_to_agents == pytest.approx(information / agents)
+
+
+def test_a_little_division_is_not_none():
+    # Both do half of all, 51 and 50 of 101 pieces of either: 1 bit less the entropy of 51/101.
+    found = division_of_labour([[51, 50], [50, 51]])
+    shares = [51 / 101, 50 / 101]
+    expected = 1 + sum(one * math.log2(one) for one in shares)
+    assert (
+        found.information == pytest.approx(expected, abs=1e-12) == pytest.approx(7.07e-5, rel=1e-2)
+    )
+
+
+def test_specialists_are_not_divided_more_than_wholly():
+    # Rounded, the information is a hair above the entropy.
+    assert division_of_labour([[1, 0], [0, 9]]).agents_to_tasks == 1.0
 
 
 def test_nine_specialists_share_two_tasks():
@@ -95,6 +116,20 @@ def test_luck_alone_by_hand():
     assert found != division_by_chance([[3, 0], [0, 3]], draws=5000, seed=1)
 
 
+def test_luck_deals_each_agent_as_many_pieces_as_it_did():
+    # The one B of four pieces goes to the agent with two of them in half of all deals.
+    to_two, to_one = [[1, 1], [1, 0], [1, 0]], [[2, 0], [1, 0], [0, 1]]
+    one, other = division_of_labour(to_two), division_of_labour(to_one)
+    found = division_by_chance([[2, 0], [1, 0], [0, 1]], draws=5000)
+    for name in ("agents_to_tasks", "tasks_to_agents", "information"):
+        expected = (getattr(one, name) + getattr(other, name)) / 2
+        assert getattr(found, name) == pytest.approx(expected, abs=0.012)
+
+
+def test_where_every_deal_is_alike_luck_gives_just_that():
+    assert division_by_chance([[1, 0], [0, 1]]) == Division(1.0, 1.0, 1.0)
+
+
 @settings(max_examples=20, deadline=None)
 @given(st.integers(2, 9), st.integers(1, 4))
 def test_much_work_without_preference_is_as_divided_as_luck_has_it(agents, seed):
@@ -111,7 +146,9 @@ def test_amounts_that_are_no_pieces_cannot_be_dealt_out():
     assert math.isnan(division_by_chance([[0, 0]]).information)
 
 
-@pytest.mark.parametrize("wrong", [[[-1, 2]], [[math.nan, 1]], [1, 2], [[math.inf, 1]]])
+@pytest.mark.parametrize(
+    "wrong", [[[-1, 2]], [[-0.5, 2]], [[math.nan, 1]], [1, 2], [[math.inf, 1]]]
+)
 def test_works_that_are_none_are_refused(wrong):
     with pytest.raises(SocialmindError, match="expected agents by tasks"):
         division_of_labour(wrong)
@@ -153,6 +190,25 @@ def test_agents_that_come_and_go_are_counted_at_their_ticks():
     work = tasks(a0="AAAAAA", a1="ABABAB")
     present = pd.concat([there([3], [0]), there([6], [0, 1])])
     assert share_specialised(work, present, window=6).to_dict() == {3: 1.0, 6: 0.5}
+
+
+def test_who_is_not_there_at_a_tick_is_not_counted_at_it():
+    work = tasks(a0="AAAAAA", a1="ABABAB")
+    present = pd.concat([there([3], [0]), there([6], [1])])
+    assert share_specialised(work, present, window=6).to_dict() == {3: 1.0, 6: 0.0}
+
+
+def test_the_order_of_the_rows_makes_no_difference():
+    work = tasks(a0="AAAABBBB")
+    turned = share_specialised(work[::-1], there(range(4, 9), [0]), window=4, share=0.75)
+    assert turned.to_dict() == {4: 1.0, 5: 1.0, 6: 0.0, 7: 1.0, 8: 1.0}
+
+
+def test_just_the_share_is_enough_whatever_the_rounding():
+    # Six of eight pieces of 0.1 add up to a hair less than 0.75 of all.
+    work = tasks(a0="AAAAAABB").assign(amount=0.1)
+    found = share_specialised(work, there([8], [0]), window=9, share=0.75, least=0.8)
+    assert found.tolist() == [1.0]
 
 
 def test_amounts_are_weighed():

@@ -18,6 +18,7 @@ from socialmind.experiments.measures.effects import (
     paired_delta,
     paired_g,
 )
+from socialmind.experiments.measures.intervals import interval_of
 
 samples = st.lists(st.integers(-5, 5), min_size=2, max_size=20)
 
@@ -73,6 +74,16 @@ def test_units_make_no_difference(first, scale, shift):
         assert effect(y, x) == pytest.approx(-effect(x, y), rel=1e-6, abs=1e-9)
 
 
+def test_the_correction_by_hand():
+    # J of 1, 2 and 4 degrees of freedom: the limit 0, 1/√π, and 1/(√2 Γ(3/2)) = √(2/π).
+    assert paired_g([1.0, 3.0], [2.0, 5.0]) == 0.0
+    assert hedges_g([1.0, 3.0], [2.0, 5.0]) == pytest.approx(-1.5 / math.sqrt(3.25 * math.pi))
+    assert paired_g([5, 5, 5], [1, 2, 3]) == pytest.approx(3 / math.sqrt(0.5 * math.pi))
+    assert hedges_g([2, 4, 6], [1, 2, 3]) == pytest.approx(
+        2 / math.sqrt(2.5) * math.sqrt(2 / math.pi)
+    )
+
+
 def test_without_spread_an_effect_has_no_bounds():
     assert hedges_g([2, 2], [1, 1]) == math.inf
     assert paired_g([1, 1, 1], [2, 2, 2]) == -math.inf
@@ -109,6 +120,53 @@ def test_turned_round_the_difference_changes_its_sign(first):
     assert one.difference.low == pytest.approx(-other.difference.high, abs=1e-9)
 
 
+def test_the_interval_without_pairs_by_hand():
+    # Bounds as far off as those of both, squared and summed: here all four distances differ.
+    first, second = [0.0] * 8 + [1.0, 4.0, 6.0], [5.0] * 6 + [1.0, 0.0]
+    one, other = interval_of(first), interval_of(second)
+    found = compared(first, second, paired=False)
+    assert (found.first, found.second) == (one, other)
+    away = one.mean - other.mean
+    assert away == pytest.approx(1.0 - 31 / 8)
+    below = math.sqrt((one.mean - one.low) ** 2 + (other.high - other.mean) ** 2)
+    above = math.sqrt((one.high - one.mean) ** 2 + (other.mean - other.low) ** 2)
+    bounds = (found.difference.mean, found.difference.low, found.difference.high)
+    assert bounds == pytest.approx((away, away - below, away + above))
+
+
+def test_all_intervals_are_of_the_level_asked_for():
+    first, second = np.array([1.0, 4.0, 2.0, 8.0, 5.0]), np.array([1.0, 1.0, 3.0, 2.0, 6.0])
+    found = compared(first, second, level=0.6)
+    assert found.first == interval_of(first, 0.6) != interval_of(first)
+    assert found.second == interval_of(second, 0.6)
+    assert found.difference == interval_of(first - second, 0.6)
+
+
+def test_where_g_says_something():
+    assert math.isnan(compared([1.0, 3.0], [2.0, 5.0]).g)  # two pairs
+    assert compared([1.0, 3.0, 2.0], [2.0, 5.0, 2.0]).g < 0
+    alone = compared([1.0, 3.0], [2.0, 5.0], paired=False)
+    assert alone.g == hedges_g([1.0, 3.0], [2.0, 5.0])
+    assert math.isnan(compared([1.0], [2.0, 5.0, 6.0], paired=False).g)
+    assert math.isnan(compared([2.0, 5.0, 6.0], [1.0], paired=False).g)
+    # One sample without spread still leaves that of the other; none of either, none at all.
+    assert compared([5, 5, 5], [1, 2, 3]).g == pytest.approx(3 / math.sqrt(0.5 * math.pi))
+    assert math.isnan(compared([5, 5, 5], [4, 4, 4]).g)
+    # A hundred deviations are the most: 80 / √π is less, 200 / √π is more.
+    assert compared([80, 81, 82], [0, 1, 2]).g == pytest.approx(80 / math.sqrt(math.pi))
+    assert math.isnan(compared([200, 201, 202], [0, 1, 2]).g)
+    assert math.isnan(compared([0, 1, 2], [200, 201, 202]).g)
+
+
+def test_infinities_of_both_signs_have_no_mean():
+    found = compared([math.inf, -math.inf], [1.0, math.inf])
+    assert math.isnan(found.first.mean) and found.second.mean == math.inf
+    assert math.isnan(found.difference.mean)
+    both = compared([math.inf, 1.0], [math.inf, 2.0])
+    assert math.isnan(both.difference.mean) and both.delta == -0.5
+    assert compared([-math.inf, 1.0], [1.0, 2.0]).difference.mean == -math.inf
+
+
 def test_infinite_times_leave_the_ranks_alone():
     found = compared([100.0, math.inf], [50.0, 60.0])
     assert found.first.mean == math.inf
@@ -129,8 +187,22 @@ def test_societies_are_compared_with_one_of_them_seed_by_seed():
     found = comparisons(results, "fixed").set_index("measure")
     goods = found.loc["goods"]
     assert (goods["pairs"], goods["difference"], goods["delta"]) == (3, 2.0, 1.0)
+    learned, fixed = [12.0, 21.0, 33.0], [10.0, 20.0, 30.0]
+    own, away = interval_of(learned), interval_of([2.0, 1.0, 3.0])
+    assert goods[["mean", "low", "high"]].tolist() == [22.0, own.low, own.high]
+    assert goods["reference_mean"] == 20.0
+    assert goods[["difference_low", "difference_high"]].tolist() == [away.low, away.high]
+    assert goods["g"] == paired_g(learned, fixed)
     times = found.loc["settling_ticks"]
     assert (times["pairs"], times["mean"], times["delta"]) == (2, math.inf, 0.0)
+
+
+def test_only_the_measures_asked_for_are_compared():
+    results = pd.DataFrame(
+        {"seed": [1, 1], "society": ["a", "b"], "x": [1.0, 2.0], "y": [1.0, 2.0], "z": [0.0, 0.0]}
+    )
+    assert comparisons(results, "a", measures=["z", "x"])["measure"].tolist() == ["z", "x"]
+    assert comparisons(results, "a")["measure"].tolist() == ["x", "y", "z"]
 
 
 @pytest.mark.parametrize(

@@ -145,6 +145,64 @@ def test_it_is_the_bootstrap_of_scipy_at_the_widened_level(size, ratio):
     assert own.high == pytest.approx(theirs.high, abs=0.04 * width)
 
 
+@pytest.mark.parametrize("n", [10, 15, 40, 200])
+@pytest.mark.parametrize("level", [0.5, 0.8, 0.95])
+def test_it_is_as_wide_as_students_distribution_and_the_sample_say(n, level):
+    right = stats.t.ppf((1 + level) / 2, n - 1) * math.sqrt(n / (n - 1))
+    assert intervals._wide(level, n) == pytest.approx(right, rel=0.002)
+
+
+def product(one, other):
+    return one * other
+
+
+def curved(one, other):
+    return 0.3 * one * one + other
+
+
+def at_most(one, other):
+    """A number that some means have none of."""
+    return one if one < 2.1 else math.nan
+
+
+@pytest.mark.parametrize("level", [0.6, 0.95])
+@pytest.mark.parametrize("combine", [None, product, curved, at_most])
+def test_it_is_efrons_formula_word_by_word(combine, level):
+    # Counts, so that many means are tied; and so skewed that bias and acceleration both matter.
+    sample = np.array([[0, 4], [0, 1], [0, 1], [1, 2], [1, 1], [2, 3], [9, 9]], float)
+    sample = sample if combine else sample[:, :1]
+
+    def made(means):
+        return combine(*means) if combine else means[0]
+
+    found = interval_of(sample, level, combine)
+    value = made(sample.mean(axis=0))
+    draws = np.array([made(one) for one in intervals._means_of_resamples(sample)])
+    draws = draws[np.isfinite(draws)]
+    draws[np.abs(draws - value) < 1e-9] = value
+    bias = stats.norm.ppf((draws < value).mean() + (draws == value).mean() / 2)
+    without = np.array([made(np.delete(sample, one, 0).mean(axis=0)) for one in range(7)])
+    without = without[np.isfinite(without)]
+    apart = without.mean() - without
+    speed = (apart**3).sum() / (6 * (apart**2).sum() ** 1.5)
+    assert abs(bias) > 0.05 and abs(speed) > 0.05
+    wide = intervals._wide(level, 7)
+    shares = [bias + z / (1 - speed * z) for z in (bias - wide, bias + wide)]
+    low, high = np.quantile(draws, stats.norm.cdf(shares))
+    assert (found.mean, found.low, found.high) == pytest.approx((value, low, high), abs=1e-9)
+
+
+def test_numbers_around_0_are_tied_as_others_are():
+    values = np.array([0.1, 0.2, 0.3, -0.6])
+    found, moved = interval_of(values), interval_of(values + 5.0)
+    assert (found.low + 5.0, found.high + 5.0) == pytest.approx((moved.low, moved.high), abs=1e-9)
+
+
+def test_where_nothing_lies_below_there_is_an_interval():
+    found = interval_of([1.0, 2.0, 3.5, 1.5], combine=lambda mean: (mean - 2.0) ** 2)
+    assert found.mean == 0.0 and 0.0 <= found.low <= found.high < 1.0
+
+
 def test_a_sample_too_large_for_one_draw_is_drawn_in_parts(monkeypatch):
     values = np.random.default_rng(4).random(50)
     monkeypatch.setattr(intervals, "RESAMPLES", 1000)

@@ -30,5 +30,29 @@ def test_recovery_in_two_steps():
     assert found.full == 40.0
 
 
+def test_the_window_before_holds_both_its_ends():
+    # From tick 10 to the shock at 30: 6, 9 and 3, of a mean of 6; at the end 4 and 8.
+    ticks, number = [0, 10, 20, 30, 40, 50, 60], [90, 6, 9, 3, 2, 4, 8]
+    found = recovery(ticks, number, shock=30, after=1, window=20)
+    assert found.before == 6.0
+    assert found.after == 1.0
+    assert found.at_end == pytest.approx((2 + 4 + 8) / 3)
+    assert found.share == pytest.approx((14 / 3 - 1) / 5)
+    assert found.halfway == 20.0  # 3.5 or more at tick 50
+    assert found.full == 30.0  # 6 or more at tick 60
+
+
+def test_a_mean_between_two_numbers_is_made_good_by_the_lower_one():
+    found = recovery([0, 10, 20, 30, 40], [5, 6, 3, 5, 6], shock=10, after=2, window=10)
+    assert found.before == 5.5
+    assert found.full == 20.0
+    assert found.halfway == 20.0
+
+
+def test_what_rose_with_the_shock_has_a_share_as_well():
+    found = recovery([0, 10, 20, 30], [4, 4, 8, 6], shock=10, after=8, window=10)
+    assert found.share == pytest.approx((7 - 8) / (4 - 8))
+
+
 def test_where_nothing_was_lost_there_is_no_share():
     assert math.isnan(recovery([0, 1, 2], [5, 5, 5], shock=1, after=5, window=1).share)

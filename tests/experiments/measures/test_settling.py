@@ -45,6 +45,13 @@ def test_after_each_shock_it_settles_anew():
     assert found["end"].tolist() == [4000, 9000, math.inf]
 
 
+def test_after_shocks_as_many_agents_may_be_away_as_is_said():
+    course = away(2, 2, 2, 5, 3, 2, 2, 2)
+    assert settlings(course, [3000], within=2, hold=1000)["settled"].tolist() == [0, 5000]
+    assert settlings(course, [3000], within=3, hold=1000)["settled"].tolist() == [0, 4000]
+    assert settlings(course, [3000], hold=1000)["settled"].tolist() == [math.inf, math.inf]
+
+
 def test_what_holds_past_the_next_shock_only_has_not_settled():
     course = away(2, 2, 0, 0, 0, 0, 0)
     assert settlings(course, shocks=[4000], hold=2000)["settled"].tolist() == [math.inf, 4000]

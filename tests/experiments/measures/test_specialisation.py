@@ -7,6 +7,7 @@ import pandas as pd
 import pytest
 
 from socialmind.errors import SocialmindError
+from socialmind.experiments.measures.division import division_of_labour
 from socialmind.experiments.measures.specialisation import Course
 
 EVERY, TICKS = 500, 40_000
@@ -82,6 +83,63 @@ def test_a_flicker_within_one_agent_is_settled_and_its_changes_count():
     # One agent of nine changes every 1,000 ticks.
     assert found["role_changes"] == pytest.approx(10 / 9)
     assert found["specialised"] == pytest.approx(8 / 9)
+
+
+def four(**given):
+    """Four agents from tick 2,000 to 6,000, half of which are wanted to be A.
+
+    They are 2, 2, 0, 0, 0, 1, 2, 1 and 0 away; the last quarter begins at 5,000 with the last 2.
+    """
+    number = [4, 4, 2, 2, 2, 1, 4, 3, 2]
+    rows = [
+        (2000 + 500 * place, agent, "A" if agent < count else "B")
+        for place, count in enumerate(number)
+        for agent in range(4)
+    ]
+    pieces = {
+        0: [(2100, "B"), (5000, "A"), (5600, "A")],
+        1: [(2200, "A"), (5100, "A"), (5700, "A")],
+        2: [(5000, "B"), (5300, "B"), (5800, "B"), (5900, "B")],
+        3: [(5600, "A"), (5700, "A"), (5800, "B")],
+    }
+    tasks = [(tick, agent, task) for agent, some in pieces.items() for tick, task in some]
+    return Course(
+        pd.DataFrame(rows, columns=["tick", "agent", "role"]),
+        pd.DataFrame(tasks, columns=["tick", "agent", "task"]),
+        {"A": 1, "B": 1},
+        **given,
+    )
+
+
+def test_the_last_quarter_is_one_of_the_time_that_was_recorded():
+    found = four(within=2.0, hold=1000, window=600, share=0.6, least=2)
+    assert found.last == 5000.0
+    measures = found.measures()
+    assert measures["distance"] == pytest.approx(8 / 9)
+    assert measures["last_distance"] == pytest.approx(1.0)
+    # In 600 ticks two pieces or more have been done at 5,500 by agent 2, at 6,000 by 2 and by 3,
+    # two thirds of whose work is A.
+    assert measures["specialised"] == pytest.approx((0 + 1 / 4 + 2 / 4) / 3)
+    late = division_of_labour([[2, 0], [2, 0], [0, 4], [2, 1]])
+    assert measures["agents_to_tasks"] == pytest.approx(late.agents_to_tasks)
+    assert measures["tasks_to_agents"] == pytest.approx(late.tasks_to_agents)
+    assert late.agents_to_tasks - late.tasks_to_agents > 0.2
+    assert measures["delivered"] == 13
+
+
+@pytest.mark.parametrize(
+    ("within", "late", "settling"), [(2.0, 1.0, 0.0), (1.0, 0.0, 1000.0), (1.9, 0.0, 1000.0)]
+)
+def test_how_near_and_how_long_are_what_was_asked_for(within, late, settling):
+    found = four(within=within, hold=1000).measures()
+    assert (found["within"], found["settling_ticks"]) == (late, settling)
+    assert four(within=within, hold=4001).measures()["settling_ticks"] == math.inf
+
+
+def test_changes_count_while_it_is_settled():
+    # From 3,000 on 1, 3, 1 and 1 agents of four change in 3,000 ticks; from 2,000 on two more.
+    assert four(within=1.0, hold=1000).measures()["role_changes"] == pytest.approx(6 / 1.2)
+    assert four(within=2.0, hold=1000).measures()["role_changes"] == pytest.approx(8 / 1.6)
 
 
 def test_amounts_that_are_no_pieces_have_no_chance():

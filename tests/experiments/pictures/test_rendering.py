@@ -11,7 +11,7 @@ from socialmind.experiments import run
 from socialmind.experiments.pictures.picture_page import GAP, Style
 from socialmind.experiments.pictures.rendering import draw_moments
 
-SEEKERS = Path(__file__).parents[1] / "worlds" / "plane" / "seekers"
+SEEKERS = Path(__file__).parents[2] / "worlds" / "plane" / "seekers"
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from socialmind.experiments.pictures import repeating
 from socialmind.experiments.pictures.repeating import Repeated, _Path
 from socialmind.runs.capsule import Capsule
 
-MODELS = Path(__file__).parents[1]
+MODELS = Path(__file__).parents[2]
 SEEKERS = MODELS / "worlds" / "plane" / "seekers"
 
 

@@ -9,7 +9,7 @@ from socialmind.sources.folders import model_folder
 from socialmind.sources.loading import load_file
 
 LESSONS = load_file(model_folder("collect") / "lessons.py")
-CONTROLS = Path(__file__).parents[2] / "analysis" / "collect" / "controls.py"
+CONTROLS = Path(__file__).parents[3] / "analysis" / "collect" / "controls.py"
 SETTINGS = {"population": 6, "elite": 1}
 
 

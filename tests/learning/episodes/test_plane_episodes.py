@@ -25,7 +25,7 @@ from socialmind.worlds.plane import (
     wheel,
 )
 
-MENAGERIE = load_file(Path(__file__).parents[1] / "worlds" / "plane" / "menagerie" / "model.py")
+MENAGERIE = load_file(Path(__file__).parents[2] / "worlds" / "plane" / "menagerie" / "model.py")
 SEEDS = (3, 0, 2**63 + 11, 7, 5)
 RECORD = ("brought", "collisions", "scouts.generation", "clock", "born")
 

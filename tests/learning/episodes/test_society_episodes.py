@@ -10,7 +10,7 @@ from socialmind.learning import Curriculum, Lesson, Training, learn
 from socialmind.learning.episodes.society_episodes import SocietyEpisodes
 from socialmind.sources.loading import load_file
 
-GRAZING = load_file(Path(__file__).parent / "grazing.py")
+GRAZING = load_file(Path(__file__).parents[1] / "grazing.py")
 KNOWN = np.array(GRAZING.linear(GRAZING.SCHEME, GRAZING.WEIGHING))
 RESTING = np.array([0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0.0])
 

@@ -16,7 +16,7 @@ from socialmind.mind.functions.network import (
 
 torch = pytest.importorskip("torch")
 
-from socialmind.learning import tensor_activations  # noqa: E402
+from socialmind.learning.imprinting import tensor_activations  # noqa: E402
 
 PLAIN = {"linear": LINEAR, "relu": RELU, "sigmoid": SIGMOID, "clamp": CLAMP, "tanh": TANH}
 ACTIVATIONS = PLAIN | {f"neat {name}": code for name, code in NEAT_ACTIVATIONS.items()}

@@ -66,6 +66,54 @@ def test_the_elite_lives_on_unchanged_and_in_order():
     assert search.ask()[:3, 0].tolist() == [17.0, 40.0, 8.0]
 
 
+def test_of_equal_scores_the_first_are_the_best():
+    search = marked(200, 4, elite=3)
+    search.ask()
+    search.tell(np.arange(200) % 3)
+    assert search.ask()[:3, 0].tolist() == [2.0, 5.0, 8.0]
+
+
+def test_of_equal_scores_the_first_generation_stays_the_best():
+    search = marked(3, 1, elite=0, mutation=1.0)
+    for scores in ([0.0, 5.0, 5.0], [1.0, 5.0, 1.0]):
+        search.ask()
+        search.tell(scores)
+        assert (search.best.tolist(), search.best_score) == ([1.0], 5.0)
+
+
+def test_one_selected_breeds_alone_and_shares_are_rounded():
+    for selected, parents in ((0.01, {9.0}), (0.28, {7.0, 8.0, 9.0}), (0.25, {8.0, 9.0})):
+        search = marked(10, 40, selected=selected, **STILL)
+        search.ask()
+        search.tell(np.arange(10.0))
+        assert set(np.unique(search.ask())) == parents
+
+
+def test_the_foremost_of_those_given_stand_at_the_head():
+    first = np.arange(5.0)[:, None]
+    assert Genetic(1, 1, {"population": 3}, first).ask()[:, 0].tolist() == [0.0, 1.0, 2.0]
+    assert Genetic(1, 1, {"population": 8}, first).ask()[:5, 0].tolist() == [
+        0.0,
+        1.0,
+        2.0,
+        3.0,
+        4.0,
+    ]
+
+
+def test_mutations_are_added_to_what_was_bred():
+    settings = {"population": 200, "mutation": 0.5, "step": 0.1, "elite": 0}
+    search = Genetic(8, 1, settings, np.full((200, 8), 7.0))
+    search.ask()
+    search.tell(np.zeros(200))
+    children = search.ask()
+    assert 6.0 < children.min() < 6.9 and 7.1 < children.max() < 8.0
+    # Each gene by its own luck: few children have none or all of the eight changed.
+    changed = (children != 7.0).sum(axis=1)
+    assert changed.mean() == pytest.approx(4.0, abs=0.5)
+    assert ((changed == 0) | (changed == 8)).mean() < 0.1
+
+
 def test_winners_of_tournaments_have_the_distribution_of_the_best_of_several():
     search = marked(3000, 1, tournament=3, **STILL)
     search.ask()
@@ -75,6 +123,17 @@ def test_winners_of_tournaments_have_the_distribution_of_the_best_of_several():
     assert ranks.mean() == pytest.approx(0.75, abs=0.02)
     assert (ranks > 0.5).mean() == pytest.approx(0.875, abs=0.02)
     assert ranks.max() == 2999 / 3000  # the best of all competes as well
+
+
+def test_the_worst_may_win_a_tournament_as_well():
+    children = []
+    for seed in range(200):
+        search = Genetic(1, seed, {"population": 2, "tournament": 2, **STILL}, [[0.0], [1.0]])
+        search.ask()
+        search.tell([0.0, 1.0])
+        children += search.ask()[:, 0].tolist()
+    # Both draws are the worse one of two in a quarter of all cases.
+    assert np.mean(children) == pytest.approx(0.75, abs=0.1)
 
 
 @pytest.mark.parametrize(

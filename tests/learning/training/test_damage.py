@@ -5,6 +5,7 @@ import json
 import os
 import random
 import shutil
+import signal
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,7 @@ from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Training, learn, resume
 from socialmind.sources.loading import load_file
 
-damage = load_file(Path(__file__).parents[1] / "experiments/damage.py")
+damage = load_file(Path(__file__).parents[2] / "runs/damage.py")
 SEED = os.environ.get("SOCIALMIND_FUZZ_SEED") or datetime.datetime.now(datetime.UTC).date()
 ROUNDS = int(os.environ.get("SOCIALMIND_FUZZ_ROUNDS", "40"))
 
@@ -42,7 +43,7 @@ def folders(curriculum, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def wanted(folders):
-    return load_file(Path(__file__).parent / "slopes.py").digest(folders / "whole")
+    return load_file(Path(__file__).parents[1] / "slopes.py").digest(folders / "whole")
 
 
 def use(folder, curriculum):
@@ -68,7 +69,7 @@ def test_a_damaged_folder_is_refused_in_one_line_or_comes_out_right(
     folders, curriculum, wanted, tmp_path
 ):
     rng = random.Random(str(SEED))
-    digest = load_file(Path(__file__).parent / "slopes.py").digest
+    digest = load_file(Path(__file__).parents[1] / "slopes.py").digest
     for number in range(ROUNDS):
         name = rng.choice(["whole", "half"])
         folder, elsewhere = tmp_path / str(number), tmp_path / f"elsewhere-{number}"
@@ -103,3 +104,27 @@ def test_another_mind_than_it_began_from_is_seen(folders, curriculum, tmp_path):
     with pytest.raises(SocialmindError, match="copy of the mind that it began from"):
         resume(tmp_path / "run", lessons=curriculum)
     assert damage.digest(tmp_path / "run") == before
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGXFSZ"), reason="no limit of files here")
+@pytest.mark.parametrize("room", [100, 1_000])
+def test_a_full_disk_stops_a_training_that_goes_on_when_there_is_room(
+    curriculum, wanted, slopes, tmp_path, room
+):
+    import resource
+
+    out = tmp_path / "training"
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+
+    def fill(news, left):
+        if news.lesson.name == "Turn":
+            resource.setrlimit(resource.RLIMIT_FSIZE, (room, hard))
+
+    try:
+        with pytest.raises(SocialmindError, match=r"File too large at attempt 1; .* --resume$"):
+            learn(None, curriculum, seed=3, out=out, workers=1, on_generation=fill)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert not list(out.rglob("*.partial"))
+    resume(out, lessons=curriculum, workers=1)
+    assert slopes.digest(out) == wanted

@@ -17,10 +17,11 @@ import pytest
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum, Cycle, Training, TrainingInterrupted, learn, resume
 from socialmind.learning.training.attempt import Attempt
+from socialmind.learning.training.capsule import TrainingCapsule
 from socialmind.mind import MindDescription
 from socialmind.sources.loading import load_file
 
-CHECKOUT = Path(__file__).parents[2]
+CHECKOUT = Path(__file__).parents[3]
 MODEL = """
 from socialmind import Agent, Model, Population
 
@@ -54,7 +55,7 @@ def model(tmp_path, robot):
     folder.mkdir()
     (folder / "model.py").write_text(MODEL)
     (folder / "lessons.py").write_text(LESSONS)
-    shutil.copy(Path(__file__).parent / "slopes.py", folder)
+    shutil.copy(Path(__file__).parents[1] / "slopes.py", folder)
     robot.save(folder / "mind")
     return folder
 
@@ -65,7 +66,7 @@ def three(lesson, robot):
 
 
 def digest(folder):
-    return load_file(Path(__file__).parent / "slopes.py").digest(folder)
+    return load_file(Path(__file__).parents[1] / "slopes.py").digest(folder)
 
 
 def test_a_lesson_is_taught_on_what_the_one_before_has_taught(three, robot, tmp_path):
@@ -124,6 +125,25 @@ def test_attempts_are_independent_and_can_be_added(three, tmp_path):
     assert not np.array_equal(genomes[0], genomes[1])
     with pytest.raises(SocialmindError, match="3 attempts were asked for before, 2 now"):
         resume(added, attempts=2, lessons=three)
+
+
+def test_ticks_are_told_by_the_generation_and_time_is_added_up(lesson, robot, tmp_path):
+    told = []
+    two = Curriculum([lesson("Go", generations=3), lesson("Turn", generations=2)], mind=robot)
+    folder = learn(
+        None, two, out=tmp_path / "out", on_generation=lambda one, left: told.append(one)
+    )
+    curve = Training(folder).curve
+    for name in ("Go", "Turn"):
+        ticks = [one.ticks for one in told if one.lesson.name == name]
+        assert min(ticks) > 0 and np.cumsum(ticks).tolist() == (
+            curve[curve["lesson"] == name]["ticks"].tolist()
+        )
+    capsule = TrainingCapsule(folder)
+    with capsule.locked():
+        capsule.update(timings={**capsule.manifest.timings, "seconds": 1000.0})
+    resume(folder, attempts=2, lessons=two)
+    assert 1000.0 < Training(folder).manifest.timings["seconds"] < 1900.0
 
 
 def test_cycles_go_on_from_what_they_left(lesson, robot, tmp_path):

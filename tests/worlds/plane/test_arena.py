@@ -28,7 +28,7 @@ from socialmind.worlds.plane import (
 )
 
 HERE = Path(__file__).parent
-MENAGERIE = load_file(HERE / "worlds" / "plane" / "menagerie" / "model.py")
+MENAGERIE = load_file(HERE / "menagerie" / "model.py")
 
 
 def menagerie(seed, **arguments):

@@ -13,7 +13,7 @@ from own_devices import OWN
 from socialmind import Model, ModelError, Population, each
 from socialmind.fields import class_fields
 from socialmind.language.program import Program
-from socialmind.language.shape import ModelShape, PopulationShape
+from socialmind.language.shape import ModelShape, PopulationShape, WorldShape
 from socialmind.worlds.plane.actuators import ACTUATORS, claw, emitter, wheel
 from socialmind.worlds.plane.bodies import BALL, Body, Disc, Obstacle, Robot, Zone
 from socialmind.worlds.plane.devices import GIVEN, Act, Interruption, Reward, Sense, typed
@@ -142,7 +142,7 @@ def histories():
 def shape():
     kinds = {"robots": Bot, "objects": Body, "zones": Zone}
     populations = {name: PopulationShape(name, class_fields(one)) for name, one in kinds.items()}
-    return ModelShape("a world", {}, {}, populations, None, (), ())
+    return ModelShape("a world", {}, {}, populations, WorldShape(), (), ())
 
 
 def program():

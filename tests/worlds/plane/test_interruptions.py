@@ -21,6 +21,8 @@ from socialmind.worlds.plane import (
 def test_a_collision_is_a_contact(stand_in):
     assert stand_in.call(collision(), robot=stand_in.body(contact=1)) is True
     assert stand_in.call(collision(), robot=stand_in.body()) is False
+    # 2 is a contact with another body.
+    assert stand_in.call(collision(), robot=stand_in.body(contact=2)) is False
 
 
 @pytest.mark.parametrize(("charge", "flat"), [(0.0, True), (-0.001, True), (1e-9, False)])

@@ -114,6 +114,155 @@ def test_a_push_that_is_no_number_is_told_and_moves_nothing(push):
     assert rows["x"].tolist() == [5.0, 6.0, 7.0] and rows["vx"].tolist() == [0.0, 0.0, 0.0]
 
 
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("push_y", math.nan), ("torque", math.nan), ("torque", -math.inf), ("x", -1.5e9)],
+)
+def test_who_moves_nowhere_stands_still_and_is_counted_over_all_kinds(name, value):
+    robots, balls = bodies(2), bodies(3)
+    balls["vx"], balls["vy"], balls["spin"] = 3.0, 2.0, 1.0
+    balls[name][1:] = value
+    arrays = plane({"robots": (ROBOT, robots), "balls": (BALL, balls)})
+    balls["y"] = 50.0, 60.0, 70.0
+    assert kernel().move.ctypes(arrays.address, 0, 0) == 1 + 2 + 1  # the first of both
+    for slot in (1, 2):
+        at_rest = [balls[one][slot] for one in ("vx", "vy", "spin", "angle")]
+        assert at_rest == [0.0, 0.0, 0.0, 0.0]
+        assert balls["y"][slot] == 50.0 + 10.0 * slot
+    assert balls["y"][0] > 50.0
+
+
+def test_half_a_turn_is_one_to_the_right():
+    rows = bodies(2)
+    rows["angle"] = math.pi, -math.pi
+    move(plane({"robots": (FREE, rows)}))
+    assert rows["angle"].tolist() == [-math.pi] * 2 and rows["heading"].tolist() == [270.0] * 2
+
+
+def test_a_hair_is_no_contact():
+    rows = bodies(2)
+    rows["x"][1] = 2.0 - TOUCHING / 2
+    move(plane({"robots": (Disc(meets=("robots",)), rows)}))
+    assert rows["contact"].tolist() == [0, 0] and rows["x"].tolist() == [0.0, 2.0 - TOUCHING / 2]
+
+
+ROUND_A_SQUARE = [
+    # Where it is in the frame of a square of half-width 2, and where it is pushed to.
+    ((2.5, 0.4), (3.0, 0.4)),
+    ((-2.5, 0.4), (-3.0, 0.4)),
+    ((0.4, 2.6), (0.4, 3.0)),
+    ((0.4, -2.6), (0.4, -3.0)),
+    ((2.3, 2.4), (2.6, 2.8)),  # 0.5 from the corner, by 3, 4 and 5
+    ((-2.3, 2.4), (-2.6, 2.8)),
+    ((-2.3, -2.4), (-2.6, -2.8)),
+    ((2.3, -2.4), (2.6, -2.8)),
+    ((1.5, 0.2), (3.0, 0.2)),  # the centre inside
+    ((-1.5, 0.2), (-3.0, 0.2)),
+    ((0.2, 1.5), (0.2, 3.0)),
+    ((0.2, -1.5), (0.2, -3.0)),
+    ((3.1, 0.0), (3.1, 0.0)),
+    ((2.9, 2.9), (2.9, 2.9)),
+]
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, -2.0])
+def test_all_round_a_square_bodies_leave_by_the_shortest_way(angle):
+    turn, centre = complex(math.cos(angle), math.sin(angle)), complex(1.0, -2.0)
+    rows = bodies(len(ROUND_A_SQUARE))
+    starts = [centre + turn * complex(*start) for start, _ in ROUND_A_SQUARE]
+    rows["x"], rows["y"] = [one.real for one in starts], [one.imag for one in starts]
+    move(plane({"robots": (Disc(), rows)}, [(centre.real, centre.imag, angle, 2.0, 0)]))
+    for row, (start, end) in zip(rows, ROUND_A_SQUARE, strict=True):
+        found = (complex(row["x"], row["y"]) - centre) / turn
+        assert (found.real, found.imag) == pytest.approx(end, abs=1e-9)
+        assert row["contact"] == (start != end)
+
+
+def test_who_is_pushed_out_loses_the_speed_into_the_obstacle_alone():
+    rows = bodies(4)
+    rows["x"], rows["vy"] = 1.0 + 1.6, 4.0
+    rows["vx"] = -3.0, 3.0, -0.5, -3.0
+    rows["y"] = 0.0, 100.0, 200.0, 300.0
+    obstacles = [(1.0, y, 0.0, 1.0, 0) for y in (0.0, 100.0, 200.0)]
+    bouncing = Disc(linear_damping=0, restitution=0.5)
+    move(plane({"balls": (bouncing, rows)}, obstacles))
+    # The second leaves as fast as it was leaving; the third is too slow to bounce.
+    assert rows["vx"].tolist() == pytest.approx([1.5, 3.0, 0.0, -3.0])
+    assert rows["vy"].tolist() == [4.0] * 4
+    assert rows["x"].tolist() == pytest.approx([3.0, 3.0, 3.0, 2.5])
+
+
+def test_a_heavy_body_gives_way_less():
+    small, large = bodies(1), bodies(1)
+    large["x"], large["vx"], small["vx"] = 2.5, -2.0, 1.0
+    light, heavy = Disc(linear_damping=0, meets=("large",)), Disc(radius=2.0, linear_damping=0)
+    assert heavy.mass == pytest.approx(4 * light.mass)
+    move(plane({"small": (light, small), "large": (heavy, large)}))
+    # 0.6 deep after their way; four fifths of that are the light one's. They go on together.
+    assert small["x"][0] == pytest.approx(DT - 0.8 * (0.5 + 3 * DT))
+    assert large["x"][0] == pytest.approx(2.5 - 2 * DT + 0.2 * (0.5 + 3 * DT))
+    assert small["vx"][0] == large["vx"][0] == pytest.approx((1.0 - 4 * 2.0) / 5)
+
+
+def test_bodies_bounce_in_the_first_round_alone():
+    rows = bodies(3)
+    rows["x"], rows["vx"][2] = (0.0, 2.0, 4.0), -6.0
+    move(plane({"balls": (Disc(linear_damping=0, meets=("balls",), restitution=1.0), rows)}))
+    # The third gives its speed to the second, which shares it with the first in the second round.
+    assert rows["vx"].tolist() == pytest.approx([-3.0, -3.0, 0.0])
+
+
+def test_who_is_pressed_against_a_border_does_not_give_way():
+    robots, balls = bodies(1), bodies(1)
+    robots["x"], balls["x"] = 5.5, 9.0
+    heavy = Disc(radius=3.0, meets=("balls",))
+    move(plane({"robots": (heavy, robots), "balls": (BALL, balls)}, half_width=10.0))
+    assert (robots["x"][0], balls["x"][0]) == pytest.approx((5.0, 9.0), abs=2 * TOUCHING)
+
+
+@pytest.mark.parametrize("places", [(9.0, 7.0), (7.0, 9.0)])
+@pytest.mark.parametrize("turned_round", [False, True])
+def test_nor_does_who_is_pressed_against_that_one(places, turned_round):
+    robots, balls = bodies(1), bodies(2)
+    robots["x"], balls["x"] = 3.5, places
+    heavy, ball = Disc(radius=3.0, meets=("balls",)), Disc(meets=("balls",))
+    kinds = {"robots": (heavy, robots), "balls": (ball, balls)}
+    kinds = dict(reversed(kinds.items())) if turned_round else kinds
+    move(plane(kinds, half_width=10.0))
+    assert balls["x"].tolist() == pytest.approx(places, abs=1e-6)
+    assert robots["x"][0] == pytest.approx(3.0, abs=1e-6)
+
+
+def test_two_that_cannot_give_way_share_the_way():
+    # Between two walls 3 apart, where both are pressed against theirs: alike in turning it round.
+    rows = bodies(2)
+    rows["x"], rows["y"] = (-0.5, 0.5), (-0.1, 0.1)
+    walls = [(-51.5, 0.0, 0.0, 50.0, 0), (51.5, 0.0, 0.0, 50.0, 0)]
+    move(plane({"robots": (Disc(meets=("robots",)), rows)}, walls))
+    assert rows["x"].tolist() == pytest.approx([-0.5, 0.5])
+    assert rows["y"][1] == pytest.approx(-rows["y"][0]) and rows["y"][1] > 0.3
+
+
+@pytest.mark.parametrize("turned_round", [False, True])
+def test_what_is_carried_touches_no_body(turned_round):
+    robots, balls = bodies(2), bodies(1)
+    robots["x"][1], balls["carrier_kind"], balls["carrier"] = 2.5, int(turned_round), 0
+    balls["x"] = 2.0
+    kinds = {"robots": (ROBOT, robots), "balls": (BALL, balls)}
+    move(plane(dict(reversed(kinds.items())) if turned_round else kinds))
+    assert robots["contact"].tolist() == [0, 0] and balls["contact"].tolist() == [0]
+    assert (robots["x"].tolist(), balls["x"].tolist()) == ([0.0, 2.5], [2.0])
+
+
+def test_who_leaves_another_body_keeps_its_speed():
+    one, two = bodies(1), bodies(1)
+    two["x"], two["vx"], one["vy"] = 1.5, 2.0, 1.0
+    meeting = Disc(linear_damping=0, meets=("two",))
+    move(plane({"one": (meeting, one), "two": (Disc(linear_damping=0), two)}))
+    assert (one["vx"][0], one["vy"][0], two["vx"][0]) == (0.0, 1.0, 2.0)
+    assert (one["contact"][0], two["contact"][0]) == (2, 2)
+
+
 def test_who_does_not_live_is_not_touched():
     rows = bodies(2)
     rows["vx"], rows["contact"] = 1.0, 5
@@ -308,6 +457,22 @@ def test_carried_bodies_are_just_ahead_and_touch_nothing():
     for name in ("angle", "heading", "vx", "vy"):
         assert ball[name] == robot[name]
     assert ball["contact"] == 0 and robots["contact"].tolist() == [0, 0] and ball["carrier"] == 1
+    assert ball["spin"] == 0.0 and ball["carrier_kind"] == 1
+    # Nor does it touch anything where it is carried through.
+    robot["x"], robot["y"], robot["vx"], robot["vy"], robot["angle"] = -2.0, 1.8, 0.0, 0.0, 0.0
+    balls["x"], balls["y"] = 1.0, 1.8
+    move(arrays)
+    assert balls["contact"].tolist() == [0] and balls["x"].tolist() == [0.0]
+    assert (robot["x"], robot["contact"]) == (-2.0, 0)
+
+
+@pytest.mark.parametrize(("kind", "carrier"), [(2, 0), (7, 0), (0, 1), (0, -1)])
+def test_who_is_carried_by_nobody_that_there_is_moves_freely(kind, carrier):
+    robots, balls = bodies(1), bodies(1)
+    balls["carrier_kind"], balls["carrier"], balls["vx"] = kind, carrier, 3.0
+    robots["y"] = 50.0
+    move(plane({"robots": (ROBOT, robots), "balls": (BALL, balls)}))
+    assert balls["carrier"][0] == balls["carrier_kind"][0] == -1 and balls["x"][0] > 0
 
 
 def test_whose_carrier_is_gone_moves_freely():

@@ -172,6 +172,52 @@ def test_nothing_in_reach_reads_one_and_a_square_ahead_its_distance():
     assert robots["readings"][0, 2:9].tolist() == [1.0] * 7
 
 
+def read_alone(body, ray, obstacles=(), half_width=0.0, circle=None):
+    """What one ray (x, y, cos, sin) of reach 12 of a body (x, y, angle) reads."""
+    robots, balls = bodies(1), bodies(1)
+    robots["x"], robots["y"], robots["angle"] = body
+    balls["x"], balls["y"] = circle or (0.0, 0.0)
+    stones = np.zeros(len(obstacles), OBSTACLE)
+    for row, one in zip(stones, obstacles, strict=True):
+        row["x"], row["y"], row["angle"], row["half_width"] = one
+    eyes = Eyes(0, np.array([(*ray, 12.0, 0)], RAY), ROW.fields["readings"][1] - 8)
+    kinds = [
+        Bodies("robots", Disc(), robots, np.ones(1, np.bool_), 8),
+        Bodies("balls", Disc(), balls, np.array([circle is not None]), 8),
+    ]
+    standing = Obstacles(stones, np.ones(len(stones), np.bool_), 0)
+    arrays = PlaneArrays(half_width, 1 / 30, 5.0, kinds, standing, [eyes])
+    arrays.build()
+    kernel().look.ctypes(arrays.address, eyes.address, 0)
+    return robots["readings"][0, 0]
+
+
+@pytest.mark.parametrize(("cos", "sin"), [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)])
+def test_rays_along_the_sides_of_a_square(cos, sin):
+    ray = (0.0, 0.0, cos, sin)
+    ahead = (8 * cos, 8 * sin, 0.0, 2.0)
+    beside = (8 * cos - 3 * sin, 8 * sin + 3 * cos, 0.0, 2.0)
+    behind = (-8 * cos, -8 * sin, 0.0, 2.0)
+    assert read_alone((0, 0, 0), ray, [ahead]) == pytest.approx(6 / 12)
+    assert read_alone((0, 0, 0), ray, [beside, behind]) == 1.0
+    assert read_alone((0, 0, 0), ray, [(0.5, 0.5, 0.0, 2.0)]) == 0.0
+
+
+def test_what_a_ray_just_touches_is_seen():
+    assert read_alone((0, 0, 0), (0, 0, 1.0, 0.0), circle=(6.0, 1.0)) == 6 / 12
+    assert read_alone((0, 0, 0), (0, 0, 1.0, 0.0), circle=(6.0, 1.001)) == 1.0
+    slope = math.sqrt(0.5)
+    corner = [(6.0, 4.0, 0.0, 1.0)]
+    assert read_alone((0, 0, 0), (0, 0, slope, slope), corner) == pytest.approx(5 / slope / 12)
+    assert read_alone((0, 0, 0), (0, 0, slope, slope), [(6.0, 3.999, 0.0, 1.0)]) == 1.0
+
+
+def test_on_the_border_itself_all_rays_read_nothing_left():
+    for cos, sin in ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)):
+        assert read_alone((9, 0, 0), (1.0, 0.0, cos, sin), half_width=10.0) == 0.0
+    assert read_alone((8, 0, 0), (1.0, 0.0, 0.0, 1.0), half_width=10.0) == pytest.approx(10 / 12)
+
+
 def test_balls_that_are_not_made_to_be_seen_are_not():
     robots, balls = bodies(1), bodies(1)
     balls["x"] = 4.0

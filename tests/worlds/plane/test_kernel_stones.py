@@ -81,9 +81,16 @@ def test_results_do_not_depend_on_the_table():
     assert len(ends) == 1
 
 
-def test_an_obstacle_that_stands_nowhere_is_refused():
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("angle", np.nan), ("x", 2e9), ("y", -np.inf), ("half_width", np.inf), ("half_width", -0.5)],
+)
+def test_an_obstacle_that_stands_nowhere_is_refused(name, value):
     arrays, obstacles, alive = world(6, 5.0)
+    arrays.build()
+    assert len(arrays.stones)
     slot = int(np.flatnonzero(alive)[3])
-    obstacles["angle"][slot] = np.nan
+    obstacles[name][slot] = value
     with pytest.raises(ModelError, match=f"obstacle {slot} "):
         arrays.build()
+    assert not len(arrays.stones)

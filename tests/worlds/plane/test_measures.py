@@ -45,6 +45,7 @@ def test_a_measure_is_set_against_another_mind():
     assert measure.records == ("path", "delivered")
     assert measure.combined((120.0, 4.0), (100.0, 5.0)) == 1.5
     assert math.isnan(measure.combined((120.0, 4.0), (100.0, 0.0)))
+    assert total("delivered").combined((6.0,), (8.0,)) == 6.0  # set against none
     lead = against(total("delivered"), "plain", compare=lambda own, other: own - other)
     assert lead.combined((6.0,), (8.0,)) == -2.0
     with pytest.raises(ModelError, match="a measure against a mind, set against another"):

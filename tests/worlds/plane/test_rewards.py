@@ -36,6 +36,9 @@ class TestClosing:
     def test_it_is_the_distance_that_was_covered(self, stand_in):
         assert self.run(stand_in, (10, 0), (8, 0), (9, 0)) == pytest.approx([0, 0.002, -0.001])
 
+    def test_each_unit_is_worth_the_gain(self, stand_in):
+        assert self.run(stand_in, (10, 0), (7, 0), gain=0.5) == [0, 1.5]
+
     def test_coming_and_going_cancel_out(self, stand_in):
         there = [(distance, 3) for distance in (7, 5, 2, 4, 6.5, 7)]
         assert sum(self.run(stand_in, *there)) == pytest.approx(0.0)
@@ -57,6 +60,11 @@ def test_reaching_is_a_sensor_above_its_threshold(stand_in, reading, reward):
     device = reached("SENSOBJ", 0.5)
     assert device.sensor == "SENSOBJ"
     assert stand_in.call(device, reading=reading) == reward
+
+
+@pytest.mark.parametrize(("reading", "reward"), [(0.21, 3.0), (0.2, 0), (0.1, 0)])
+def test_the_amount_and_the_threshold_are_told_apart(stand_in, reading, reward):
+    assert stand_in.call(reached("S1", 3.0, 0.2), reading=reading) == reward
 
 
 class TestMotion:
@@ -82,6 +90,8 @@ class TestMotion:
     def test_a_contact_costs(self, stand_in):
         assert stand_in.call(collision_cost(2.0), robot=stand_in.body(contact=1)) == -2.0
         assert stand_in.call(collision_cost(2.0), robot=stand_in.body()) == 0.0
+        # 2 is a contact with another body.
+        assert stand_in.call(collision_cost(2.0), robot=stand_in.body(contact=2)) == 0.0
 
 
 class TestExploring:
@@ -101,6 +111,10 @@ class TestExploring:
     def test_beyond_the_grid_lies_the_nearest_square(self, stand_in):
         places = [(15, 15), (100, 100), (-15, 15), (-1000, 12), (15, -25), (19, -19)]
         assert self.walk(stand_in, *places) == [0, 0, 1, 0, 1, 0]
+
+    def test_of_an_odd_number_the_middle_one_lies_around_the_middle(self, stand_in):
+        places = [(0, 0), (4, -4), (6, 0), (6, 6), (-6, 0)]
+        assert self.walk(stand_in, *places, cells=3) == [0, 0, 1, 1, 1]
 
     def test_there_are_as_many_squares_as_the_memory_holds(self, stand_in):
         places = [(x, y) for x in (-15, -5, 5, 15) for y in (-15, -5, 5, 15)]
@@ -136,9 +150,12 @@ def test_keeping_clear_is_the_mean_above_the_threshold(stand_in):
     assert device.sensors == ("S1", "S2")
     assert stand_in.call(device, readings=[1.0, 0.8]) == pytest.approx(2 * 0.4)
     assert stand_in.call(device, readings=[0.1, 0.3]) == pytest.approx(2 * -0.3)
+    near = clear(["S1", "S2"], 0.8, gain=2.0)
+    assert stand_in.call(near, readings=[0.9, 1.0]) == pytest.approx(2 * 0.15)
 
 
 def test_what_was_earned_is_paid_once(stand_in):
     robot = stand_in.body(earned=2.0)
     assert stand_in.call(paid(3.0), robot=robot) == 6.0
     assert stand_in.call(paid(3.0), robot=robot) == 0.0
+    assert paid().settles and not collision_cost(1.0).settles

@@ -39,6 +39,9 @@ class TestRangeFinder:
         assert lines["x"].tolist() == [0.5] * 3
         assert lines["y"].tolist() == [-0.25] * 3
 
+    def test_its_rays_reach_as_far_as_it_does(self):
+        assert RangeFinder(reach=7.5).lines(radius=1.0, sensor=0)["reach"].tolist() == [7.5] * 3
+
     def test_three_rays_look_ahead_and_to_the_edges_of_the_cone(self):
         lines = RangeFinder(math.radians(30)).lines(radius=1.0, sensor=0)
         degrees = [math.degrees(math.atan2(one["sin"], one["cos"])) for one in lines]
@@ -57,6 +60,7 @@ class TestRangeFinder:
             {"reach": 0},
             {"reach": math.inf},
             {"half_angle": -0.1},
+            {"half_angle": 3.2},
             {"rays": 0},
             {"rays": 2.5},
             {"rays": True},
@@ -97,6 +101,14 @@ class TestWhatIsSeen:
 
     def test_distance_of_nothing_is_the_largest(self, stand_in):
         assert stand_in.call(distance_to("objects", 20.0), found=False, distance=20.0) == 1.0
+        assert stand_in.call(distance_to("objects", 20.0), found=False, distance=5.0) == 1.0
+
+    def test_distances_are_shares_of_the_reach(self, stand_in):
+        assert stand_in.call(distance_to("objects", 20.0), distance=5.0) == 0.25
+        assert stand_in.call(distance_to("objects"), distance=0.0, largest=0.0) == 1.0
+
+    def test_they_look_no_farther_than_their_reach(self):
+        assert distance_to("objects", 20.0).reach == orientation("objects", 20.0).reach == 20.0
 
     @pytest.mark.parametrize(("found", "reading"), [(True, 0.8), (False, 0.2)])
     def test_active_reads_what_it_is_told_to(self, stand_in, found, reading):
@@ -124,6 +136,22 @@ class TestInClaw:
         members = stand_in.members(stand_in.body(2.5, 2.1), stand_in.body(4.5, 2.0))
         assert stand_in.call(in_claw("objects"), robot=stand_in.body(), members=members) == 1.0
 
+    @pytest.mark.parametrize(
+        ("along", "aside", "reading"),
+        [(4.49, 1.99, 1), (4.49, -1.99, 1), (0.51, -1.99, 1), (2.5, 2.01, 0), (4.51, -1.0, 0)],
+    )
+    def test_its_corners_count_however_it_is_turned(self, stand_in, along, aside, reading):
+        robot, half = stand_in.body(-3, 8, angle=math.pi / 4), math.sqrt(0.5)
+        held = stand_in.body(-3 + half * (along - aside), 8 + half * (along + aside))
+        given = {"robot": robot, "members": stand_in.members(held)}
+        assert stand_in.call(in_claw("objects"), **given) == reading
+
+    def test_the_box_may_be_smaller_elsewhere_and_read_otherwise(self, stand_in):
+        device = in_claw("objects", half=1.0, ahead=-4.0, low=0.2, high=0.7)
+        for x, reading in ((-4.9, 0.7), (-3.1, 0.7), (-5.1, 0.2), (-2.9, 0.2), (2.5, 0.2)):
+            given = {"robot": stand_in.body(), "members": stand_in.members(stand_in.body(x, 0))}
+            assert stand_in.call(device, **given) == reading
+
     @pytest.mark.parametrize(("carrier", "reading"), [((0, 3), 1), ((0, 2), 0), ((1, 3), 0)])
     def test_what_is_carried_counts_for_its_carrier_alone(self, stand_in, carrier, reading):
         kind, slot = carrier
@@ -141,6 +169,8 @@ class TestInside:
             (7, 0, math.pi / 4, 1),  # the corners of a turned square lie 7.07 away
             (7.1, 0, math.pi / 4, 0),
             (5, 5, math.pi / 4, 0),
+            (-5, 5, math.pi / 4, 0),
+            (6.9, 0.1, math.pi / 4, 1),
         ],
     )
     def test_a_zone_is_a_turned_square(self, stand_in, x, y, angle, reading):
@@ -153,6 +183,12 @@ class TestInside:
         small, large = stand_in.body(0, 0, half_width=1.0), stand_in.body(10, 0, half_width=9.0)
         given = {"robot": stand_in.body(2, 0), "members": stand_in.members(small, large)}
         assert stand_in.call(inside("zones"), **given) == 1.0
+
+    def test_it_reads_what_it_is_told_to(self, stand_in):
+        zone, device = stand_in.body(0, 0, half_width=1.0), inside("zones", low=0.2, high=0.7)
+        for x, reading in ((0.5, 0.7), (1.5, 0.2)):
+            given = {"robot": stand_in.body(x, 0), "members": stand_in.members(zone)}
+            assert stand_in.call(device, **given) == reading
 
 
 class TestSignals:
@@ -178,12 +214,33 @@ class TestSignals:
         other = stand_in.body(0, 20, id=1, signal=[1.0, 0.0])
         assert self.heard(stand_in, signal_orientation("robots", reach=19.0), other) == 0.5
         assert self.heard(stand_in, signal_orientation("robots", reach=21.0), other) == 0.25
+        # The reach itself is within it.
+        assert self.heard(stand_in, signal_orientation("robots", reach=20.0), other) == 0.25
+        assert self.heard(stand_in, signal_active("robots", reach=20.0), other) == 1.0
+
+    def test_directions_turn_with_the_robot_and_are_those_of_their_channel(self, stand_in):
+        robot = stand_in.body(2, 1, id=7, angle=math.pi / 4, signal=[0.0, 0.0])
+        other = stand_in.body(2, 9, id=1, signal=[0.0, 1.0])
+        given = {"robot": robot, "members": stand_in.members(robot, other), "own": True}
+        # North of a robot that looks to the north-east is 45 degrees to its left.
+        assert stand_in.call(signal_orientation("robots", 1), **given) == pytest.approx(0.375)
+        assert stand_in.call(signal_orientation("robots", 0), **given) == 0.5
+
+    def test_a_half_is_no_signal(self, stand_in):
+        other = stand_in.body(0, 20, id=1, signal=[0.5, 0.0])
+        for device, reading in (
+            (signal_active("robots"), 0.0),
+            (signal_orientation("robots"), 0.5),
+            (signal_distance("robots"), 1.0),
+        ):
+            assert self.heard(stand_in, device, other) == reading
 
     def test_whether_one_is_heard(self, stand_in):
         other = stand_in.body(0, 20, id=1, signal=[1.0, 0.0])
         assert self.heard(stand_in, signal_active("robots", reach=19.0), other) == 0.0
         assert self.heard(stand_in, signal_active("robots", reach=21.0), other) == 1.0
         assert self.heard(stand_in, signal_active("robots", 1, low=0.2), other) == 0.2
+        assert self.heard(stand_in, signal_active("robots", high=0.7), other) == 0.7
         assert self.heard(stand_in, signal_active("robots")) == 0.0
 
     def test_a_reach_of_0_hears_nothing(self, stand_in):
@@ -194,12 +251,17 @@ class TestSignals:
     def test_another_team_with_the_same_identity_is_heard(self, stand_in):
         other = stand_in.body(50, 0, id=7, signal=[1.0, 0.0])
         assert self.heard(stand_in, signal_distance("others"), other, own=False) == 0.5
+        assert self.heard(stand_in, signal_orientation("others"), other, own=False) == 0.5
+        assert self.heard(stand_in, signal_active("others"), other, own=False) == 1.0
 
 
 class TestWhatIsFelt:
     def test_what_the_claw_holds_is_felt(self, stand_in):
         held = [stand_in.call(carrying(), robot=stand_in.body(carrying=one)) for one in (-1, 0, 3)]
         assert held == [0.0, 1.0, 1.0]
+        told = carrying(low=0.2, high=0.7)
+        held = [stand_in.call(told, robot=stand_in.body(carrying=one)) for one in (-1, 0)]
+        assert held == [0.2, 0.7]
 
     def test_noise_is_drawn_every_so_many_ticks(self, stand_in):
         rng, memory = random.Random(3), [0.0, 0.0]
@@ -225,6 +287,15 @@ class TestWhatIsFelt:
         # Remembered at ticks 0, 2, 4, 6, 8: 2 apart; of three the distances are 2, 2 and 4.
         mean = (2 + 2 + 4) / 3 / 10
         assert readings == pytest.approx([0, 0, 0.2, 0.2, mean, mean, mean, mean, mean])
+
+    def test_movement_is_a_distance_in_the_plane(self, stand_in):
+        device = moved(positions=2, every=1, largest=10.0)
+        memory = [0.0] * device.memory
+        places = [(0, 0), (3, 4), (3, 4), (3, -2)]
+        found = [
+            stand_in.call(device, robot=stand_in.body(*place), memory=memory) for place in places
+        ]
+        assert found == pytest.approx([0.0, 0.5, 0.0, 0.6])
 
     def test_the_standard_movement_fills_in_400_ticks_and_fades(self, stand_in):
         device = moved()
@@ -252,6 +323,7 @@ class TestWhatIsFelt:
             1,
             1,
         ]
+        assert [stand_in.call(identity(2), slot=slot) for slot in (0, 1)] == [0, 1]
         assert stand_in.call(identity(1), slot=0) == 0
 
     @pytest.mark.parametrize(

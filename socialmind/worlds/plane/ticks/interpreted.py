@@ -12,21 +12,31 @@ from socialmind.agents.attributes import ArrayField
 from socialmind.agents.bookkeeping import ENTRIES, GONE, GONE_SCORE
 from socialmind.errors import RuleError, place_of
 from socialmind.streams import Stream
+from socialmind.worlds.contract import Functions
 from socialmind.worlds.plane.kernel.code import kernel
 from socialmind.worlds.plane.relative import bearing_of, bounded, counted, mounted
 from socialmind.worlds.plane.ticks.stages import PLACED, Call, Seek, Stage
 
 if TYPE_CHECKING:
-    from socialmind.model import Model
+    from socialmind.agents.running import Running
+    from socialmind.worlds.plane.arena import Arena
 
-Functions = dict[str, Callable[..., Any]]
+
+def run_tick(arena: Arena, functions: Functions, schedule: Callable[[], None]) -> None:
+    """Run a tick on a plane, on which nothing happens any more after an interruption."""
+    over = arena.over
+    if over is None:
+        _before_minds(arena, functions)
+    if arena.over is None:
+        _think(arena)
+        schedule()
+        arena.after_compiled_tick()
+    settle_rewards(arena, functions, arena.over != over)
 
 
-def before_minds(model: Model, functions: Functions) -> None:
+def _before_minds(arena: Arena, functions: Functions) -> None:
     """Run a tick up to what the minds are told."""
-    arena, plan = model.arena, model.program.plane
-    if arena is None or plan is None:
-        return
+    model, plan = arena.society, arena.society.program.world
     arena.move()
     for name in ("rewards", "interruptions"):
         for stages in plan.stages.values():
@@ -37,10 +47,10 @@ def before_minds(model: Model, functions: Functions) -> None:
                 _run(model, functions, stages[name])
 
 
-def settle_rewards(model: Model, functions: Functions, ended: bool) -> None:
+def settle_rewards(arena: Arena, functions: Functions, ended: bool) -> None:
     """Pay what is due to the robots that died in this tick, or to all where an episode ended."""
-    plan = model.program.plane
-    for name, stage in (plan.settling if plan is not None else {}).items():
+    model = arena.society
+    for name, stage in model.program.world.settling.items():
         table = model.tables[name]
         for slot in table.order[: int(table.counters[ENTRIES])].tolist():
             if ended or not table.alive[slot]:
@@ -50,11 +60,9 @@ def settle_rewards(model: Model, functions: Functions, ended: bool) -> None:
                 table.counters.view(np.float64)[GONE_SCORE] += table.rows["score"][slot]
 
 
-def think(model: Model) -> None:
+def _think(arena: Arena) -> None:
     """Evaluate the hierarchies of skills, and hand their commands to the actuators."""
-    arena = model.arena
-    if arena is None:
-        return
+    model = arena.society
     for name, senses in arena.senses.items():
         if model.context[f"_{name}_steered"]:
             continue
@@ -73,7 +81,7 @@ def think(model: Model) -> None:
             table.rows["commands"][slot, : len(motors)][known] = commands
 
 
-def _evaluate(model: Model, population: str, slot: int) -> None:
+def _evaluate(model: Running, population: str, slot: int) -> None:
     """Evaluate one hierarchy; what fails is said with its place."""
     minds: Any = model.tables[population].minds
     try:
@@ -85,24 +93,24 @@ def _evaluate(model: Model, population: str, slot: int) -> None:
         raise RuleError(what, place_of(error, "in a hierarchy"), model.tick, who) from error
 
 
-def _heeded(model: Model, interruption: Call) -> bool:
+def _heeded(model: Running, interruption: Call) -> bool:
     """Return whether an interruption ends what goes on."""
     ignored = int(model.context["_ignored"]) >> interruption.number & 1
     return not model.context["_over"] and not ignored
 
 
-def _run(model: Model, functions: Functions, stage: Stage) -> None:
+def _run(model: Running, functions: Functions, stage: Stage) -> None:
     table = model.tables[stage.robots.name]
-    if stage.name == "sensors" and model.arena is not None:
-        eyes = model.arena.eyes_of(stage.robots.name)
+    if stage.name == "sensors":
+        eyes = model.ground.eyes_of(stage.robots.name)
         if eyes:
-            kernel().look.ctypes(model.arena.arrays.address, eyes, 0)
+            kernel().look.ctypes(model.ground.plane_arrays.address, eyes, 0)
     for slot in range(len(table.rows)):
         if table.alive[slot]:
             _robot(model, functions, stage, table, slot)
 
 
-def _robot(model: Model, functions: Functions, stage: Stage, table: Any, slot: int) -> None:
+def _robot(model: Running, functions: Functions, stage: Stage, table: Any, slot: int) -> None:
     robot = table.row_class(table, slot)
     row = table.rows[slot]
     cos, sin = math.cos(robot.angle), math.sin(robot.angle)
@@ -132,10 +140,10 @@ def _robot(model: Model, functions: Functions, stage: Stage, table: Any, slot: i
 
 
 def _sought(
-    model: Model, stage: Stage, seek: Seek, robot: Any, slot: int, cos: float, sin: float
+    model: Running, stage: Stage, seek: Seek, robot: Any, slot: int, cos: float, sin: float
 ) -> tuple[Any, bool, float, float]:
     """Return the nearest target, whether there is one, and how far it is away in x and y."""
-    settings: Any = model.arena.settings  # type: ignore[union-attr]  # it has a plane
+    settings = model.ground.settings
     ahead, aside, _, reach = settings[seek.settings : seek.settings + PLACED].tolist()
     x = mounted(robot.x, cos, sin, ahead, aside)
     y = mounted(robot.y, sin, -cos, ahead, aside)
@@ -158,7 +166,7 @@ def _sought(
 
 
 def _call(
-    model: Model,
+    model: Running,
     functions: Functions,
     stage: Stage,
     call: Call,
@@ -169,7 +177,7 @@ def _call(
 ) -> float:
     """Call a device; return what it pays beside the rewards of the tick."""
     device = call.device
-    settings: Any = model.arena.settings  # type: ignore[union-attr]  # it has a plane
+    settings = model.ground.settings
     _, _, angle, reach, *numbers = settings[
         call.settings : call.settings + PLACED + len(device.settings)
     ].tolist()

@@ -215,13 +215,15 @@ _THINK = """    mind = _record_NAME(_model)
         raise ValueError("a hierarchy could not be evaluated")"""
 
 
-def lockstep_text(plane: PlaneProgram, setup: str, deciding: Sequence[str]) -> str:
+def lockstep_text(plane: PlaneProgram, deciding: Sequence[str]) -> str:
     """Return the functions that run many worlds.
 
     Args:
         plane: the typed devices.
-        setup: the calls of the phases of the setup, indented.
         deciding: the populations with cogniton minds.
+
+    Returns:
+        The text; SETUP stands for the calls of the phases of the setup.
     """
     robots = dict(enumerate(plane.shape.robots))
     minded = {n: name for n, name in robots.items() if plane.shape.robots[name].hierarchy}
@@ -238,7 +240,6 @@ def lockstep_text(plane: PlaneProgram, setup: str, deciding: Sequence[str]) -> s
         "BUILD": BUILD,
         "SEEDS": each(_SEED, dict(enumerate(deciding))),
         "RENEW": each(_RENEW, minded),
-        "SETUP": setup or "    pass",
         "KEPT": "".join(each(_KEPT, {n: name}) for n, name in robots.items()),
         "TABLES": str(len(robots)),
         "SCORES": each(_SCORE, robots),

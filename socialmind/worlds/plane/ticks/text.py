@@ -118,12 +118,14 @@ BUILD = """    if _call(_model._build, _model._plane, 0, 0) < 0:
 it, slowly."""
 
 
-def plane_text(plane: PlaneProgram, phases: str) -> str:
+def plane_text(plane: PlaneProgram) -> str:
     """Return the functions of a plane's tick.
 
     Args:
         plane: the typed devices.
-        phases: the calls of the phases of the schedule, indented.
+
+    Returns:
+        The text; PHASES stands for the calls of the phases of the schedule.
     """
     parts = [HEAD]
     sought = sorted({s.of for one in plane.stages.values() for t in one.values() for s in t.seeks})
@@ -156,7 +158,7 @@ def plane_text(plane: PlaneProgram, phases: str) -> str:
         f"    if not _model._{one}_steered:\n        _obey_{one}(_model)\n" for one in minded
     )
     tick = _TICK.replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
-    tick = tick.replace("OBEY", obey).replace("PHASES", phases)
+    tick = tick.replace("OBEY", obey)
     parts.append(tick.replace("BUILD", BUILD if plane.shifting else ""))
     think = [f"    if not _model._{one}_steered:\n        _think_{one}(_model)" for one in minded]
     parts.append("\n".join(["@_inner\ndef _think(_model):", *think, "    return"]))

@@ -1,0 +1,200 @@
+"""Making a society: the values, schemes and tables that it begins with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from coglogo_py import CognitiveScheme
+from coglogo_py.errors import shown
+from coglogo_py.memory import check_memory
+from coglogo_py.society import Society
+from socialmind.agents.running import Running
+from socialmind.compiling.layout import row_dtype
+from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.fields import Field, presence
+from socialmind.society.parameter import Parameter
+from socialmind.society.population import Population
+from socialmind.society.table import Table
+
+if TYPE_CHECKING:
+    from socialmind.mind.population_minds import PopulationMinds
+    from socialmind.mind.steering import Steering
+
+
+def set_values(
+    context: Any,
+    parameters: Mapping[str, Parameter],
+    variables: Mapping[str, Field],
+    given: Mapping[str, Any],
+    model: str,
+) -> None:
+    """Write parameters and variables into the record of a society.
+
+    Args:
+        context: the record.
+        parameters: those of the model.
+        variables: likewise.
+        given: values of parameters that differ from the defaults.
+        model: the model's name.
+
+    Raises:
+        SocialmindError: a parameter is unknown or out of range.
+    """
+    for name in given:
+        if name not in parameters:
+            raise SocialmindError(f"{model} has no parameter {name!r}; {nearest(name, parameters)}")
+    for name, one in parameters.items():
+        context[name] = one.stored(given.get(name, one.default))
+    for field in variables.values():
+        default: Any = field.default
+        if field.optional:
+            context[presence(field.name)] = default is not None
+        context[field.name] = 0 if default is None else default
+
+
+def ignored(interruptions: Mapping[str, Any], without: tuple[str, ...], model: str) -> int:
+    """Return which interruptions are not heeded, as bits.
+
+    Raises:
+        SocialmindError: there is no such interruption.
+    """
+    names, bits = list(interruptions), 0
+    for name in without:
+        if name not in names:
+            raise SocialmindError(
+                f"no interruption called {name!r} in {model}; {nearest(name, names)}"
+            )
+        bits |= 1 << names.index(name)
+    return bits
+
+
+def size_of(context: Any, size: int | str, least: int) -> int:
+    """Return a size, which may be the name of a parameter.
+
+    Raises:
+        SocialmindError: the parameter is less than it can be.
+    """
+    if not isinstance(size, str):
+        return size
+    found = int(context[size])
+    if found < least:
+        raise SocialmindError(f"parameter {size}: found {found}; expected {least} or more")
+    return found
+
+
+def schemes_of(
+    populations: Mapping[str, Population], folder: Path, given: Any, model: str
+) -> tuple[dict[str, CognitiveScheme], dict[str, Path]]:
+    """Return the schemes of the populations that have minds, and the files of those in files.
+
+    Args:
+        populations: of the model.
+        folder: the model's.
+        given: schemes to use in place of its own, as `Model` takes them.
+        model: the model's name.
+
+    Raises:
+        SocialmindError: it is not clear for whom a scheme is, or it cannot be read.
+        ModelError: the model's own scheme lacks what the model declares.
+    """
+    minded = {name: one for name, one in populations.items() if one.mind is not None}
+    if given is not None and not isinstance(given, Mapping):
+        if len(minded) != 1:
+            raise SocialmindError(
+                f"a scheme for {model}, which has {len(minded)} populations with minds; "
+                f"give a mapping from {', '.join(minded) or 'their names'}"
+            )
+        given = {next(iter(minded)): given}
+    schemes: dict[str, CognitiveScheme] = {}
+    files: dict[str, Path] = {}
+    for name, population in minded.items():
+        source: Any = (given or {}).get(name, population.mind)
+        own = given is None or name not in given
+        if not isinstance(source, CognitiveScheme):
+            path = folder / source if own else Path(source)
+            source = CognitiveScheme.load(path, decision_makers=population.decision_makers)
+            files[name] = path
+        schemes[name] = source
+    for name, population in minded.items():
+        # Another scheme may have fewer plans than the model knows how to carry out.
+        if given is None or name not in given:
+            _check_plans(name, population, schemes[name], files.get(name))
+    return schemes, files
+
+
+def _check_plans(
+    name: str, population: Population, scheme: CognitiveScheme, file: Path | None
+) -> None:
+    """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
+    cognitons = [one.name for one in scheme.cognitons]
+    for cogniton in population.bounds:
+        if cogniton not in cognitons:
+            raise ModelError(
+                f"bounds of the cogniton {cogniton!r} of {name!r}, which the scheme "
+                f"{scheme.name!r} does not have",
+                remedy=nearest(cogniton, cognitons),
+                file=file,
+            )
+    for plan in population.plans:
+        if plan not in scheme.plans:
+            raise ModelError(
+                f"a function for the plan {plan!r} of {name!r}, which the scheme {scheme.name!r} "
+                "does not have",
+                "a function for each of its plans",
+                nearest(plan, scheme.plans),
+                file,
+            )
+
+
+def tables_of(society: Running, steerings: Mapping[str, Steering]) -> dict[str, Table]:
+    """Return the populations of a society, with the agents that it begins with.
+
+    Args:
+        society: with its ground, schemes and assemblies.
+        steerings: the hierarchies of skills of those that have some.
+
+    Raises:
+        SocialmindError: more agents than there is memory for.
+    """
+    sizes = {}
+    for name, population in society.populations.items():
+        sizes[name] = size_of(society.context, population.size, 0)
+        shape = society.shape.populations[name]
+        # Beside its row an agent has a place in five more arrays, and its mind.
+        row = row_dtype(dict(shape.fields), shape).itemsize + 5 * 8
+        what = f"{shown(sizes[name])} agents of {name!r} in {society.name}"
+        check_memory(sizes[name] * row, what, SocialmindError)
+    tables: dict[str, Table] = {}
+    schemes = society.schemes
+    for place, name in enumerate(society.populations):
+        minds = None
+        if name in schemes:
+            # Breeds that share a scheme share its groups.
+            same = [n for n in schemes if schemes[n] == schemes[name] and n in tables]
+            minds = tables[same[0]].society if same else Society(schemes[name], society.seed, place)
+        skills = None
+        if name in society.assemblies:
+            skills = partial(_skills, society, name, steerings[name].drive)
+        shape = society.shape.populations[name]
+        tables[name] = Table(society, shape, sizes[name], minds, skills)
+    return tables
+
+
+def _skills(society: Running, name: str, drive: Any, capacity: int) -> PopulationMinds:
+    """Return the hierarchies of a population for so many agents."""
+    from socialmind.mind.population_minds import PopulationMinds
+
+    population = society.populations[name]
+    return PopulationMinds(
+        society.assemblies[name],
+        capacity,
+        society.seed,
+        name,
+        population.own_genomes,
+        population.instances,
+        drive,
+        lambda: society.tick,
+    )

@@ -1,0 +1,185 @@
+"""What a world gives a society. Torus, plane and none meet it, and so does any that is added.
+
+A world is three things: its declaration, which a modeller writes (`World`); its shape, which rules
+are typed and compiled against (`socialmind.language.shape.WorldShape`); and the ground of a running
+society (`Ground`). Nothing outside this folder asks which world it is.
+
+- **Required**: `World.check`, `World.shape`, `World.ground`; of a ground with arrays `arrays`,
+  `state`, `check_state` and `restore`.
+- **Optional**: everything else has a default, which is what a model without a world does.
+- **Derived**: what modellers call as `society.world` is the ground's `world`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from socialmind.agents.running import Running
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.language.shape import WorldShape
+
+Functions = dict[str, Callable[..., Any]]
+Place = Callable[[str], tuple[str | None, int | None]]
+"""Gives the file and the line of an attribute of a model's class."""
+
+
+class World:
+    """The declaration of a world, as the attribute `world` of a model; this one is none.
+
+    Attributes:
+        size: a number that decides its memory, or the parameter of whole numbers that gives it.
+        devices: what a model may declare for it beside its populations: attribute and class.
+        has_episodes: whether interruptions end a run there, and not `stop_when`.
+    """
+
+    size: int | str | None = None
+    devices: Mapping[str, type] = {}  # never changed
+    has_episodes = False
+
+    def __get__(self, model: Any, owner: type) -> Any:
+        return self if model is None else model.ground.world
+
+    def check(self) -> None:
+        """Refuse a declaration that is wrong.
+
+        Raises:
+            ModelError: so it is.
+        """
+
+    def shape(self, model: Any, place: Place) -> WorldShape:
+        """Return what rules know of the world in a model.
+
+        Args:
+            model: the class, whose parameters, populations and devices are read.
+            place: where an attribute of the class stands, for errors.
+
+        Raises:
+            ModelError: what the class declares does not go with the world.
+        """
+        for name, one in model.populations.items():
+            if one.body is not None or one.sensors or one.actuators:
+                raise ModelError(
+                    f"bodies of {name!r} without a plane", "world = Plane(…)", None, *place(name)
+                )
+        return WorldShape()
+
+    def ground(self, society: Running, size: int | None) -> Ground:
+        """Return the world of a running society, whose tables are not made yet.
+
+        Args:
+            society: the society.
+            size: what `size` comes to there.
+        """
+        return Ground(society)
+
+
+class Ground:
+    """The world of a running society; this one is none.
+
+    Args:
+        society: the society; its `tables` are made between this and `settle_in`.
+
+    Attributes:
+        world: what `society.world` gives.
+        layered: whether its patches are layers of a square, as Mesa's grids have them.
+    """
+
+    world: Any = None
+    layered = False
+
+    def __init__(self, society: Running) -> None:
+        self.society = society
+
+    def settle_in(self) -> None:
+        """Take note of the society's tables, once they are made."""
+
+    def build(self) -> None:
+        """Look at where everything is, after the setup or a restored state."""
+
+    # Its arrays -------------------------------------------------------------------------------
+
+    def arrays(self) -> Mapping[str, NDArray[Any]]:
+        """Return the arrays that compiled code reaches, by the columns of their addresses."""
+        return {}
+
+    def connect(self, context: Any) -> None:
+        """Write numbers of the world into the model's record."""
+
+    def state(self) -> dict[str, NDArray[Any]]:
+        """Return copies of the arrays that change in a run, by name."""
+        return {}
+
+    def check_state(self, state: Mapping[str, Any], context: Any) -> str | None:
+        """Say what is wrong with arrays that are offered as a state, and with the model's record.
+
+        Returns:
+            The name of an array and what it holds, as `world.rows holds nothing`; None if it fits.
+        """
+        return None
+
+    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
+        """Take back the arrays of `state`, checked."""
+
+    @property
+    def entities(self) -> int:
+        """How many things a setup visits beside agents: patches."""
+        return 0
+
+    # Agents in it -----------------------------------------------------------------------------
+
+    def keeper(self, population: str, field: str) -> Callable[[float, str], float] | None:
+        """Return what brings a place back into the world, or refuses it; None where it may be any.
+
+        It takes the value and, for an error, whose it is.
+        """
+        return None
+
+    def hand_out(self, bare: bool) -> None:
+        """Give out parts of the world as rules hold them, bare, or, as else, as users do."""
+
+    def functions(self) -> Functions:
+        """Return what interpreted rules call beside the commands of its shape."""
+        return {}
+
+    # A tick -----------------------------------------------------------------------------------
+
+    def run_tick(self, functions: Functions, schedule: Callable[[], None]) -> None:
+        """Run a tick, interpreted: the schedule, and what the world does before and after it."""
+        schedule()
+
+    def before_compiled_tick(self) -> None:
+        """Do what an engine that is not compiled does before the rest of a tick."""
+
+    def after_compiled_tick(self) -> None:
+        """Look at what a tick changed, for an engine that is not compiled."""
+
+    # Episodes ---------------------------------------------------------------------------------
+
+    @property
+    def over(self) -> str | None:
+        """What ended the episode; None while it goes on."""
+        return None
+
+    def settle(self) -> None:
+        """Pay robots what is still due to them: an episode ends at a limit of ticks."""
+
+    def steer(self, population: str, commands: ArrayLike | None) -> None:
+        """Steer robots from outside, in place of their minds; see `Model.steer`."""
+        raise SocialmindError(f"{self.society.name} has no plane with robots to steer")
+
+    def series(self) -> dict[str, Any]:
+        """Return what a run records of the world beside the society."""
+        return {}
+
+    def agents(self) -> dict[str, Any] | None:
+        """Return what a run records of agents there, or None for what it records anywhere."""
+        return None
+
+
+def address(array: Any) -> int:
+    """Return where an array lies in memory."""
+    return int(np.asarray(array).__array_interface__["data"][0])
