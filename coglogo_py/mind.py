@@ -13,7 +13,7 @@ from coglogo_py.errors import MindError
 from coglogo_py.numbers import number, whole_number
 from coglogo_py.receipts.receipt import Receipt, receipt_of
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # a circle for types alone: a mind knows its society, which makes minds
     from coglogo_py.society import Society
 
 

@@ -356,7 +356,7 @@ class Hierarchy(Closed, Readings):
         """Print who influenced what in the last evaluation, and how much it counted in each motor.
 
         Returns:
-            The same as tables.
+            The same, as data.
         """
         from socialmind.mind.views.explanation import explanation_of
 
