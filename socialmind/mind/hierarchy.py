@@ -128,7 +128,7 @@ class Hierarchy(Closed, Readings):
             self._steps.evaluate(0)
         except ValueError as error:
             raise ModelError(f"the mind {self.description.name!r}: {error}") from error
-        self.tick += 1
+        self._tick += 1
         return self.actuators()
 
     def _checked(self, name: str, value: Any) -> float:
@@ -156,7 +156,7 @@ class Hierarchy(Closed, Readings):
 
     def reset(self) -> None:
         """Put the mind back to before its first evaluation; genomes stay."""
-        self.tick = 0
+        self._tick = 0
         self._state = new_state(self.assembly, 1, 1, False, 0)
         self._societies = societies_of(self.assembly, self.seed, 1)
         self._record.connect(1, self._state, self._societies)
@@ -174,6 +174,11 @@ class Hierarchy(Closed, Readings):
     @property
     def _read(self) -> State:
         return self._state
+
+    @property
+    def tick(self) -> int:
+        """How many evaluations there were since the last reset."""
+        return self._tick
 
     def set_variable(self, name: str, value: float) -> None:
         """Set a variable, 0 … 1; skills see it in the next evaluation.
@@ -269,7 +274,7 @@ class Hierarchy(Closed, Readings):
         return {"tick": self.tick, "state": copied(self._state), "schemes": schemes}
 
     def _restore(self, state: Mapping[str, Any]) -> None:
-        self.tick = state["tick"]
+        self._tick = state["tick"]
         self._state = restored(self._state, state["state"])
         for society, one in zip(self._societies, state["schemes"], strict=True):
             society.restore(one)

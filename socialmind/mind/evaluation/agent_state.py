@@ -46,6 +46,11 @@ class Readings:
         raise NotImplementedError
 
     @property
+    def tick(self) -> int:
+        """How many evaluations there were; 0 before the first."""
+        raise NotImplementedError
+
+    @property
     def skills(self) -> tuple[str, ...]:
         """The names of the skills that are evaluated, from the master down."""
         return self.assembly.skills

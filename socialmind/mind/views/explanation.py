@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from socialmind.errors import ModelError
-from socialmind.mind.views.evaluated import Explained
+from socialmind.mind.evaluation.agent_state import Readings
 
 WIDTH = 100
 """Columns of text, at most."""
@@ -135,7 +135,7 @@ class Explanation:
         return _table(self)
 
 
-def explanation_of(hierarchy: Explained) -> Explanation:
+def explanation_of(hierarchy: Readings) -> Explanation:
     """Return the account of a hierarchy's last evaluation.
 
     Args:
@@ -155,7 +155,7 @@ def explanation_of(hierarchy: Explained) -> Explanation:
     commands = hierarchy.actuators()
     return Explanation(
         mind=description.name,
-        master=hierarchy.master,
+        master=hierarchy.assembly.master,
         evaluation=hierarchy.tick,
         influences=influences,
         motors=tuple(
@@ -165,11 +165,11 @@ def explanation_of(hierarchy: Explained) -> Explanation:
     )
 
 
-def _influences(hierarchy: Explained) -> tuple[Influence, ...]:
+def _influences(hierarchy: Readings) -> tuple[Influence, ...]:
     links, totals = hierarchy.links(), hierarchy.influences()
     found = []
     for skill in hierarchy.skills:
-        received = [Received(IMPULSE, 1.0)] if skill == hierarchy.master else []
+        received = [Received(IMPULSE, 1.0)] if skill == hierarchy.assembly.master else []
         received += [
             Received(parent, links[parent, f"SK:{skill}"])
             for parent in hierarchy.description.parents[skill]
@@ -183,7 +183,7 @@ def _influences(hierarchy: Explained) -> tuple[Influence, ...]:
 
 
 def _motor(
-    hierarchy: Explained, influences: Sequence[Influence], name: str, command: float
+    hierarchy: Readings, influences: Sequence[Influence], name: str, command: float
 ) -> Command:
     parts, passages, weight = _flow(hierarchy, influences, f"MO:{name}")
     alone = _mean(parts, weight)
@@ -192,7 +192,7 @@ def _motor(
     return Command(name, command, weight, parts, passages, abs(command - alone) > _ROUNDING)
 
 
-def _variable(hierarchy: Explained, influences: Sequence[Influence], name: str) -> Command:
+def _variable(hierarchy: Readings, influences: Sequence[Influence], name: str) -> Command:
     parts, passages, weight = _flow(hierarchy, influences, f"VA:{name}")
     # Until the next evaluation the drive's commands to variables lie beside those of the skills.
     added, by = hierarchy.drive_commands()[name]
@@ -203,7 +203,7 @@ def _variable(hierarchy: Explained, influences: Sequence[Influence], name: str) 
 
 
 def _flow(
-    hierarchy: Explained, influences: Sequence[Influence], target: str
+    hierarchy: Readings, influences: Sequence[Influence], target: str
 ) -> tuple[tuple[Part, ...], tuple[Passage, ...], float]:
     """Return the parts and passages of a module's command, and its whole weight."""
     outputs = hierarchy.outputs()

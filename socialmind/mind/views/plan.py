@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from matplotlib.textpath import TextPath
 
-from socialmind.mind.views.evaluated import Evaluated
+from socialmind.mind.evaluation.agent_state import Readings
 from socialmind.mind.views.layering import SPACE, Box, Layering, Link, layered, layers_of
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ class Plan:
     height: float
 
 
-def planned(hierarchy: Evaluated, key: bool, known: bool | None = None) -> Plan:
+def planned(hierarchy: Readings, key: bool, known: bool | None = None) -> Plan:
     """Return the plan of a hierarchy's drawing.
 
     Args:
@@ -123,7 +123,7 @@ def _framed(
 # Nodes -------------------------------------------------------------------------------------------
 
 
-def values_of(hierarchy: Evaluated) -> dict[str, str]:
+def values_of(hierarchy: Readings) -> dict[str, str]:
     """Return all nodes with their values as texts."""
     tables = {
         "SK": hierarchy.influences(),
