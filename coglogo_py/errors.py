@@ -6,7 +6,7 @@ import sys
 from difflib import get_close_matches
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -50,8 +50,8 @@ class ChoiceError(MindError):
         return type(self), (self.found, self.place)
 
 
-class SchemeError(CogLogoError):
-    """A cognitive scheme, or the file of one, is wrong: says where, what, and what to do.
+class PlacedError(Exception):
+    """Something in a user's files is wrong: says where, what, and what to do.
 
     Args:
         found: what stands there; a sentence of its own where nothing is expected instead.
@@ -59,11 +59,6 @@ class SchemeError(CogLogoError):
         remedy: what to write or do instead.
         file: the file at fault.
         line: its line, counted from 1.
-
-    >>> print(SchemeError("'maybe'", "true or false", "write true", "herd.cogscheme", 8))
-    herd.cogscheme:8: found 'maybe'; expected true or false; write true
-    >>> print(SchemeError("the scheme has two groups called 'herd'"))
-    the scheme has two groups called 'herd'
     """
 
     def __init__(
@@ -93,13 +88,23 @@ class SchemeError(CogLogoError):
         message = "; ".join(parts)
         return f"{where}: {message}" if where else message
 
-    def at(self, file: str | Path, line: int | None = None) -> SchemeError:
+    def at(self, file: str | Path, line: int | None = None) -> Self:
         """Return the same error, placed in a file."""
-        return SchemeError(self.found, self.expected, self.remedy, file, line)
+        return type(self)(self.found, self.expected, self.remedy, file, line)
 
-    def __reduce__(self) -> tuple[type[SchemeError], tuple[object, ...]]:
+    def __reduce__(self) -> tuple[type[Self], tuple[object, ...]]:
         """Keep the fields when the error crosses a process boundary."""
         return type(self), (self.found, self.expected, self.remedy, self.file, self.line)
+
+
+class SchemeError(PlacedError, CogLogoError):
+    """A cognitive scheme, or the file of one, is wrong; arguments as of `PlacedError`.
+
+    >>> print(SchemeError("'maybe'", "true or false", "write true", "herd.cogscheme", 8))
+    herd.cogscheme:8: found 'maybe'; expected true or false; write true
+    >>> print(SchemeError("the scheme has two groups called 'herd'"))
+    the scheme has two groups called 'herd'
+    """
 
 
 def one_line(message: str) -> str:

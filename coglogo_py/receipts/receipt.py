@@ -14,7 +14,7 @@ from coglogo_py.arrays import Floats
 from coglogo_py.decision import MaximumWeight, WeightedStochastic
 from coglogo_py.receipts.counterfactual import Change, Line, smallest_change
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # a circle for types alone: a mind gives its receipt
     from coglogo_py.mind import Mind
 
 WIDTH = 100
