@@ -17,7 +17,7 @@ from socialmind.learning.lessons.keys import seeds_for
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of, mind_of
 from socialmind.work.workers import Alone, hired, workers_here
-from socialmind.worlds.plane.measures import Measure, survived, total
+from socialmind.worlds.plane.devices.measures import Measure, survived, total
 
 if TYPE_CHECKING:
     import pandas as pd

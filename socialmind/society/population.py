@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from socialmind.mind.description import MindDescription
     from socialmind.mind.weighing import Weighing
     from socialmind.worlds.plane.bodies import Disc
-    from socialmind.worlds.plane.devices import Act, Sense
-    from socialmind.worlds.plane.sensors import RangeFinder
+    from socialmind.worlds.plane.devices.device import Act, Sense
+    from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 
 TAKEN_NAMES = frozenset(

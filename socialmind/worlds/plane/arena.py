@@ -15,15 +15,15 @@ from socialmind.compiling.lowering import PLACES
 from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, nearest
 from socialmind.fields import place_of_field
 from socialmind.worlds.contract import Functions, Ground, address
+from socialmind.worlds.plane.devices.sensors import RangeFinder
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
-from socialmind.worlds.plane.sensors import RangeFinder
 from socialmind.worlds.plane.shape import CELL, PlaneShape, RobotShape
 from socialmind.worlds.plane.trajectories import trajectories
 
 if TYPE_CHECKING:
     from socialmind.mind.evaluation.arrays import Assembly
-    from socialmind.worlds.plane.devices import Device
+    from socialmind.worlds.plane.devices.device import Device
 
 _MOTION = ("x", "y", "angle", "push_x", "push_y", "torque")
 

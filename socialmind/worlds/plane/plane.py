@@ -13,8 +13,8 @@ from socialmind.language.shape import PopulationShape, WorldShape, WorldText
 from socialmind.worlds.contract import Ground, Place, World
 from socialmind.worlds.plane.arena import Arena
 from socialmind.worlds.plane.bodies import OWN
-from socialmind.worlds.plane.devices import Interruption, Reward
-from socialmind.worlds.plane.measures import RESERVED, Measure
+from socialmind.worlds.plane.devices.device import Interruption, Reward
+from socialmind.worlds.plane.devices.measures import RESERVED, Measure
 from socialmind.worlds.plane.shape import PlaneShape, RobotShape, plane_shape
 from socialmind.worlds.plane.ticks.lockstep_text import lockstep_text
 from socialmind.worlds.plane.ticks.stages import PlaneProgram, planned

@@ -11,11 +11,11 @@ from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field, class_fields
 from socialmind.worlds.contract import Place
 from socialmind.worlds.plane.bodies import Body, Disc, Obstacle, Robot
-from socialmind.worlds.plane.devices import Device, Interruption, Reward
-from socialmind.worlds.plane.sensors import RangeFinder
+from socialmind.worlds.plane.devices.device import Device, Interruption, Reward
+from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 if TYPE_CHECKING:
-    from socialmind.worlds.plane.devices import Act, Sense
+    from socialmind.worlds.plane.devices.device import Act, Sense
 
 
 CELL = 6.0

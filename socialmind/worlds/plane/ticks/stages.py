@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from socialmind.errors import ModelError, nearest
 from socialmind.streams import phase_tags
-from socialmind.worlds.plane.devices import Device, typed
+from socialmind.worlds.plane.devices.device import Device, typed
 from socialmind.worlds.plane.shape import PlaneShape, RobotShape, memory_field
 
 if TYPE_CHECKING:

@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from socialmind.worlds.plane.devices import Act, is_point
-from socialmind.worlds.plane.given import counts, numbers
-from socialmind.worlds.plane.sensors import in_box
+from socialmind.worlds.plane.devices.device import Act, is_point
+from socialmind.worlds.plane.devices.given import counts, numbers
+from socialmind.worlds.plane.devices.sensors import in_box
 
 
 def wheel(at: tuple[float, float], force: float = 80.0) -> Act:

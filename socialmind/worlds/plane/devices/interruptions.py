@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from socialmind.worlds.plane.devices import Interruption
-from socialmind.worlds.plane.given import counts, numbers
+from socialmind.worlds.plane.devices.device import Interruption
+from socialmind.worlds.plane.devices.given import counts, numbers
 
 
 def collision() -> Interruption:

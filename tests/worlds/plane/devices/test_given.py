@@ -22,7 +22,7 @@ from socialmind.worlds.plane import (
     straight,
     wheel,
 )
-from socialmind.worlds.plane.sensors import identity, moved, noise, payoff, signal_distance
+from socialmind.worlds.plane.devices.sensors import identity, moved, noise, payoff, signal_distance
 
 
 class Lamp(Robot):

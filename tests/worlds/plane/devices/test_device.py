@@ -14,13 +14,13 @@ from socialmind import Model, ModelError, Population, each
 from socialmind.fields import class_fields
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape, PopulationShape, WorldShape
-from socialmind.worlds.plane.actuators import ACTUATORS, claw, emitter, wheel
 from socialmind.worlds.plane.bodies import BALL, Body, Disc, Obstacle, Robot, Zone
-from socialmind.worlds.plane.devices import GIVEN, Act, Interruption, Reward, Sense, typed
-from socialmind.worlds.plane.interruptions import INTERRUPTIONS
+from socialmind.worlds.plane.devices.actuators import ACTUATORS, claw, emitter, wheel
+from socialmind.worlds.plane.devices.device import GIVEN, Act, Interruption, Reward, Sense, typed
+from socialmind.worlds.plane.devices.interruptions import INTERRUPTIONS
+from socialmind.worlds.plane.devices.rewards import REWARDS
+from socialmind.worlds.plane.devices.sensors import SENSORS, RangeFinder
 from socialmind.worlds.plane.plane import Plane
-from socialmind.worlds.plane.rewards import REWARDS
-from socialmind.worlds.plane.sensors import SENSORS, RangeFinder
 
 ARGUMENTS = {
     "orientation": ("objects",),

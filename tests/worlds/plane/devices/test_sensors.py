@@ -6,7 +6,7 @@ import random
 import pytest
 
 from socialmind import ModelError
-from socialmind.worlds.plane.sensors import (
+from socialmind.worlds.plane.devices.sensors import (
     RangeFinder,
     active,
     battery,

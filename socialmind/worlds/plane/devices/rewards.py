@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from socialmind.names import several
-from socialmind.worlds.plane.devices import Reward
-from socialmind.worlds.plane.given import numbers, whole
+from socialmind.worlds.plane.devices.device import Reward
+from socialmind.worlds.plane.devices.given import numbers, whole
 
 
 def closing(of: str, gain: float = 0.001) -> Reward:

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from coglogo_py.errors import shown
 from coglogo_py.numbers import is_number, is_whole
 from socialmind.errors import ModelError, called_at
-from socialmind.worlds.plane.devices import Sense, is_point
-from socialmind.worlds.plane.given import counts, numbers, whole
+from socialmind.worlds.plane.devices.device import Sense, is_point
+from socialmind.worlds.plane.devices.given import counts, numbers, whole
 from socialmind.worlds.plane.layout import RAY
 
 HALF_ANGLE = math.radians(6.0)

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from socialmind.worlds.plane.rewards import (
+from socialmind.worlds.plane.devices.rewards import (
     clear,
     closing,
     collision_cost,
