@@ -270,7 +270,7 @@ def scheme_copies(
         if source is None:
             source = model.populations[population].mind
             if isinstance(source, str | Path):
-                source = model.folder() / source
+                source = type(model).folder() / source
         if isinstance(source, str | Path):
             suffix, content = Path(source).suffix, Path(source).expanduser().read_bytes()
         else:

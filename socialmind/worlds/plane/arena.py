@@ -146,7 +146,7 @@ class Arena(Ground):
 
     def build(self) -> None:
         """Look at where the obstacles are, after the setup or a restored state."""
-        self.society.connect()
+        self.society.engine.connect()
         self.plane_arrays.build()
         if self.society.physics == "pymunk":
             self.motion.build()
@@ -156,7 +156,7 @@ class Arena(Ground):
         if self.society.physics == "pymunk":
             self.motion.move()
             return
-        self.society.connect()
+        self.society.engine.connect()
         fault = kernel().move.ctypes(self.plane_arrays.address, 0, 0)
         if fault:
             raise self._not_finite(fault - 1)
