@@ -60,8 +60,7 @@ class Model(metaclass=ModelKind):
     - `world = Torus("world_size", Land)`;
     - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`.
 
-    And two methods that say what a run records: `series()` and `agents()`; and one that says
-    whether it stops before its time, `stop_when()`.
+    And methods: `series()` and `agents()` say what a run records, `stop_when()` when it stops.
 
     Args:
         seed: the key of all random draws, 0 … 2⁶⁴ − 1.
@@ -122,7 +121,8 @@ class Model(metaclass=ModelKind):
         self.physics = making.engine_named(physics, kind.shape.world.engines, kind.name)
         self.without = (without,) if isinstance(without, str) else tuple(without)
         self._given = scheme, hierarchy
-        self.watch = self.watched = None
+        self.watch: Any = None
+        self.watched: Any = None
         self._steerings = kind.steerings(hierarchy)
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = kind.typed(compiled)
