@@ -94,8 +94,7 @@ class Model(metaclass=ModelKind):
     shape: ClassVar[ModelShape]
     _programs: ClassVar[dict[bool, Program]] = {}
 
-    # What an instance keeps beside what `socialmind.agents.running` names.
-    _given: tuple[Any, Any]
+    _given: tuple[Any, Any]  # `socialmind.agents.running` names what else an instance keeps
     _steerings: dict[str, Steering]
     _sets_up: bool = True
     _made: bool = False
