@@ -22,8 +22,8 @@ import numpy as np
 from numba.extending import register_jitable
 from numpy.typing import NDArray
 
-from coglogo_py.errors import SchemeError, nearest, shown
-from coglogo_py.numbers import is_number
+from coglogo_py.border.errors import SchemeError, nearest, shown
+from coglogo_py.border.numbers import is_number
 
 Weights = NDArray[np.float64]
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py import kernel
+from coglogo_py.border.errors import MindError
+from coglogo_py.border.numbers import number, whole_number
 from coglogo_py.compiled.own_maker import checked_choice, checked_probabilities
-from coglogo_py.errors import MindError
-from coglogo_py.numbers import number, whole_number
 from coglogo_py.receipts.receipt import Receipt, receipt_of
 
 if TYPE_CHECKING:  # a circle for types alone: a mind knows its society, which makes minds

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coglogo_py.errors import MindError, nearest
+from coglogo_py.border.errors import MindError, nearest
 from coglogo_py.laying_out import culturons_of
 from coglogo_py.scheme import CognitiveScheme
 
@@ -21,9 +21,9 @@ class Names:
     >>> names = Names(CognitiveScheme("herd", (Cogniton("Hunger", influence={"eat": 1.0}),)))
     >>> names.cogniton("Hunger")
     0
-    >>> names.plan("Eat")
+    >>> names.plan("Eat")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    coglogo_py.errors.MindError: no plan 'Eat' in scheme 'herd'; did you mean 'eat'? there are: eat
+    coglogo_py.border.errors.MindError: no plan 'Eat' in scheme 'herd'; did you mean 'eat'? …
     """
 
     def __init__(self, scheme: CognitiveScheme) -> None:

@@ -8,13 +8,13 @@ import numpy as np
 
 from coglogo_py import kernel
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from coglogo_py.closed import Closed
-from coglogo_py.errors import CogLogoError
+from coglogo_py.border.closed import Closed
+from coglogo_py.border.errors import CogLogoError
+from coglogo_py.border.memory import check_memory
+from coglogo_py.border.numbers import whole_number
 from coglogo_py.laying_out import grown, mind_arrays, scheme_arrays
-from coglogo_py.memory import check_memory
 from coglogo_py.mind import Mind
 from coglogo_py.names import Names
-from coglogo_py.numbers import whole_number
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.state_check import oddity
 

@@ -17,16 +17,16 @@ from typing import Annotated, Any
 import typer
 
 from socialmind.commands import running
-from socialmind.commands.learning import learn
-from socialmind.commands.options import FROM_0, Folder, Source, Trust, is_kept
-from socialmind.commands.rendering import render
-from socialmind.commands.scoring import score
-from socialmind.commands.terminal import (
+from socialmind.commands.console.options import FROM_0, Folder, Source, Trust, is_kept
+from socialmind.commands.console.terminal import (
     open_what_is_closed,
     quoted,
     silence_what_is_broken,
     write_plainly,
 )
+from socialmind.commands.learning import learn
+from socialmind.commands.rendering import render
+from socialmind.commands.scoring import score
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.version import __version__
 
@@ -83,7 +83,7 @@ def command(function: Callable[..., None]) -> Callable[..., None]:
 
 def _report(error: BaseException) -> int:
     """Say what was wrong and give the exit code; raise what is no user's doing."""
-    from socialmind.commands.stopping import exit_code_of_stop
+    from socialmind.commands.console.stopping import exit_code_of_stop
 
     if isinstance(error, KeyboardInterrupt):
         return exit_code_of_stop(error)
@@ -94,7 +94,7 @@ def _report(error: BaseException) -> int:
         place = f"{error.filename}: " if error.filename else ""
         message = f"{place}{error.strerror or error}"
     elif isinstance(error, MemoryError):
-        from socialmind.commands.stopping import what_memory_lacked
+        from socialmind.commands.console.stopping import what_memory_lacked
 
         message = what_memory_lacked(error)
     elif isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):

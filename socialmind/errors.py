@@ -8,8 +8,8 @@ import traceback
 from collections.abc import Iterable
 from pathlib import Path
 
-from coglogo_py.errors import PlacedError, one_line
-from coglogo_py.errors import nearest as close
+from coglogo_py.border.errors import PlacedError, one_line
+from coglogo_py.border.errors import nearest as close
 
 
 class SocialmindError(Exception):
@@ -72,7 +72,7 @@ class ValueRefusedError(SocialmindError, ValueError):
 
 
 class ModelError(PlacedError, SocialmindError):
-    """Something in a model's own files is wrong; arguments as of `coglogo_py.errors.PlacedError`.
+    """Something in a model's own files is wrong; arguments as of `border.errors.PlacedError`.
 
     >>> print(ModelError("a dictionary", "a number", "use an array field", "model.py", 12))
     model.py:12: found a dictionary; expected a number; use an array field

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.agents import idleness
 from socialmind.agents.agent_columns import agent_columns, default_series
 from socialmind.compiling.layout import model_dtype

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from socialmind.commands.options import (
+from socialmind.commands.console.options import (
     FROM_1,
     ModelUnlessResumed,
     Quiet,
@@ -18,8 +18,8 @@ from socialmind.commands.options import (
     Workers,
     refuse_with_resume,
 )
-from socialmind.commands.progress import progress_line
-from socialmind.commands.terminal import quoted
+from socialmind.commands.console.progress import progress_line
+from socialmind.commands.console.terminal import quoted
 from socialmind.errors import SocialmindError
 
 if TYPE_CHECKING:

@@ -7,8 +7,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from socialmind.commands.options import FROM_0, FROM_1, Folder, Quiet, Source, Trust, is_kept
-from socialmind.commands.progress import progress_bar
+from socialmind.commands.console.options import (
+    FROM_0,
+    FROM_1,
+    Folder,
+    Quiet,
+    Source,
+    Trust,
+    is_kept,
+)
+from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from socialmind.commands.options import (
+from socialmind.commands.console.options import (
     FROM_0,
     FROM_1,
     Folder,
@@ -23,7 +23,7 @@ from socialmind.commands.options import (
     is_kept,
     refuse_with_resume,
 )
-from socialmind.commands.progress import progress_bar
+from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError, nearest
 
 if TYPE_CHECKING:

@@ -8,8 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from socialmind.commands.options import FROM_1, SEED, Minds, Model, Parameters, Quiet, Workers
-from socialmind.commands.progress import progress_bar
+from socialmind.commands.console.options import (
+    FROM_1,
+    SEED,
+    Minds,
+    Model,
+    Parameters,
+    Quiet,
+    Workers,
+)
+from socialmind.commands.console.progress import progress_bar
 from socialmind.commands.running import by_population, read_settings
 
 if TYPE_CHECKING:

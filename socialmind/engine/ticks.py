@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.errors import ChoiceError
+from coglogo_py.border.errors import ChoiceError
 from socialmind.errors import RuleError, place_of
 from socialmind.society.phases import Rule
 from socialmind.streams import ORDER_TAG, Stream, shuffle

@@ -13,7 +13,7 @@ from gymnasium.spaces import Box
 from gymnasium.utils.seeding import np_random
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
+from coglogo_py.border.errors import shown
 from socialmind.envs.steered_world import SteeredWorld, commands_of
 from socialmind.errors import SocialmindError, nearest
 from socialmind.model import Model

@@ -10,8 +10,8 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError, nearest
 from socialmind.learning.training.course import lessons_module

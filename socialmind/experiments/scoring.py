@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.learning.episodes.plane_episodes import Episodes

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.closed import Closed
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.closed import Closed
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind import variants
 from socialmind.mind.code.drive import AgentHierarchy

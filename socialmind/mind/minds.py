@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.closed import Closed
-from coglogo_py.memory import check_memory
-from coglogo_py.numbers import is_whole, whole_number
+from coglogo_py.border.closed import Closed
+from coglogo_py.border.memory import check_memory
+from coglogo_py.border.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind.code.mind_code import MindCode
 from socialmind.mind.description import MindDescription

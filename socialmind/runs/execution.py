@@ -19,8 +19,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
 from socialmind.agents.agent_columns import as_before
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders

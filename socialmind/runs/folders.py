@@ -17,7 +17,7 @@ from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any, ClassVar, Generic, Self, TypeVar
 
-from coglogo_py.errors import shown
+from coglogo_py.border.errors import shown
 from socialmind.errors import SocialmindError
 from socialmind.runs.record import Fields, check_record, read_record
 from socialmind.version import __version__

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coglogo_py.errors import shown
+from coglogo_py.border.errors import shown
 from socialmind.agents.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
 from socialmind.runs.columns import EXPECTED, from_arrow, to_arrow

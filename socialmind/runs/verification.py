@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coglogo_py.errors import one_line
+from coglogo_py.border.errors import one_line
 from socialmind.agents.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders

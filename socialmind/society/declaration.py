@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from types import FunctionType
 from typing import Any, NamedTuple
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
 from socialmind.agents.attributes import ArrayField, HeldArray
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, nearest

@@ -11,8 +11,8 @@ from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_truth, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_truth, is_whole
 from socialmind.agents.agent import Agent
 from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field

@@ -26,7 +26,7 @@ from hashlib import sha256
 from importlib import import_module
 from typing import Any, Protocol, Self
 
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.work.packing import packed, unpacked
 from socialmind.work.processes import dismiss, pool

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind.description import MindDescription
 from socialmind.mind.steering import Steering

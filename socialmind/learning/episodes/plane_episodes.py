@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.learning.episodes.batch import LANES, Batch, Crowded
 from socialmind.learning.episodes.learners import Halted, learners_of, length_of, world_seeds

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.learning.imprinting.controllers import (
     AnswerRecorder,

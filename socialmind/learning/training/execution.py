@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.closed import Closed
+from coglogo_py.border.closed import Closed
 from socialmind.errors import ModelError
 from socialmind.mind.modules import Skill
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import Society
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.evaluation.arrays import Assembly
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme

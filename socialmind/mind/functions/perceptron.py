@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.draft import NetworkDraft

@@ -21,8 +21,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number, is_truth, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError, called_at, is_ours, nearest
 from socialmind.language.program import Program
 from socialmind.language.types import (

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, is_whole
 from socialmind.errors import ModelError, called_at
 
 

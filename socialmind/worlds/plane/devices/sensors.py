@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, is_whole
 from socialmind.errors import ModelError, called_at
 from socialmind.worlds.plane.devices.device import Sense, is_point
 from socialmind.worlds.plane.devices.given import counts, numbers, whole

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from numbers import Integral, Real
 
-from coglogo_py.errors import CogLogoError, shown
+from coglogo_py.border.errors import CogLogoError, shown
 
 
 def is_whole(value: object) -> bool:
@@ -68,7 +68,7 @@ def whole_number(
     3
     >>> whole_number(2.5, "ticks", 0)
     Traceback (most recent call last):
-    coglogo_py.errors.CogLogoError: ticks: found 2.5; expected a whole number, 0 or more
+    coglogo_py.border.errors.CogLogoError: ticks: found 2.5; expected a whole number, 0 or more
     """
     if is_whole(value):
         found = int(value)  # type: ignore[call-overload]  # an Integral

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coglogo_py.errors import nearest, shown
+from coglogo_py.border.errors import nearest, shown
 
 
 class Closed:

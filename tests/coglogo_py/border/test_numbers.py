@@ -6,8 +6,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coglogo_py.errors import LONGEST_MESSAGE, CogLogoError, one_line, shown
-from coglogo_py.numbers import number, whole_number
+from coglogo_py.border.errors import LONGEST_MESSAGE, CogLogoError, one_line, shown
+from coglogo_py.border.numbers import number, whole_number
 from socialmind.errors import SocialmindError
 
 WHOLE = [0, 7, np.int64(7), np.uint8(7), np.int16(-3), 2**64 - 1]

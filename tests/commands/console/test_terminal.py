@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 import typer
 
-from socialmind.commands.terminal import plain, quoted
-from socialmind.commands.whole_option import LARGEST, LARGEST_SEED, whole
+from socialmind.commands.console.terminal import plain, quoted
+from socialmind.commands.console.whole_option import LARGEST, LARGEST_SEED, whole
 
 CHECKOUT = Path(__file__).parents[2]
 LATIN = {"PYTHONIOENCODING": "latin-1"}

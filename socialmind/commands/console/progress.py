@@ -85,7 +85,7 @@ def _on_terminal(
     from rich import progress
     from rich.console import Console
 
-    from socialmind.commands.compiling import told_of_compiling
+    from socialmind.commands.console.compiling import told_of_compiling
 
     with progress.Progress(
         *columns(progress), console=Console(stderr=True), transient=True, auto_refresh=False

@@ -25,8 +25,8 @@ def whole(low: int, high: int = LARGEST) -> Callable[[str | int], int]:
         if isinstance(text, int):  # a default
             return text
         # Only here: `--help` needs no NumPy, which these import.
-        from coglogo_py.errors import shortened
-        from coglogo_py.numbers import whole_number
+        from coglogo_py.border.errors import shortened
+        from coglogo_py.border.numbers import whole_number
 
         found: object = shortened(text, LONGEST)
         try:

@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from socialmind.commands.terminal import quoted
+from socialmind.commands.console.terminal import quoted
 
 CTRL_C = 130
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from socialmind.commands.whole_option import LARGEST_SEED, whole
+from socialmind.commands.console.whole_option import LARGEST_SEED, whole
 from socialmind.errors import SocialmindError
 
 FROM_0: dict[str, Any] = {"metavar": "N", "parser": whole(0)}

@@ -7,7 +7,7 @@ import os
 from functools import cache
 from pathlib import Path
 
-from coglogo_py.errors import CogLogoError
+from coglogo_py.border.errors import CogLogoError
 
 _CONTAINER = Path("/sys/fs/cgroup/memory.max")
 
