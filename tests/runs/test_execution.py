@@ -225,6 +225,7 @@ from socialmind.runs import execution
 from socialmind.runs import arrays_file
 from socialmind.runs import capsule
 from socialmind.runs import checkpoint
+from socialmind.runs import continuing
 from socialmind.runs import tables
 def die():
     os.kill(os.getpid(), signal.SIGKILL)
@@ -262,8 +263,8 @@ MOMENTS = {
     "between a checkpoint and the manifest": (
         "die_after(2, capsule.Capsule, 'update'); start(checkpoint_every=0.0)"
     ),
-    "before the merge": "die_after(0, execution, 'merge'); start()",
-    "between the two merges": "die_after(1, execution, 'merge'); start()",
+    "before the merge": "die_after(0, continuing, 'merge'); start()",
+    "between the two merges": "die_after(1, continuing, 'merge'); start()",
     "in a merge": "die_after(1, tables.ContentDigest, 'update'); start()",
     "between the merge and the manifest": "die_after(1, capsule.Capsule, 'update'); start()",
     "before the parts are removed": "die_after(1, execution.shutil, 'rmtree'); start()",
