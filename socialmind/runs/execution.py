@@ -19,8 +19,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.numbers import whole_number
 from socialmind.agents.agent_columns import as_before
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders
@@ -388,9 +387,6 @@ def _source_of(model: Model, name: str) -> str:
     return f"{place}{name}()"
 
 
-def _whole(name: str, value: Any, low: int, high: int | None = None) -> int:
+def _whole(name: str, value: Any, low: int, high: int = LONGEST) -> int:
     """Return a whole number as Python's, which a manifest can hold."""
-    if not is_whole(value) or value < low or value > (LONGEST if high is None else high):
-        bound = f"from {low} up" if high is None else f"from {low} to 2**64 - 1"
-        raise SocialmindError(f"{name} {shown(value)}; expected a whole number {bound}")
-    return int(value)
+    return whole_number(value, name, low, high, SocialmindError)

@@ -461,12 +461,12 @@ def test_fresh_folders_are_numbered(drifters, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"ticks": -1}, "ticks -1"),
-        ({"ticks": 1e3}, "ticks 1000.0"),
-        ({"ticks": 5, "every": 0}, "every 0"),
-        ({"ticks": 5, "agents_every": 0}, "agents_every 0"),
-        ({"ticks": 5, "seed": -1}, "seed -1"),
-        ({"ticks": 5, "seed": 2**64}, "seed 18446744073709551616"),
+        ({"ticks": -1}, "ticks: found -1"),
+        ({"ticks": 1e3}, "ticks: found 1000.0"),
+        ({"ticks": 5, "every": 0}, "every: found 0"),
+        ({"ticks": 5, "agents_every": 0}, "agents_every: found 0"),
+        ({"ticks": 5, "seed": -1}, "seed: found -1"),
+        ({"ticks": 5, "seed": 2**64}, "seed: found 18446744073709551616"),
     ],
 )
 def test_numbers_out_of_range_are_refused(drifters, tmp_path, options, message):
