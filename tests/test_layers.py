@@ -47,9 +47,9 @@ CIRCLES = {
     "socialmind.experiments.trainings.plans": "plans are kept and rechecked as plans",
     "socialmind.language.typing.loops": "a loop's body is statements, of which loops are a kind",
     "socialmind.learning.episodes.batch": "a batch runs episodes, which make their batch",
-    "socialmind.mind.evaluation.running_skill": "a skill of a hierarchy reads and sets its genome",
-    "socialmind.mind.functions.contract": "a module has a function, and a function says what it fits",
-    "socialmind.worlds.plane.arena": "what moves bodies and walks through a tick is handed the arena",
+    "socialmind.mind.evaluation.running_skill": "a skill of a hierarchy sets its genome",
+    "socialmind.mind.functions.contract": "a module has a function, which says what it fits",
+    "socialmind.worlds.plane.arena": "what moves bodies is handed the arena",
 }
 """Circles of two or three modules for annotations, by their first module, and why they are one."""
 

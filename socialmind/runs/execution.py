@@ -14,18 +14,25 @@ import shutil
 import time
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import asdict, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.border.errors import shown
-from coglogo_py.border.numbers import is_whole
+from coglogo_py.border.numbers import whole_number
 from socialmind.agents.agent_columns import as_before
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
+from socialmind.runs.continuing import (
+    checked_checkpoint,
+    finish,
+    progress_fields,
+    reopen,
+    restore,
+    ticks_done,
+)
 from socialmind.runs.record import LONGEST
 from socialmind.runs.sources import (
     mind_copies,
@@ -40,15 +47,10 @@ from socialmind.runs.tables import (
     SERIES,
     TABLES,
     GrowingTable,
-    check_content,
-    merge,
-    part_name,
-    seal,
 )
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
-from socialmind.work.files import make_room, refuse_folder
 from socialmind.work.signals import deferred_signals
 
 if TYPE_CHECKING:
@@ -207,7 +209,7 @@ def resume(
     started = time.perf_counter()
     capsule = Capsule(folder)
     with capsule.locked():
-        checkpoint = _checked(capsule)
+        checkpoint = checked_checkpoint(capsule)
         # Killed between its last tick and its last file: only the files are missing.
         if (
             checkpoint is not None
@@ -215,8 +217,8 @@ def resume(
             and checkpoint.tick == capsule.manifest.ticks
             and all(tick == checkpoint.tick for tick in checkpoint.recorded.values())
         ):
-            _finish(capsule, checkpoint)
-        done = _ticks_done(capsule.manifest, checkpoint)
+            finish(capsule, checkpoint)
+        done = ticks_done(capsule.manifest, checkpoint)
         length = capsule.manifest.ticks if ticks is None else _whole("ticks", ticks, 0)
         if length < done:
             raise SocialmindError(
@@ -229,9 +231,9 @@ def resume(
                 return capsule.folder
         model = model_of(capsule, model_class, compiled, kept, trust)
         if checkpoint is not None:
-            _restore(model, checkpoint, capsule.checkpoint)
+            restore(model, checkpoint, capsule.checkpoint)
         if capsule.manifest.status == folders.FINISHED:
-            checkpoint = _reopen(capsule, checkpoint, length)
+            checkpoint = reopen(capsule, checkpoint, length)
         machine = folders.fingerprint()
         known = capsule.manifest.platforms
         capsule.update(
@@ -284,7 +286,7 @@ class _Execution:
         with deferred_signals() as arrived:
             try:
                 self._loop(length, on_progress, checkpoint_every, arrived)
-                _finish(self._capsule, self._checkpoint())
+                finish(self._capsule, self._checkpoint())
             except Interrupted:
                 raise
             except Exception as error:
@@ -379,55 +381,9 @@ class _Execution:
         )
         checkpoint.save(self._capsule.checkpoint)
         model = with_late_reads(self._capsule.manifest.model, type(self._model))
-        changes = _so_far(self._capsule.manifest, checkpoint)
+        changes = progress_fields(self._capsule.manifest, checkpoint)
         self._capsule.update(status=status, model=model, **changes)
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
-
-
-def _checked(capsule: Capsule) -> Checkpoint | None:
-    """A run's checkpoint, when all that it goes on from is as the run wrote it.
-
-    Raises:
-        SocialmindError: a part or a table is missing or was changed; nothing is written yet.
-    """
-    manifest = capsule.manifest
-    checkpoint = None
-    if capsule.checkpoint.exists() or capsule.checkpoint.is_symlink():
-        checkpoint = Checkpoint.load(capsule.checkpoint)
-        if checkpoint.run not in (None, manifest.identity()):
-            raise SocialmindError(
-                f"{capsule.folder / folders.MANIFEST}: its seed, parameters or schemes are not "
-                f"those that {capsule.checkpoint.name} was written with; put them back"
-            )
-    if manifest.status == folders.FINISHED:
-        for name in TABLES:
-            check_content(capsule.table(name), manifest.tables[name]["sha256"])
-        return checkpoint
-    for name in TABLES:
-        refuse_folder(capsule.table(name))
-    if checkpoint is not None:
-        checkpoint.check_parts(capsule.parts)
-    elif capsule.parts.exists() and not capsule.parts.is_dir():
-        raise SocialmindError(f"{capsule.parts}: is a file, in the place of a folder; remove it")
-    return checkpoint
-
-
-def _restore(model: Model, checkpoint: Checkpoint, path: Path) -> None:
-    """Put a model where a run's checkpoint says it was.
-
-    Raises:
-        SocialmindError: the checkpoint is not one of this model with these parameters.
-    """
-    try:
-        before = model.parameter_values()
-        model.restore(dict(checkpoint.state))
-        if model.parameter_values() != before or model.tick != checkpoint.tick:
-            raise ValueError("it holds other parameters or another tick than the run")
-    except (SocialmindError, ValueError, KeyError, TypeError, IndexError) as error:
-        raise SocialmindError(
-            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy "
-            "of the folder, or delete it and the run starts again from its first tick"
-        ) from error
 
 
 def _source_of(model: Model, name: str) -> str:
@@ -437,74 +393,6 @@ def _source_of(model: Model, name: str) -> str:
     return f"{place}{name}()"
 
 
-def _finish(capsule: Capsule, checkpoint: Checkpoint) -> None:
-    """Merge the parts and declare the run finished; killed anywhere in here, it can be repeated."""
-    contents = {}
-    for name in TABLES:
-        parts = [capsule.parts / part for part in checkpoint.parts[name]]
-        contents[name] = asdict(merge(parts, capsule.table(name), name))
-    capsule.update(
-        status=folders.FINISHED, tables=contents, **_so_far(capsule.manifest, checkpoint)
-    )
-    shutil.rmtree(capsule.parts, ignore_errors=True)
-
-
-def _reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Checkpoint:
-    """Turn a finished run's tables into parts of a longer run.
-
-    A last row off the grid of recorded ticks was there because the run ended; the longer run
-    does not have it. Until the manifest says otherwise the old tables are the truth.
-    """
-    if checkpoint is None or checkpoint.tick != capsule.manifest.ticks_done:
-        raise SocialmindError(
-            f"{capsule.folder}: {capsule.checkpoint.name} is missing or of another run, so the "
-            f"run cannot be made longer; run anew with --ticks {length}"
-        )
-    every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
-    capsule.parts.mkdir(exist_ok=True)
-    parts, recorded, sums = {}, {}, {}
-    for name, step in every.items():
-        part = part_name(name, 0)
-        off_grid = checkpoint.tick % step
-        merge(
-            [capsule.table(name)],
-            make_room(capsule.parts / part),
-            name,
-            drop_tick=checkpoint.tick if off_grid else None,
-        )
-        parts[name] = [part]
-        sums[part] = seal(capsule.parts / part)
-        recorded[name] = checkpoint.tick - off_grid
-    reopened = replace(checkpoint, parts=parts, recorded=recorded, sums=sums)
-    reopened.save(capsule.checkpoint)
-    capsule.update(status=folders.RUNNING, ticks=length, tables={})
-    for name in TABLES:
-        capsule.table(name).unlink(missing_ok=True)
-    return reopened
-
-
-def _so_far(manifest: Manifest, checkpoint: Checkpoint) -> dict[str, Any]:
-    """The manifest's fields that a checkpoint moves on."""
-    return {
-        "ticks_done": checkpoint.tick,
-        "idle": checkpoint.idle,
-        "timings": {
-            **manifest.timings,
-            "seconds": round(checkpoint.seconds, 3),
-            "loop_seconds": round(checkpoint.loop_seconds, 3),
-        },
-    }
-
-
-def _ticks_done(manifest: Manifest, checkpoint: Checkpoint | None) -> int:
-    if manifest.status == folders.FINISHED:
-        return manifest.ticks_done
-    return checkpoint.tick if checkpoint else 0
-
-
-def _whole(name: str, value: Any, low: int, high: int | None = None) -> int:
+def _whole(name: str, value: Any, low: int, high: int = LONGEST) -> int:
     """Return a whole number as Python's, which a manifest can hold."""
-    if not is_whole(value) or value < low or value > (LONGEST if high is None else high):
-        bound = f"from {low} up" if high is None else f"from {low} to 2**64 - 1"
-        raise SocialmindError(f"{name} {shown(value)}; expected a whole number {bound}")
-    return int(value)
+    return whole_number(value, name, low, high, SocialmindError)

@@ -159,7 +159,7 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     for population, path in capsule.minds.items():
         if not path.is_dir():
             return f"{path}: the run's copy of its mind is missing"
-        if _hash_of(_files_in(path)) != capsule.manifest.minds[population]["sha256"]:
+        if _hash_of(files_in(path)) != capsule.manifest.minds[population]["sha256"]:
             return f"{path}: the run's copy of its mind was changed"
     return None
 
@@ -297,7 +297,7 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
     for population, assembly in model.assemblies.items():
         with tempfile.TemporaryDirectory() as place:
             assembly.description.save(Path(place) / "mind")
-            found = _files_in(Path(place) / "mind")
+            found = files_in(Path(place) / "mind")
         folder = f"minds/{population}"
         name, sha256 = assembly.description.name, _hash_of(found)
         remember({path: content for path, content in found.items() if path.endswith(".py")})
@@ -306,7 +306,7 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
     return records, files
 
 
-def _files_in(folder: Path) -> dict[str, bytes]:
+def files_in(folder: Path) -> dict[str, bytes]:
     """The files of a folder but what Python leaves there, by their paths in it."""
     paths = sorted(path for path in folder.rglob("*") if path.is_file())
     return {

@@ -263,14 +263,18 @@ class Threads(Workers):
     def _drop(self, given: Iterable[Future[Any]]) -> None:
         running = [one for one in given if not one.cancel()]
         if running:
-            with self._making:
-                for worker in self._busy:
-                    worker.stop()
+            self._stop()
             wait(running)
+
+    def _stop(self) -> None:
+        with self._making:
             self._task = None  # who was stopped begins no other job
+            for worker in self._busy:
+                worker.stop()
 
     def close(self) -> None:
-        """Let them go."""
+        """Let them go; what they have in hand is dropped."""
+        self._stop()
         self._executor.shutdown(cancel_futures=True)
 
 

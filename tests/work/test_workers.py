@@ -117,6 +117,17 @@ def test_who_stops_is_heard_and_so_are_the_workers():
     assert task.begun == [0, 1]
 
 
+def test_threads_that_are_let_go_drop_what_they_have_in_hand():
+    task = Endless()
+    with pytest.raises(KeyboardInterrupt), Threads(2) as workers:
+        left = workers.results(task, range(9), lambda: False)
+        threading.Thread(target=lambda: next(left, None), daemon=True).start()
+        while len(task.begun) < 2:
+            time.sleep(0.01)
+        raise KeyboardInterrupt
+    assert task.stopped.is_set()
+
+
 def test_who_does_the_work():
     with hired(2) as some:
         assert (type(some), some.count) == (Processes, 2)

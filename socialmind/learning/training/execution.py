@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -17,8 +16,15 @@ from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK
 from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
-from socialmind.learning.training.attempt import Attempt, News, load_result
+from socialmind.learning.training.attempt import Attempt, News
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
+from socialmind.learning.training.continuing import (
+    as_json,
+    check_folder,
+    hash_of,
+    recorded_curriculum,
+    with_changes,
+)
 from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curriculum_of, mind_of
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
@@ -28,12 +34,9 @@ from socialmind.mind.files.packing import files_of
 from socialmind.model import Model
 from socialmind.runs import folders
 from socialmind.runs.execution import NO_ROOM, no_room
-from socialmind.runs.sources import model_source, what_was_edited
-from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
-from socialmind.sources.provenance import difference, sources_of
+from socialmind.runs.sources import model_source
 from socialmind.sources.trust import programs_in, remember, require
-from socialmind.version import __version__
-from socialmind.work.files import refuse_folder, remove
+from socialmind.work.files import remove
 from socialmind.work.signals import deferred_signals
 from socialmind.work.workers import Stopped, hired
 
@@ -134,10 +137,10 @@ def learn(
     remember({path: content for path, content in files.items() if path.endswith(".py")})
     manifest = TrainingManifest(
         model=_source(model),
-        lessons=_as_json(curriculum.record()),
+        lessons=as_json(curriculum.record()),
         chosen=_chosen(lessons),
         changes=changes,
-        mind={"name": begun.name, "sha256": _hash(files)},
+        mind={"name": begun.name, "sha256": hash_of(files)},
         seed=seed,
         engine=engine,
         attempts=attempts,
@@ -195,71 +198,22 @@ def resume(
                 f"{attempts} now; attempts can be added, not taken away"
             )
         require(programs_in(capsule.mind), trust, f"{capsule.folder}: its copy of a mind")
-        curriculum = _recorded(capsule, lessons, trust)
+        curriculum = recorded_curriculum(capsule, lessons, trust)
         changes = dict(manifest.changes)
         if cycles is not None:
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
-        _check(capsule, curriculum)
+        check_folder(capsule, curriculum)
         machine = folders.fingerprint()
         known = manifest.platforms
         capsule.update(
             attempts=attempts or manifest.attempts,
-            lessons=_as_json(curriculum.record()),
+            lessons=as_json(curriculum.record()),
             changes=changes,
             platforms=known if machine in known else [*known, machine],
         )
         _go(capsule, curriculum, workers, cluster, on_generation, on_lesson)
     return capsule.folder
-
-
-def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
-    """Look at all that a training goes on from, before anything is written.
-
-    Raises:
-        SocialmindError: a file is missing, cut off or changed.
-    """
-    manifest = capsule.manifest
-    files = {
-        path.relative_to(capsule.mind).as_posix(): path.read_bytes()
-        for path in capsule.mind.rglob("*")
-        if path.is_file() and "__pycache__" not in path.parts
-    }
-    if _hash(files) != manifest.mind["sha256"]:
-        raise SocialmindError(
-            f"{capsule.mind}: the training's copy of the mind that it began from is missing or was "
-            "changed; take it from a copy of the folder"
-        )
-    refuse_folder(capsule.curve)
-    course = TrainingCourse(
-        curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine
-    )
-    for number in range(1, manifest.attempts + 1):
-        if capsule.attempt(number).exists():
-            attempt = Attempt(capsule.attempt(number), number, course)
-            for lesson in range(1, attempt.done + 1):
-                load_result(attempt.folder, lesson)
-
-
-def with_changes(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:
-    """Return a curriculum with what is asked for in place of the lessons' own."""
-    alone = {id(item) for item in curriculum.items if isinstance(item, Lesson)}
-
-    def change(lesson: Lesson) -> Lesson:
-        fields: dict[str, Any] = {}
-        settings = dict(lesson.settings)
-        if changes["optimiser"] is not None:
-            fields["optimiser"] = changes["optimiser"]
-            if changes["optimiser"].upper() != lesson.optimiser.upper():
-                settings = {}
-        fields["settings"] = {**settings, **changes["settings"]}
-        if changes["generations"] is not None:
-            fields["generations"] = changes["generations"]
-        if changes["budget"] is not None and id(lesson) in alone:
-            fields["budget"] = changes["budget"]
-        return lesson.changed(**fields)
-
-    return curriculum.with_lessons(change).with_cycles(changes["cycles"], changes["budget"])
 
 
 def _go(
@@ -367,66 +321,6 @@ def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
         attempt.mind.save(folder)
 
 
-def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum:
-    """Return the lessons of a training, as they were.
-
-    Raises:
-        SocialmindError: they, the model or socialmind are others than they were.
-    """
-    manifest = capsule.manifest
-    then, today = manifest.versions.get("socialmind"), __version__
-    if then != today:
-        raise SocialmindError(
-            f"{capsule.folder}: made by socialmind {then}, this is {today}, whose trainings may "
-            f"differ; install {then}, or start another training"
-        )
-    if manifest.chosen == [] and lessons is None:
-        raise SocialmindError(
-            f"{capsule.folder}: its lessons were given in Python; "
-            "go on with socialmind.learning.resume(folder, lessons=...)"
-        )
-    model = None if manifest.model["path"] is None else _recorded_model(capsule)
-    if model is not None:
-        # Said before anything is run, or asked about.
-        if other := what_was_edited(manifest.model, model):
-            raise SocialmindError(f"{other}; put the old file back, or start another training")
-        require(programs_in(model), trust, f"{capsule.folder}: its model at {model}")
-        if other := _changes(manifest, model):
-            raise SocialmindError(f"{other}; put the old file back, or start another training")
-    given = manifest.chosen if lessons is None else lessons
-    named = model if model is not None and (model / MODEL_FILE).is_file() else None
-    curriculum, _ = curriculum_of(named, given)
-    curriculum = with_changes(curriculum, manifest.changes)
-    if _as_json(curriculum.record()) != manifest.lessons:
-        raise SocialmindError(
-            f"{capsule.folder}: the lessons are not those that the training was begun with; "
-            "put them back, or start another training"
-        )
-    return curriculum
-
-
-def _recorded_model(capsule: TrainingCapsule) -> Path:
-    """Return where a training's model is: where it stood, or that of its name that ships."""
-    name, path = capsule.manifest.model["name"], Path(str(capsule.manifest.model["path"]))
-    if (path / MODEL_FILE).is_file() or path.is_file():
-        return path
-    shipped = catalogue().get(name or "")
-    if shipped is None:
-        raise SocialmindError(
-            f"{capsule.folder}: its model {name} is not at {path}; put its folder there"
-        )
-    return shipped
-
-
-def _changes(manifest: TrainingManifest, model: Path) -> str | None:
-    """Return what differs between a training's model and the files as they are, or None."""
-    if manifest.model.get("sources") is not None:
-        return difference(manifest.model["sources"], sources_of(load_model(model)))
-    if source_hash(model) != manifest.model["source_sha256"]:
-        return f"{model}: the model's source is not the one the training was begun with"
-    return None
-
-
 def _source(model: str | Path | type[Model] | None) -> dict[str, Any]:
     if model is None:
         return {"name": None, "path": None, "source_sha256": None}
@@ -447,19 +341,6 @@ def _chosen(lessons: Any) -> list[str] | None:
         str(Path(one).absolute()) if one.endswith(SIMBATCH) and Path(one).is_file() else one
         for one in texts
     ]
-
-
-def _as_json(record: Any) -> Any:
-    return json.loads(json.dumps(record, default=str))
-
-
-def _hash(files: Mapping[str, bytes]) -> str:
-    import hashlib
-
-    total = hashlib.sha256()
-    for name, content in sorted(files.items()):
-        total.update(f"{name}\0{len(content)}\0".encode() + content)
-    return total.hexdigest()
 
 
 def _whole(name: str, value: Any, low: int = 1, high: int | None = None) -> int:
