@@ -28,6 +28,12 @@ WEIGHTED_STOCHASTIC = 1
 BIASED_WEIGHTED_STOCHASTIC = 2
 MODELLERS_OWN = 3
 """Codes of the decision makers, as `SchemeArrays.maker[0]` holds them."""
+CODES = {
+    "MaximumWeight": MAXIMUM_WEIGHT,
+    "WeightedStochastic": WEIGHTED_STOCHASTIC,
+    "BiasedWeightedStochastic": BIASED_WEIGHTED_STOCHASTIC,
+}
+"""Those of the built-in ones, by their names."""
 
 NEXT_MIND = 0
 NEXT_GROUP = 1
