@@ -9,7 +9,7 @@ import hashlib
 import sys
 import sysconfig
 from collections.abc import Callable, Iterator
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
@@ -80,13 +80,19 @@ def _names(code: CodeType) -> set[str]:
     return set(code.co_names).union(*(_names(one) for one in inner))
 
 
-@lru_cache(maxsize=1024)
+@cache  # one for each file that is loaded
 def is_of_a_package(file: str) -> bool:
     """Return whether a file is Python's or of an installed package; their versions stand for it."""
-    homes = {sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")}
     return file.startswith("<frozen") or any(
-        Path(file).is_relative_to(home) for home in [*homes, *_shared_homes()] if home
+        Path(file).is_relative_to(home) for home in [*_homes(), *_shared_homes()]
     )
+
+
+@lru_cache(maxsize=1)
+def _homes() -> tuple[str, ...]:
+    """Return where Python and its packages lie; asking takes longer than all the rest."""
+    names = ("stdlib", "platstdlib", "purelib", "platlib")
+    return tuple(dict.fromkeys(one for one in map(sysconfig.get_path, names) if one))
 
 
 def _shared_homes() -> list[str]:
