@@ -15,7 +15,6 @@ from socialmind.catalogue import load_model
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill
 from socialmind.mind.hierarchy import Hierarchy
 from socialmind.mind.minds import Minds
-from socialmind.model import Model
 from socialmind.society.declaration import kept_names
 from socialmind.sources.loading import load_file
 
