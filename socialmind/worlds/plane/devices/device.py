@@ -24,20 +24,8 @@ import numpy as np
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError, called_at, is_ours, nearest
+from socialmind.language import types
 from socialmind.language.program import Program
-from socialmind.language.types import (
-    BOOL,
-    FLOAT,
-    INT,
-    MODEL,
-    NONE,
-    RNG,
-    AnyType,
-    ArrayType,
-    PopulationType,
-    RowType,
-    Type,
-)
 
 GIVEN: dict[str, str] = {
     "robot": "the robot",
@@ -73,12 +61,12 @@ _NEEDED = {
     "readings": ("sensors", "names of sensors: sensors=('S1', 'S2')"),
 }
 """What a device must say for a name: the attribute, and in words."""
-_PLAIN: dict[str, Type] = {
-    "model": MODEL,
-    "rng": RNG,
-    **dict.fromkeys(("kind", "slot"), INT),
-    **dict.fromkeys(("own", "found", "held", "restarted"), BOOL),
-    **dict.fromkeys(("distance", "bearing", "reading", "command", "before"), FLOAT),
+_PLAIN: dict[str, types.Type] = {
+    "model": types.MODEL,
+    "rng": types.RNG,
+    **dict.fromkeys(("kind", "slot"), types.INT),
+    **dict.fromkeys(("own", "found", "held", "restarted"), types.BOOL),
+    **dict.fromkeys(("distance", "bearing", "reading", "command", "before"), types.FLOAT),
 }
 
 
@@ -122,7 +110,7 @@ class Device:
     )
     word: ClassVar[str] = "device"
     further: ClassVar[tuple[str, ...]] = ()
-    results: ClassVar[tuple[AnyType, ...]] = ()
+    results: ClassVar[tuple[types.AnyType, ...]] = ()
     result: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
@@ -284,7 +272,7 @@ class Sense(Device):
     """A sensor: its function returns a number, which is held to 0 … 1; truth values are 0 and 1."""
 
     word: ClassVar[str] = "sensor"
-    results: ClassVar[tuple[AnyType, ...]] = (FLOAT, INT, BOOL)
+    results: ClassVar[tuple[types.AnyType, ...]] = (types.FLOAT, types.INT, types.BOOL)
     result: ClassVar[str] = "a number"
 
 
@@ -294,7 +282,7 @@ class Act(Device):
 
     word: ClassVar[str] = "actuator"
     further: ClassVar[tuple[str, ...]] = ("command", "before")
-    results: ClassVar[tuple[AnyType, ...]] = (NONE,)
+    results: ClassVar[tuple[types.AnyType, ...]] = (types.NONE,)
     result: ClassVar[str] = "nothing"
 
 
@@ -312,7 +300,7 @@ class Reward(Device):
     settles: bool = False
     word: ClassVar[str] = "reward"
     further: ClassVar[tuple[str, ...]] = ("restarted",)
-    results: ClassVar[tuple[AnyType, ...]] = (FLOAT, INT)
+    results: ClassVar[tuple[types.AnyType, ...]] = (types.FLOAT, types.INT)
     result: ClassVar[str] = "a number"
 
 
@@ -326,7 +314,7 @@ class Interruption(Device):
 
     robots: str | None = None
     word: ClassVar[str] = "interruption"
-    results: ClassVar[tuple[AnyType, ...]] = (BOOL,)
+    results: ClassVar[tuple[types.AnyType, ...]] = (types.BOOL,)
     result: ClassVar[str] = "True or False"
 
 
@@ -374,7 +362,7 @@ def typed(
             f"the function {source.name!r}, which returns {result}, in {what}",
             device.result,
             "write `return x > 0.5`"
-            if device.results == (BOOL,) and result in (FLOAT, INT)
+            if device.results == (types.BOOL,) and result in (types.FLOAT, types.INT)
             else None,
             source.file,
             source.line,
@@ -425,21 +413,21 @@ def is_point(at: Any) -> bool:
     return isinstance(at, Sequence | np.ndarray) and len(at) == 2 and all(map(is_number, at))
 
 
-def _kind(device: Device, name: str, population: str) -> AnyType:
+def _kind(device: Device, name: str, population: str) -> types.AnyType:
     """Return the type of a parameter of a device's function."""
     if name in _PLAIN:
         return _PLAIN[name]
     if name == "robot":
-        return RowType(population)
+        return types.RowType(population)
     if name == "target":
-        return RowType(str(device.of))
+        return types.RowType(str(device.of))
     if name == "members":
-        return PopulationType(str(device.of))
+        return types.PopulationType(str(device.of))
     if name == "memory":
-        return ArrayType(FLOAT, device.memory)
+        return types.ArrayType(types.FLOAT, device.memory)
     if name == "readings":
-        return ArrayType(FLOAT, len(device.sensors))
-    return FLOAT
+        return types.ArrayType(types.FLOAT, len(device.sensors))
+    return types.FLOAT
 
 
 def _hint(name: str, known: Sequence[str]) -> str:
