@@ -27,6 +27,8 @@ from socialmind.errors import ModelError, called_at, is_ours, nearest
 from socialmind.language import types
 from socialmind.language.program import Program
 
+__all__ = ["Act", "Interruption", "Reward", "Sense"]
+
 GIVEN: dict[str, str] = {
     "robot": "the robot",
     "model": "the model, as rules know it",
@@ -316,6 +318,12 @@ class Interruption(Device):
     word: ClassVar[str] = "interruption"
     results: ClassVar[tuple[types.AnyType, ...]] = (types.BOOL,)
     result: ClassVar[str] = "True or False"
+
+
+def makers(names: Mapping[str, Any], made: type[Device]) -> dict[str, Callable[..., Any]]:
+    """Return those functions of a file, given by its names, that make devices of a kind."""
+    functions = {name: one for name, one in names.items() if inspect.isfunction(one)}
+    return {n: f for n, f in functions.items() if f.__annotations__.get("return") == made.__name__}
 
 
 def typed(
