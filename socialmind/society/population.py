@@ -116,13 +116,13 @@ class Population:
                     "a smallest and a largest value of a cogniton of its minds",
                     "write bounds={'Fear': (0.0, 10.0)}",
                 )
-        for field in class_fields(self.agent).values():
-            file, line = place_of_field(self.agent, field.name)
-            found = f"a field called {field.name!r}"
-            if field.name in TAKEN_NAMES or hasattr(Table, field.name):
+        for held in class_fields(self.agent).values():
+            file, line = place_of_field(self.agent, held.name)
+            found = f"a field called {held.name!r}"
+            if held.name in TAKEN_NAMES or hasattr(Table, held.name):
                 expected = "a name that agents and populations do not use"
                 raise ModelError(found, expected, None, file, line)
-            if field.name in Agent.__annotations__ and (field.storage, field.size) != ("f8", None):
+            if held.name in Agent.__annotations__ and (held.storage, held.size) != ("f8", None):
                 raise ModelError(found, "a float, as in every agent", None, file, line)
 
     def _check_hierarchy(self) -> None:
