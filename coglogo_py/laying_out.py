@@ -4,19 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from coglogo_py import kernel
 from coglogo_py.arrays import Floats, MindArrays, SchemeArrays
 from coglogo_py.decision import BiasedWeightedStochastic, MaximumWeight, WeightedStochastic
-from coglogo_py.kernel import (
-    BIASED_WEIGHTED_STOCHASTIC,
-    FREE_INSTANCES,
-    FREE_MINDS,
-    MAXIMUM_WEIGHT,
-    MODELLERS_OWN,
-    SEED_HIGH,
-    SEED_LOW,
-    STREAM,
-    WEIGHTED_STOCHASTIC,
-)
 from coglogo_py.parts import Cogniton, Culturon, Group
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.streams import LOW_32
@@ -99,12 +89,12 @@ def maker_code(scheme: CognitiveScheme) -> Floats:
     """Return the code of the scheme's decision maker, and its bias (1 where it has none)."""
     maker = scheme.decision_maker
     if type(maker) is BiasedWeightedStochastic:
-        return np.array([BIASED_WEIGHTED_STOCHASTIC, maker.bias], np.float64)
+        return np.array([kernel.BIASED_WEIGHTED_STOCHASTIC, maker.bias], np.float64)
     codes: dict[type, int] = {
-        MaximumWeight: MAXIMUM_WEIGHT,
-        WeightedStochastic: WEIGHTED_STOCHASTIC,
+        MaximumWeight: kernel.MAXIMUM_WEIGHT,
+        WeightedStochastic: kernel.WEIGHTED_STOCHASTIC,
     }
-    return np.array([codes.get(type(maker), MODELLERS_OWN), maker.bias], np.float64)
+    return np.array([codes.get(type(maker), kernel.MODELLERS_OWN), maker.bias], np.float64)
 
 
 def mind_arrays(scheme: SchemeArrays, capacity: int, seed: int, stream: int = 0) -> MindArrays:
@@ -122,11 +112,11 @@ def mind_arrays(scheme: SchemeArrays, capacity: int, seed: int, stream: int = 0)
     groups = len(scheme.group_culturons)
     instances = max(1, capacity * groups)
     counters = np.zeros(8, np.int64)
-    counters[FREE_MINDS] = capacity
-    counters[FREE_INSTANCES] = instances
-    counters[SEED_LOW] = seed & LOW_32
-    counters[SEED_HIGH] = seed >> 32
-    counters[STREAM] = stream
+    counters[kernel.FREE_MINDS] = capacity
+    counters[kernel.FREE_INSTANCES] = instances
+    counters[kernel.SEED_LOW] = seed & LOW_32
+    counters[kernel.SEED_HIGH] = seed >> 32
+    counters[kernel.STREAM] = stream
     return MindArrays(
         mind_id=np.full(capacity, -1, np.int64),
         values=np.full((capacity, len(scheme.start)), np.nan),
@@ -159,8 +149,8 @@ def grown(scheme: SchemeArrays, minds: MindArrays, capacity: int) -> MindArrays:
     for array, old in zip(larger, minds, strict=True):
         array[: len(old)] = old
     for stack, old, count in (
-        (larger.free_minds, minds.free_minds, FREE_MINDS),
-        (larger.free_instances, minds.free_instances, FREE_INSTANCES),
+        (larger.free_minds, minds.free_minds, kernel.FREE_MINDS),
+        (larger.free_instances, minds.free_instances, kernel.FREE_INSTANCES),
     ):
         free = int(minds.counters[count])
         added = len(stack) - len(old)

@@ -14,16 +14,9 @@ from coglogo_py.border.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind.code.mind_code import MindCode
 from socialmind.mind.description import MindDescription
+from socialmind.mind.evaluation import state as states
 from socialmind.mind.evaluation.arrays import Assembly, assemble, master_of
 from socialmind.mind.evaluation.failures import failure_of, failure_of_drive, failure_of_regulation
-from socialmind.mind.evaluation.state import (
-    Record,
-    kept,
-    new_state,
-    restore_societies,
-    restored,
-    societies_of,
-)
 from socialmind.mind.kernel.layout import LIVES, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.regulation import Counter
@@ -90,12 +83,14 @@ class Minds(Closed):
         self.unset = _unset(self.assembly)
         self._evaluate: Any = None
         self._code = MindCode(self.assembly, drive)
-        self._record = Record(self.assembly, self._code.names)
-        one = new_state(self.assembly, 1, 1, own_genomes, 0)
+        self._record = states.Record(self.assembly, self._code.names)
+        one = states.new_state(self.assembly, 1, 1, own_genomes, 0)
         needed = agents * sum(array.nbytes for array in one)
         check_memory(needed, f"{agents} minds {description.name!r}", SocialmindError)
-        self.state_arrays = new_state(self.assembly, agents, self.lanes, own_genomes, instances)
-        self.societies = societies_of(self.assembly, seed, agents)
+        self.state_arrays = states.new_state(
+            self.assembly, agents, self.lanes, own_genomes, instances
+        )
+        self.societies = states.societies_of(self.assembly, seed, agents)
         self._record.connect(agents, self.state_arrays, self.societies)
         for name in self.assembly.skills:
             genome = description.skills[name].genome
@@ -287,7 +282,7 @@ class Minds(Closed):
             worlds: how many; agents and instances are shared out among them evenly.
             population: the population's name, as in a model.
         """
-        self.societies = societies_of(self.assembly, self.seed, self.agents, population)
+        self.societies = states.societies_of(self.assembly, self.seed, self.agents, population)
         for society in self.societies:
             society.minds.mind_id[: self.agents] = np.arange(self.agents) % (self.agents // worlds)
         self._record.divide(worlds, np.zeros((self.agents, 2), np.int64))
@@ -343,13 +338,13 @@ class Minds(Closed):
             ModelError: there is no such agent.
         """
         if agents is None:
-            fresh = new_state(
+            fresh = states.new_state(
                 self.assembly, self.agents, self.lanes, False, len(self.state_arrays.instances)
             )
             for name in (*LIVES, "instances", "now"):
                 if name not in ("group", "participation"):
                     getattr(self.state_arrays, name)[...] = getattr(fresh, name)
-            self.societies = societies_of(self.assembly, self.seed, self.agents)
+            self.societies = states.societies_of(self.assembly, self.seed, self.agents)
             self._record.connect(self.agents, self.state_arrays, self.societies)
             return
         renew = self._code.module.renew.ctypes
@@ -358,7 +353,7 @@ class Minds(Closed):
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return copies of all arrays that change, by name; `restore` takes them back."""
-        return kept(self.state_arrays, self.societies)
+        return states.kept(self.state_arrays, self.societies)
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take back what `state` returned.
@@ -375,8 +370,8 @@ class Minds(Closed):
                     f"{own.shape}, that of {self!r}",
                     "restore a state of as many agents and lanes with the same hierarchy",
                 )  # fmt: skip
-        self.state_arrays = restored(self.state_arrays, state)
-        restore_societies(self.societies, state)
+        self.state_arrays = states.restored(self.state_arrays, state)
+        states.restore_societies(self.societies, state)
         self._record.connect(self.agents, self.state_arrays, self.societies)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -16,16 +16,10 @@ from socialmind.language.nodes import Typed, call, constant, marked, written_num
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import RuleSource
-from socialmind.language.typing import tables
+from socialmind.language.typing import operators, tables
 from socialmind.language.typing.built_in import BUILT_IN
 from socialmind.language.typing.calls import typed_call
 from socialmind.language.typing.comparisons import typed_comparison
-from socialmind.language.typing.operators import (
-    typed_choice,
-    typed_logic,
-    typed_operation,
-    typed_sign,
-)
 from socialmind.language.typing.signatures import MATH_CONSTANTS
 
 _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
@@ -442,16 +436,16 @@ class ExpressionTyper:
     # Operators, names of a scheme, calls -------------------------------------------------------
 
     def _on_unaryop(self, node: ast.UnaryOp) -> Typed:
-        return typed_sign(self, node)
+        return operators.typed_sign(self, node)
 
     def _on_binop(self, node: ast.BinOp) -> Typed:
-        return typed_operation(self, node)
+        return operators.typed_operation(self, node)
 
     def _on_boolop(self, node: ast.BoolOp) -> Typed:
-        return typed_logic(self, node)
+        return operators.typed_logic(self, node)
 
     def _on_ifexp(self, node: ast.IfExp) -> Typed:
-        return typed_choice(self, node)
+        return operators.typed_choice(self, node)
 
     def _on_compare(self, node: ast.Compare) -> Typed:
         return typed_comparison(self, node)
