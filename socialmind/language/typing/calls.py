@@ -18,8 +18,8 @@ from socialmind.language.typing.built_in import (
     without_keywords,
 )
 from socialmind.language.typing.draws import typed_draw
-from socialmind.language.typing.hierarchies import hierarchy_call
-from socialmind.language.typing.signatures import CHOSEN, MIND, Signature
+from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
+from socialmind.language.typing.signatures import Signature
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -167,7 +167,7 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
     if kind == types.RNG:
         return typed_draw(typer, node, base, name)
     if isinstance(kind, types.MindType):
-        return _mind(typer, node, base, kind, name)
+        return mind_call(typer, node, base, kind, name)
     if isinstance(kind, types.HierarchyType):
         return hierarchy_call(typer, node, base, kind, name)
     if isinstance(kind, types.RowType):
@@ -186,54 +186,6 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
     return typer.refuse(node, f"{name}() of {kind}", "see docs/rules.md for what can be called")
 
 
-def _made(node: ast.Call, base: ast.expr, name: str, arguments: list[ast.expr], mark: Any) -> Any:
-    func = ast.copy_location(ast.Attribute(base, name, ast.Load()), node)
-    return marked(ast.copy_location(ast.Call(func, arguments, []), node), mark)
-
-
-def _mind(typer: Typer, node: ast.Call, base: ast.expr, kind: types.MindType, name: str) -> Typed:
-    if name not in MIND:
-        typer.refuse(node, f"the mind's {name}()", nearest(name, MIND))
-    without_keywords(typer, node, f"mind.{name}")
-    signature = MIND[name]
-    if len(node.args) != len(signature.arguments):
-        typer.refuse(
-            node,
-            f"{len(node.args)} arguments for mind.{name}()",
-            "see docs/coglogo_py.md",
-            f"{len(signature.arguments)}",
-        )
-    arguments: list[ast.expr] = []
-    places: list[int | None] = []
-    group = ""
-    for argument, wanted in zip(node.args, signature.arguments, strict=True):
-        if isinstance(wanted, types.Type):
-            arguments.append(typer.fitted(argument, wanted, f"mind.{name}()"))
-            places.append(None)
-            continue
-        value, found = typer.expression(argument)
-        if wanted.part == "plan" and isinstance(found, types.PlanType):
-            arguments.append(value)
-            places.append(None)
-            continue
-        if not isinstance(found, types.TextType):
-            typer.refuse(
-                argument,
-                f"{found} as the name of a {wanted.part}",
-                f"write the {wanted.part}'s name as a text",
-            )
-        group = found.value if wanted.part == "group" else group
-        keys = (group, found.value) if wanted.part in ("role", "culturon") else (found.value,)
-        arguments.append(constant(found.value, argument))
-        places.append(typer.name(argument, kind.population, wanted.part, keys))
-    result: types.AnyType = signature.result
-    if result == CHOSEN:
-        result = types.PlanType(kind.population)
-    return _made(
-        node, base, name, arguments, ("mind", kind.population, name, tuple(places))
-    ), result
-
-
 def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, name: str) -> Typed:
     population = kind.population
     if name in ("die", "hatch"):
@@ -241,7 +193,7 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, na
     if name == "die":
         fitted(typer, node, "die", Signature((), types.NONE))
         without_keywords(typer, node, "die")
-        return _made(node, base, name, [], ("die", population)), types.NONE
+        return method_call(node, base, name, [], ("die", population)), types.NONE
     if name == "hatch":
         keep = False
         for keyword in node.keywords:
@@ -253,7 +205,7 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, na
                 keep = bool(keyword.value.value)
         _alone(typer, node, "hatch", f"{ast.unparse(base)}.hatch()")
         typer.program.bears(population)
-        made = _made(node, base, name, [constant(keep, node)], ("hatch", population, keep))
+        made = method_call(node, base, name, [constant(keep, node)], ("hatch", population, keep))
         return made, kind
     if name == "run_plan":
         if not typer.shape.populations[population].minded:
@@ -264,7 +216,7 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, na
                 node, "run_plan() with other arguments", "write agent.run_plan(model, rng)"
             )
         typer.program.runs_plans(population, typer, node)
-        return _made(
+        return method_call(
             node, base, name, [value for value, _ in kinds], ("run_plan", population)
         ), types.NONE
     if name in typer.shape.populations[population].fields:
@@ -298,17 +250,17 @@ def _population(
         _alone(typer, node, "create", f"new = model.{kind.population}.create()")
         typer.program.bears(kind.population)
         typer.program.changes(kind.population)
-        return _made(node, base, name, [], ("create", kind.population)), row
+        return method_call(node, base, name, [], ("create", kind.population)), row
     if name == "one_of":
         kinds = [typer.expression(argument) for argument in node.args]
         if [found for _, found in kinds] != [types.RNG]:
             typer.refuse(node, "one_of() without the random stream", "write model.cows.one_of(rng)")
-        return _made(node, base, name, [kinds[0][0]], ("one_of", kind.population)), row
+        return method_call(node, base, name, [kinds[0][0]], ("one_of", kind.population)), row
     if name == "contains":
         index = [typer.fitted(argument, types.INT, "contains()") for argument in node.args]
         if len(index) != 1:
             typer.refuse(node, "contains() of other than one identity", "write contains(id)")
-        return _made(node, base, name, index, ("contains", kind.population)), types.BOOL
+        return method_call(node, base, name, index, ("contains", kind.population)), types.BOOL
     advice = close(name, ("create", "one_of", "contains")) if name not in hints.POPULATION else None
     return typer.refuse(
         node,
@@ -321,7 +273,7 @@ def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: types.WorldType, 
     world = typer.shape.world
     if name == "patch" and world.patch is not None:
         arguments = fitted(typer, node, "patch", Signature((types.FLOAT, types.FLOAT), types.NONE))
-        return _made(node, base, name, arguments, ("patch_at",)), types.PatchType()
+        return method_call(node, base, name, arguments, ("patch_at",)), types.PatchType()
     if name in world.commands:
         return helper(typer, node, world.commands[name], first=[(base, kind)])
     if name in ("in_radius", "patches"):
