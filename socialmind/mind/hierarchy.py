@@ -116,7 +116,8 @@ class Hierarchy(Closed, Readings):
         checked = {name: self._checked(name, value) for name, value in sensors.items()}
         for name, value in checked.items():
             values[places[name]] = value
-        self._check_genomes()
+        if self._unset:
+            raise self.description.skills[next(iter(self._unset))].without_genome()
         try:
             self._steps.evaluate(0)
         except ValueError as error:
@@ -136,16 +137,6 @@ class Hierarchy(Closed, Readings):
         if not -ROUNDING <= number <= 1 + ROUNDING:
             raise ModelError(f"{value!r} for the sensor {name!r}", "a number, 0 … 1")
         return min(max(number, 0.0), 1.0)
-
-    def _check_genomes(self) -> None:
-        if self._unset:
-            name = next(iter(self._unset))
-            skill = self.description.skills[name]
-            raise skill.refused(
-                "without a genome",
-                f"{skill.genome_size} weights",
-                "set it, or call randomise(seed)",
-            )
 
     def reset(self) -> None:
         """Put the mind back to before its first evaluation; genomes stay."""

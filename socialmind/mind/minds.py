@@ -80,7 +80,8 @@ class Minds(Closed):
         self.own_genomes = own_genomes
         self.seed = seed
         self.drive = drive
-        self.unset = _unset(self.assembly)
+        skills = description.skills
+        self.unset = {name for name in self.assembly.skills if skills[name].genome_size}
         self._evaluate: Any = None
         self._code = MindCode(self.assembly, drive)
         self._record = states.Record(self.assembly, self._code.names)
@@ -135,7 +136,7 @@ class Minds(Closed):
                 which leaves the step half done: go back by `restore` or `reset`.
         """
         if self.unset:
-            raise _no_genome(self.description, next(iter(self.unset)))
+            raise self.description.skills[next(iter(self.unset))].without_genome()
         blocks = len(self.state_arrays.fresh)
         if self._evaluate is None:
             self._evaluate = self._code.module.evaluate.ctypes
@@ -422,12 +423,6 @@ def _remade(settings: tuple[Any, ...], unset: set[str], state: Mapping[str, NDAr
     return made
 
 
-def _unset(assembly: Assembly) -> set[str]:
-    """Return the skills whose genomes must be set before anything can be evaluated."""
-    skills = assembly.description.skills
-    return {name for name in assembly.skills if skills[name].genome_size}
-
-
 def _numbers(values: Any, what: str) -> NDArray[np.float64]:
     """Return values as an array of numbers.
 
@@ -438,14 +433,6 @@ def _numbers(values: Any, what: str) -> NDArray[np.float64]:
         return np.asarray(values, float)
     except (TypeError, ValueError):
         raise ModelError(f"{values!r} for {what}", "numbers") from None
-
-
-def _no_genome(description: MindDescription, skill: str) -> ModelError:
-    return description.skills[skill].refused(
-        "without a genome",
-        f"{description.skills[skill].genome_size} weights",
-        "set it, or call randomise(seed)",
-    )
 
 
 def _place(modules: Mapping[str, Any], name: str, what: str) -> int:
