@@ -100,14 +100,8 @@ class CognitiveScheme:
         if not isinstance(other, CognitiveScheme):
             return NotImplemented
         described = (
-            "name",
-            "cognitons",
-            "groups",
-            "decision_maker",
-            "breeds",
-            "plan_positions",
-            "plans",
-        )
+            "name", "cognitons", "groups", "decision_maker", "breeds", "plan_positions", "plans",
+        )  # fmt: skip
         return all(getattr(self, each) == getattr(other, each) for each in described)
 
     def __hash__(self) -> int:
