@@ -130,7 +130,7 @@ class Device:
             elif name not in settings:
                 known = [*self.given, *settings]
                 raise self.error(
-                    f"the parameter {name!r} of the {self.word} {self.name!r}",
+                    f"the parameter {name!r} of {self.called}",
                     f"one of {', '.join(self.given)}, or a setting",
                     f"{_hint(name, known)}give it a number: settings={{{name!r}: 1.0}}",
                 )
@@ -142,6 +142,11 @@ class Device:
     def name(self) -> str:
         """The function's name."""
         return str(getattr(self.function, "__name__", self.function))
+
+    @property
+    def called(self) -> str:
+        """What errors call it."""
+        return f"the {self.word} {self.name!r}"
 
     @property
     def takes(self) -> tuple[str, ...]:
@@ -179,7 +184,7 @@ class Device:
     def _names(self, names: Sequence[str]) -> Sequence[str]:
         if isinstance(names, str):
             raise self.error(
-                f"sensors={names!r} of the {self.word} {self.name!r}",
+                f"sensors={names!r} of {self.called}",
                 "several names",
                 f"write sensors=({names!r},)",
             )
@@ -187,26 +192,20 @@ class Device:
 
     def _point(self, at: Sequence[float]) -> tuple[float, float]:
         if not is_point(at):
-            raise self.error(f"at={shown(at)} of the {self.word} {self.name!r}", "two numbers")
+            raise self.error(f"at={shown(at)} of {self.called}", "two numbers")
         return float(at[0]), float(at[1])
 
     def _check_numbers(self) -> None:
-        reach = self.reach
-        if not isinstance(reach, str) and not (
-            (is_number(reach) or reach == math.inf) and reach > 0
-        ):
-            raise self.error(
-                f"reach={shown(reach)} of the {self.word} {self.name!r}", "a number above 0"
-            )
-        if not is_number(self.angle):
-            raise self.error(
-                f"angle={shown(self.angle)} of the {self.word} {self.name!r}", "radians"
-            )
-        if not is_whole(self.memory) or self.memory < 0:
-            raise self.error(
-                f"memory={shown(self.memory)} of the {self.word} {self.name!r}",
-                "a whole number, 0 or more",
-            )
+        reach, memory = self.reach, self.memory
+        sees = isinstance(reach, str) or ((is_number(reach) or reach == math.inf) and reach > 0)
+        checks = (
+            ("reach", "a number above 0", sees),
+            ("angle", "radians", is_number(self.angle)),
+            ("memory", "a whole number, 0 or more", is_whole(memory) and memory >= 0),
+        )
+        for name, expected, fits in checks:
+            if not fits:
+                raise self.error(f"{name}={shown(getattr(self, name))} of {self.called}", expected)
 
     def _completed(self, parameters: Mapping[str, inspect.Parameter]) -> dict[str, float | str]:
         """Return the settings with the function's defaults, in the order of its parameters."""
@@ -216,7 +215,7 @@ class Device:
                 continue
             if name in GIVEN:
                 raise self.error(
-                    f"a default for {name!r} of the {self.word} {self.name!r}",
+                    f"a default for {name!r} of {self.called}",
                     None,
                     f"leave it out: {name!r} is {GIVEN[name].split(';')[0]}",
                 )
@@ -225,7 +224,7 @@ class Device:
             if name not in parameters or name in GIVEN:
                 named = [one for one in parameters if one not in GIVEN]
                 raise self.error(
-                    f"the setting {name!r} of the {self.word} {self.name!r}",
+                    f"the setting {name!r} of {self.called}",
                     "a parameter of the function that is not given anyway",
                     nearest(name, named) if named else "leave it out: it has no settings",
                 )
@@ -234,7 +233,7 @@ class Device:
             infinite = isinstance(value, float) and math.isinf(value)
             if not (is_number(value) or is_truth(value) or infinite):
                 raise self.error(
-                    f"{name}={shown(value)} of the {self.word} {self.name!r}",
+                    f"{name}={shown(value)} of {self.called}",
                     "a number, a truth value or the name of a parameter of the model",
                 )
         given = {name: found[name] for name in parameters if name in found}
@@ -243,15 +242,14 @@ class Device:
     def _check_given(self, name: str) -> None:
         if name not in self.given:
             raise self.error(
-                f"the parameter {name!r} of the {self.word} {self.name!r}",
+                f"the parameter {name!r} of {self.called}",
                 f"one of {', '.join(self.given)}, or a setting",
                 f"{name!r} is {GIVEN[name]}",
             )
         attribute, words = _NEEDED.get(name, ("function", ""))
         if not getattr(self, attribute):
             raise self.error(
-                f"the parameter {name!r} of the {self.word} {self.name!r}, "
-                f"which says no `{attribute}`",
+                f"the parameter {name!r} of {self.called}, which says no `{attribute}`",
                 None,
                 f"give it {words}",
             )
@@ -262,7 +260,7 @@ class Device:
             names = [name for name, (needed, _) in _NEEDED.items() if needed == attribute]
             if getattr(self, attribute) and not any(name in parameters for name in names):
                 raise self.error(
-                    f"{attribute}={getattr(self, attribute)!r} of the {self.word} {self.name!r}, "
+                    f"{attribute}={getattr(self, attribute)!r} of {self.called}, "
                     f"which does not ask for it",
                     None,
                     f"leave it out, or let the function take {' or '.join(names)}",
