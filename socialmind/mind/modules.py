@@ -238,6 +238,11 @@ class Skill:
         return tuple(output.name for output in self.outputs if output.module == "skill")
 
     @property
+    def links(self) -> tuple[Input | Output, ...]:
+        """What it reads, then where its outputs go."""
+        return (*self.inputs, *self.outputs)
+
+    @property
     def is_complex(self) -> bool:
         """Whether it influences other skills."""
         return bool(self.subskills)

@@ -30,12 +30,10 @@ if TYPE_CHECKING:
     from socialmind.mind.weighing import WeighingPlaces
 
 
-KEPT_BY_TABLES = frozenset(
-    (
-        "acting", "alive", "columns", "counters", "default", "dtype", "free", "minds", "model",
-        "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
-    )
-)  # fmt: skip
+KEPT_BY_TABLES = frozenset((
+    "acting", "alive", "columns", "counters", "default", "dtype", "free", "minds", "model",
+    "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
+))  # fmt: skip
 """What a table keeps under names without an underscore; users assign to fields alone."""
 
 
