@@ -4,17 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from coglogo_py import kernel
 from coglogo_py.arrays import Floats, MindArrays, SchemeArrays
 from coglogo_py.decision import BUILT_IN
-from coglogo_py.kernel import (
-    CODES,
-    FREE_INSTANCES,
-    FREE_MINDS,
-    MODELLERS_OWN,
-    SEED_HIGH,
-    SEED_LOW,
-    STREAM,
-)
 from coglogo_py.parts import Cogniton, Culturon, Group
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.streams import LOW_32
@@ -96,7 +88,7 @@ def scheme_arrays(scheme: CognitiveScheme) -> SchemeArrays:
 def maker_code(scheme: CognitiveScheme) -> Floats:
     """Return the code of the scheme's decision maker, and its bias (1 where it has none)."""
     maker = scheme.decision_maker
-    code = CODES[maker.name] if type(maker) in BUILT_IN else MODELLERS_OWN
+    code = kernel.CODES[maker.name] if type(maker) in BUILT_IN else kernel.MODELLERS_OWN
     return np.array([code, maker.bias], np.float64)
 
 
@@ -115,11 +107,11 @@ def mind_arrays(scheme: SchemeArrays, capacity: int, seed: int, stream: int = 0)
     groups = len(scheme.group_culturons)
     instances = max(1, capacity * groups)
     counters = np.zeros(8, np.int64)
-    counters[FREE_MINDS] = capacity
-    counters[FREE_INSTANCES] = instances
-    counters[SEED_LOW] = seed & LOW_32
-    counters[SEED_HIGH] = seed >> 32
-    counters[STREAM] = stream
+    counters[kernel.FREE_MINDS] = capacity
+    counters[kernel.FREE_INSTANCES] = instances
+    counters[kernel.SEED_LOW] = seed & LOW_32
+    counters[kernel.SEED_HIGH] = seed >> 32
+    counters[kernel.STREAM] = stream
     return MindArrays(
         mind_id=np.full(capacity, -1, np.int64),
         values=np.full((capacity, len(scheme.start)), np.nan),
@@ -152,8 +144,8 @@ def grown(scheme: SchemeArrays, minds: MindArrays, capacity: int) -> MindArrays:
     for array, old in zip(larger, minds, strict=True):
         array[: len(old)] = old
     for stack, old, count in (
-        (larger.free_minds, minds.free_minds, FREE_MINDS),
-        (larger.free_instances, minds.free_instances, FREE_INSTANCES),
+        (larger.free_minds, minds.free_minds, kernel.FREE_MINDS),
+        (larger.free_instances, minds.free_instances, kernel.FREE_INSTANCES),
     ):
         free = int(minds.counters[count])
         added = len(stack) - len(old)

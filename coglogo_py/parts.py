@@ -10,14 +10,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from coglogo_py.border.errors import SchemeError, shown
 from coglogo_py.border.numbers import is_truth
 from coglogo_py.decision import DecisionMaker
-from coglogo_py.files.checks import (
-    checked_colour,
-    checked_name,
-    checked_names,
-    checked_number,
-    checked_position,
-    checked_weights,
-)
+from coglogo_py.files import checks
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
@@ -166,7 +159,7 @@ class Role:
 
     def __post_init__(self) -> None:
         where = f"role {self.name!r}"
-        checked_name(self.name, "a role")
+        checks.checked_name(self.name, "a role")
         settle(self, "culturons", described_once(self.culturons, Culturon, "culturon", where))
 
 
@@ -192,7 +185,7 @@ class Group:
     roles: tuple[Role, ...] = ()
 
     def __post_init__(self) -> None:
-        checked_name(self.name, "a group")
+        checks.checked_name(self.name, "a group")
         roles = described_once(self.roles, Role, "role", f"group {self.name!r}")
         described: dict[str, list[Culturon]] = {}
         for role in roles:
@@ -268,15 +261,17 @@ def plain_fields(described: DataclassInstance) -> tuple[object, ...]:
 
 def _check_links(holder: Cogniton | Culturon, where: str) -> None:
     """Check and settle the fields that cognitons and culturons have in common."""
-    checked_name(holder.name, f"a {where.split()[0]}")
-    settle(holder, "start_value", checked_number(holder.start_value, f"start_value of {where}"))
-    settle(holder, "colour", checked_colour(holder.colour, where))
+    checks.checked_name(holder.name, f"a {where.split()[0]}")
+    settle(
+        holder, "start_value", checks.checked_number(holder.start_value, f"start_value of {where}")
+    )
+    settle(holder, "colour", checks.checked_colour(holder.colour, where))
     if holder.position is not None:
-        settle(holder, "position", checked_position(holder.position, where))
+        settle(holder, "position", checks.checked_position(holder.position, where))
     for links in ("influence", "reinforcement"):
-        weights = checked_weights(getattr(holder, links), f"{links} links of {where}")
+        weights = checks.checked_weights(getattr(holder, links), f"{links} links of {where}")
         settle(holder, links, weights)
-    plans = checked_names(holder.conditional, f"conditional links of {where}")
+    plans = checks.checked_names(holder.conditional, f"conditional links of {where}")
     settle(holder, "conditional", tuple(dict.fromkeys(plans)))
 
 

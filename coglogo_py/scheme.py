@@ -19,11 +19,7 @@ from typing import TYPE_CHECKING
 
 from coglogo_py.border.errors import SchemeError
 from coglogo_py.decision import DecisionMaker, MaximumWeight
-from coglogo_py.files.checks import (
-    checked_name,
-    checked_names,
-    checked_position,
-)
+from coglogo_py.files import checks
 from coglogo_py.files.reading import text_in
 from coglogo_py.parts import (
     Cogniton,
@@ -76,7 +72,7 @@ class CognitiveScheme:
     repeated: tuple[str, ...] = field(default=(), repr=False)
 
     def __post_init__(self) -> None:
-        checked_name(self.name, "a scheme")
+        checks.checked_name(self.name, "a scheme")
         where = f"scheme {self.name!r}"
         settle(self, "cognitons", described_once(self.cognitons, Cogniton, "cogniton", where))
         settle(self, "groups", described_once(self.groups, Group, "group", where))
@@ -85,17 +81,17 @@ class CognitiveScheme:
                 f"decision maker {self.decision_maker!r} of {where}",
                 "a decision maker such as MaximumWeight()",
             )
-        settle(self, "breeds", checked_names(self.breeds, f"breeds of {where}"))
-        settle(self, "repeated", checked_names(self.repeated, f"repeated names of {where}"))
+        settle(self, "breeds", checks.checked_names(self.breeds, f"breeds of {where}"))
+        settle(self, "repeated", checks.checked_names(self.repeated, f"repeated names of {where}"))
         if not isinstance(self.plan_positions, Mapping):
             raise SchemeError(f"{self.plan_positions!r} as plan positions", "plan → (x, y)")
         positions = {
-            checked_name(plan, "a plan"): checked_position(xy, f"plan {plan!r}")
+            checks.checked_name(plan, "a plan"): checks.checked_position(xy, f"plan {plan!r}")
             for plan, xy in self.plan_positions.items()
         }
         settle(self, "plan_positions", MappingProxyType(positions))
         if self.plan_order is not None:
-            order = checked_names(self.plan_order, f"plan_order of {where}")
+            order = checks.checked_names(self.plan_order, f"plan_order of {where}")
             if len(set(order)) < len(order):
                 raise SchemeError(f"plan_order {list(order)} of {where}", "each plan once")
             settle(self, "plan_order", order)
@@ -104,14 +100,8 @@ class CognitiveScheme:
         if not isinstance(other, CognitiveScheme):
             return NotImplemented
         described = (
-            "name",
-            "cognitons",
-            "groups",
-            "decision_maker",
-            "breeds",
-            "plan_positions",
-            "plans",
-        )
+            "name", "cognitons", "groups", "decision_maker", "breeds", "plan_positions", "plans",
+        )  # fmt: skip
         return all(getattr(self, each) == getattr(other, each) for each in described)
 
     def __hash__(self) -> int:

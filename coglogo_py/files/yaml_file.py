@@ -18,14 +18,8 @@ from coglogo_py.files.yaml_nodes import NOTHING, TRUTH, Nodes, composed
 from coglogo_py.parts import GREY, AScheme, Cogniton, Culturon, Group, Role, Scheme
 
 TOP_FIELDS = (
-    "name",
-    "decision_maker",
-    "breeds",
-    "plans",
-    "plan_positions",
-    "cognitons",
-    "groups",
-)
+    "name", "decision_maker", "breeds", "plans", "plan_positions", "cognitons", "groups",
+)  # fmt: skip
 LINK_FIELDS = ("influence", "conditional", "reinforcement")
 CULTURON_FIELDS = ("start", "colour", "position", *LINK_FIELDS)
 COGNITON_FIELDS = ("at_birth", *CULTURON_FIELDS)

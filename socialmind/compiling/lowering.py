@@ -194,9 +194,6 @@ class _Lowering(ast.NodeTransformer):
     def lower_id(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Attribute(self.visit(node.value), "_id", ast.Load())
 
-    def lower_mind_of(self, node: ast.Attribute) -> ast.expr:
-        return self.visit(node.value)
-
     def lower_plan(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Attribute(self.visit(node.value), "_plan", ast.Load())
 
@@ -224,31 +221,21 @@ class _Lowering(ast.NodeTransformer):
     lower_run_plan = lower_method
 
     def lower_mind(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
-        if isinstance(node, ast.Attribute):
-            return self.lower_mind_of(node)
-        _, population, method, places = mark
-        arguments = [
-            self.visit(argument)
-            if place is None
-            else self.lower_name(node, ("name", population, place))
-            for argument, place in zip(node.args, places, strict=True)
-        ]
-        agent = self.visit(node.func.value)
-        return _call(f"_mind_{method}_{population}", agent, *arguments)
-
-    def lower_hierarchy(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        """Lower a mind or a hierarchy, or what it is asked by a function of the same name."""
         if isinstance(node, ast.Attribute):
             # A hierarchy is reached by the number of its agent.
-            return ast.Attribute(self.visit(node.value), "_slot", ast.Load())
-        _, population, method, places = mark
+            agent = self.visit(node.value)
+            return ast.Attribute(agent, "_slot", ast.Load()) if mark[0] == "hierarchy" else agent
+        kind, population, method, places = mark
         arguments = [
             self.visit(argument)
             if place is None
             else self.lower_name(node, ("name", population, place))
             for argument, place in zip(node.args, places, strict=True)
         ]
-        agent = self.visit(node.func.value)
-        return _call(f"_hierarchy_{method}_{population}", agent, *arguments)
+        return _call(f"_{kind}_{method}_{population}", self.visit(node.func.value), *arguments)
+
+    lower_hierarchy = lower_mind
 
     def lower_draw(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]

@@ -101,8 +101,7 @@ class MindDescription:
             "variable": self.variables,
             "skill": self.skills,
         }
-        links: list[Any] = [*skill.inputs, *skill.outputs]
-        for link in links:
+        for link in skill.links:
             if link.name not in known[link.module]:
                 names = known[link.module]
                 raise skill.refused(
@@ -228,8 +227,7 @@ class MindDescription:
                 waiting += known[name].subskills
         needed: dict[str, dict[str, None]] = {"sensor": {}, "actuator": {}, "variable": {}}
         for skill in found.values():
-            links: list[Any] = [*skill.inputs, *skill.outputs]
-            for link in links:
+            for link in skill.links:
                 if link.module in needed:
                     needed[link.module][link.name] = None
         return MindDescription(

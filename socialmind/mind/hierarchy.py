@@ -15,17 +15,10 @@ from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind import variants
 from socialmind.mind.code.drive import AgentHierarchy
 from socialmind.mind.description import MindDescription
+from socialmind.mind.evaluation import state as states
 from socialmind.mind.evaluation.agent_state import Readings
 from socialmind.mind.evaluation.arrays import assemble, master_of
 from socialmind.mind.evaluation.running_skill import RunningSkill
-from socialmind.mind.evaluation.state import (
-    Record,
-    State,
-    copied,
-    new_state,
-    restored,
-    societies_of,
-)
 from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.reach import ROUNDING
 from socialmind.mind.links import Input
@@ -81,7 +74,7 @@ class Hierarchy(Closed, Readings):
         self.drive = drive
         self.assembly = assemble(description, self.master, drive is not None, observed=True)
         self._genomes = {name: description.skills[name].genome for name in self.assembly.skills}
-        self._record = Record(self.assembly, np.zeros(0, np.int64))
+        self._record = states.Record(self.assembly, np.zeros(0, np.int64))
         self._steps = Steps(
             self.assembly,
             self._record,
@@ -123,7 +116,8 @@ class Hierarchy(Closed, Readings):
         checked = {name: self._checked(name, value) for name, value in sensors.items()}
         for name, value in checked.items():
             values[places[name]] = value
-        self._check_genomes()
+        if self._unset:
+            raise self.description.skills[next(iter(self._unset))].without_genome()
         try:
             self._steps.evaluate(0)
         except ValueError as error:
@@ -144,21 +138,11 @@ class Hierarchy(Closed, Readings):
             raise ModelError(f"{value!r} for the sensor {name!r}", "a number, 0 … 1")
         return min(max(number, 0.0), 1.0)
 
-    def _check_genomes(self) -> None:
-        if self._unset:
-            name = next(iter(self._unset))
-            skill = self.description.skills[name]
-            raise skill.refused(
-                "without a genome",
-                f"{skill.genome_size} weights",
-                "set it, or call randomise(seed)",
-            )
-
     def reset(self) -> None:
         """Put the mind back to before its first evaluation; genomes stay."""
         self._tick = 0
-        self._state = new_state(self.assembly, 1, 1, False, 0)
-        self._societies = societies_of(self.assembly, self.seed, 1)
+        self._state = states.new_state(self.assembly, 1, 1, False, 0)
+        self._societies = states.societies_of(self.assembly, self.seed, 1)
         self._record.connect(1, self._state, self._societies)
         self._steps.connect(self._state, self._societies)
         self._sensor_places = {name: place for place, name in enumerate(self.description.sensors)}
@@ -172,7 +156,7 @@ class Hierarchy(Closed, Readings):
     # Looking ----------------------------------------------------------------------------------
 
     @property
-    def _read(self) -> State:
+    def _read(self) -> states.State:
         return self._state
 
     @property
@@ -271,11 +255,11 @@ class Hierarchy(Closed, Readings):
 
     def _state_of(self) -> dict[str, Any]:
         schemes = [society.state() for society in self._societies]
-        return {"tick": self.tick, "state": copied(self._state), "schemes": schemes}
+        return {"tick": self.tick, "state": states.copied(self._state), "schemes": schemes}
 
     def _restore(self, state: Mapping[str, Any]) -> None:
         self._tick = state["tick"]
-        self._state = restored(self._state, state["state"])
+        self._state = states.restored(self._state, state["state"])
         for society, one in zip(self._societies, state["schemes"], strict=True):
             society.restore(one)
         self._record.connect(1, self._state, self._societies)

@@ -14,16 +14,9 @@ from coglogo_py.border.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind.code.mind_code import MindCode
 from socialmind.mind.description import MindDescription
+from socialmind.mind.evaluation import state as states
 from socialmind.mind.evaluation.arrays import Assembly, assemble, master_of
 from socialmind.mind.evaluation.failures import failure_of, failure_of_drive, failure_of_regulation
-from socialmind.mind.evaluation.state import (
-    Record,
-    kept,
-    new_state,
-    restore_societies,
-    restored,
-    societies_of,
-)
 from socialmind.mind.kernel.layout import LIVES, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.regulation import Counter
@@ -87,15 +80,18 @@ class Minds(Closed):
         self.own_genomes = own_genomes
         self.seed = seed
         self.drive = drive
-        self.unset = _unset(self.assembly)
+        skills = description.skills
+        self.unset = {name for name in self.assembly.skills if skills[name].genome_size}
         self._evaluate: Any = None
         self._code = MindCode(self.assembly, drive)
-        self._record = Record(self.assembly, self._code.names)
-        one = new_state(self.assembly, 1, 1, own_genomes, 0)
+        self._record = states.Record(self.assembly, self._code.names)
+        one = states.new_state(self.assembly, 1, 1, own_genomes, 0)
         needed = agents * sum(array.nbytes for array in one)
         check_memory(needed, f"{agents} minds {description.name!r}", SocialmindError)
-        self.state_arrays = new_state(self.assembly, agents, self.lanes, own_genomes, instances)
-        self.societies = societies_of(self.assembly, seed, agents)
+        self.state_arrays = states.new_state(
+            self.assembly, agents, self.lanes, own_genomes, instances
+        )
+        self.societies = states.societies_of(self.assembly, seed, agents)
         self._record.connect(agents, self.state_arrays, self.societies)
         for name in self.assembly.skills:
             genome = description.skills[name].genome
@@ -140,7 +136,7 @@ class Minds(Closed):
                 which leaves the step half done: go back by `restore` or `reset`.
         """
         if self.unset:
-            raise _no_genome(self.description, next(iter(self.unset)))
+            raise self.description.skills[next(iter(self.unset))].without_genome()
         blocks = len(self.state_arrays.fresh)
         if self._evaluate is None:
             self._evaluate = self._code.module.evaluate.ctypes
@@ -287,7 +283,7 @@ class Minds(Closed):
             worlds: how many; agents and instances are shared out among them evenly.
             population: the population's name, as in a model.
         """
-        self.societies = societies_of(self.assembly, self.seed, self.agents, population)
+        self.societies = states.societies_of(self.assembly, self.seed, self.agents, population)
         for society in self.societies:
             society.minds.mind_id[: self.agents] = np.arange(self.agents) % (self.agents // worlds)
         self._record.divide(worlds, np.zeros((self.agents, 2), np.int64))
@@ -343,13 +339,13 @@ class Minds(Closed):
             ModelError: there is no such agent.
         """
         if agents is None:
-            fresh = new_state(
+            fresh = states.new_state(
                 self.assembly, self.agents, self.lanes, False, len(self.state_arrays.instances)
             )
             for name in (*LIVES, "instances", "now"):
                 if name not in ("group", "participation"):
                     getattr(self.state_arrays, name)[...] = getattr(fresh, name)
-            self.societies = societies_of(self.assembly, self.seed, self.agents)
+            self.societies = states.societies_of(self.assembly, self.seed, self.agents)
             self._record.connect(self.agents, self.state_arrays, self.societies)
             return
         renew = self._code.module.renew.ctypes
@@ -358,7 +354,7 @@ class Minds(Closed):
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return copies of all arrays that change, by name; `restore` takes them back."""
-        return kept(self.state_arrays, self.societies)
+        return states.kept(self.state_arrays, self.societies)
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take back what `state` returned.
@@ -375,8 +371,8 @@ class Minds(Closed):
                     f"{own.shape}, that of {self!r}",
                     "restore a state of as many agents and lanes with the same hierarchy",
                 )  # fmt: skip
-        self.state_arrays = restored(self.state_arrays, state)
-        restore_societies(self.societies, state)
+        self.state_arrays = states.restored(self.state_arrays, state)
+        states.restore_societies(self.societies, state)
         self._record.connect(self.agents, self.state_arrays, self.societies)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -427,12 +423,6 @@ def _remade(settings: tuple[Any, ...], unset: set[str], state: Mapping[str, NDAr
     return made
 
 
-def _unset(assembly: Assembly) -> set[str]:
-    """Return the skills whose genomes must be set before anything can be evaluated."""
-    skills = assembly.description.skills
-    return {name for name in assembly.skills if skills[name].genome_size}
-
-
 def _numbers(values: Any, what: str) -> NDArray[np.float64]:
     """Return values as an array of numbers.
 
@@ -443,14 +433,6 @@ def _numbers(values: Any, what: str) -> NDArray[np.float64]:
         return np.asarray(values, float)
     except (TypeError, ValueError):
         raise ModelError(f"{values!r} for {what}", "numbers") from None
-
-
-def _no_genome(description: MindDescription, skill: str) -> ModelError:
-    return description.skills[skill].refused(
-        "without a genome",
-        f"{description.skills[skill].genome_size} weights",
-        "set it, or call randomise(seed)",
-    )
 
 
 def _place(modules: Mapping[str, Any], name: str, what: str) -> int:

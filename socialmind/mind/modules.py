@@ -215,6 +215,11 @@ class Skill:
         weights.setflags(write=False)
         return weights
 
+    def without_genome(self) -> ModelError:
+        """Return the error that its weights must be set before it is evaluated."""
+        remedy = "set it, or call randomise(seed)"
+        return self.refused("without a genome", f"{self.genome_size} weights", remedy)
+
     def refused(
         self, what: str, expected: str | None = None, remedy: str | None = None,
         line: int | None = None,
@@ -225,17 +230,17 @@ class Skill:
 
     def changed(self, **fields: Any) -> Skill:
         """Return the skill with other fields; a genome that no longer fits must be given anew."""
-        own: dict[str, Any] = {
-            "name": self.name, "inputs": self.inputs, "outputs": self.outputs,
-            "function": self.function, "genome": self.genome, "file": self.file,
-            "line": self.line,
-        }  # fmt: skip
-        return Skill(**(own | fields))
+        return replace(self, **fields)
 
     @property
     def subskills(self) -> tuple[str, ...]:
         """The names of the skills that it influences, in the order of its outputs."""
         return tuple(output.name for output in self.outputs if output.module == "skill")
+
+    @property
+    def links(self) -> tuple[Input | Output, ...]:
+        """What it reads, then where its outputs go."""
+        return (*self.inputs, *self.outputs)
 
     @property
     def is_complex(self) -> bool:

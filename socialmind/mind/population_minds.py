@@ -11,15 +11,8 @@ from numpy.typing import NDArray
 from socialmind.errors import ModelError
 from socialmind.mind.code.drive import AgentHierarchy
 from socialmind.mind.code.mind_code import MindCode
+from socialmind.mind.evaluation import state as states
 from socialmind.mind.evaluation.arrays import Assembly
-from socialmind.mind.evaluation.state import (
-    Record,
-    kept,
-    new_state,
-    restore_societies,
-    restored,
-    societies_of,
-)
 from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.layout import LIVES
 
@@ -57,9 +50,9 @@ class PopulationMinds:
         self.seed = seed
         self.instances = instances
         self.code = MindCode(assembly, drive)
-        self.record = Record(assembly, self.code.names)
-        self.state = new_state(assembly, capacity, 1, own_genomes, instances)
-        self.societies = societies_of(assembly, seed, capacity, population)
+        self.record = states.Record(assembly, self.code.names)
+        self.state = states.new_state(assembly, capacity, 1, own_genomes, instances)
+        self.societies = states.societies_of(assembly, seed, capacity, population)
         self.steps: Steps | None = None
         self.tick = tick
         for name in assembly.skills:
@@ -151,7 +144,7 @@ class PopulationMinds:
         self._connect()
 
     def _fresh(self, capacity: int) -> Any:
-        return new_state(self.assembly, capacity, 1, self.own_genomes, self.instances)
+        return states.new_state(self.assembly, capacity, 1, self.own_genomes, self.instances)
 
     # Genomes ----------------------------------------------------------------------------------
 
@@ -190,11 +183,11 @@ class PopulationMinds:
 
     def snapshot(self) -> dict[str, NDArray[Any]]:
         """Return copies of the arrays that a checkpoint keeps."""
-        return kept(self.state, self.societies)
+        return states.kept(self.state, self.societies)
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Take the arrays of a checkpoint."""
-        state = restored(self.state, arrays)
+        state = states.restored(self.state, arrays)
         wanted = len(state.fresh) if self.own_genomes else 1
         if len(state.genome) != wanted:
             raise ModelError(f"a state with {len(state.genome)} genomes", str(wanted))
@@ -203,5 +196,5 @@ class PopulationMinds:
             if len(minds) < len(state.fresh):
                 raise ModelError(f"a state with {len(minds)} minds", f"{len(state.fresh)} or more")
         self.state = state
-        restore_societies(self.societies, arrays)
+        states.restore_societies(self.societies, arrays)
         self._connect()

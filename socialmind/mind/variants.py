@@ -148,8 +148,7 @@ def duplicates(
     met: set[str] = set()
     for one in reversed(below):
         skill = description.skills[one]
-        links: list[Any] = [*skill.inputs, *skill.outputs]
-        own = {link.name for link in links if link.module != "skill"} & set(modules)
+        own = {link.name for link in skill.links if link.module != "skill"} & set(modules)
         if own or any(child in other for child in skill.subskills):
             met |= own
             other[one] = renamed(one)
@@ -183,8 +182,7 @@ def _parts(other: Skill | Trained) -> tuple[str, list[Skill], dict[str, Any]]:
         raise ModelError(f"{other!r} as a skill", "a Skill or a Hierarchy")
     description = other.trained()
     skills = [description.skills[name] for name in description.below(other.master)]
-    links: list[Any] = [link for one in skills for link in (*one.inputs, *one.outputs)]
-    read = {(link.module, link.name) for link in links}
+    read = {(link.module, link.name) for one in skills for link in one.links}
     modules = {
         f"{what}s": [one for name, one in some.items() if (what, name) in read]
         for what, some in (

@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,36 +29,15 @@ if TYPE_CHECKING:
     from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 
-TAKEN_NAMES = frozenset(
-    (
-        "id",
-        "mind",
-        "plan",
-        "run_plan",
-        "die",
-        "hatch",
-        "hierarchy",
-        "minds",
-        "acting",
-        "alive",
-        "columns",
-        "counters",
-        "default",
-        "dtype",
-        "free",
-        "model",
-        "order",
-        "row_class",
-        "rows",
-        "shape",
-        "slot_of",
-        "society",
-        "weighing",
-    )
-)
+TAKEN_NAMES = frozenset((
+    "id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy", "minds", "acting", "alive",
+    "columns", "counters", "default", "dtype", "free", "model", "order", "row_class", "rows",
+    "shape", "slot_of", "society", "weighing",
+))  # fmt: skip
 """What an agent, and a population's table, keep under these names beside its methods."""
 
 
+@dataclass(eq=False, repr=False)
 class Population:
     """The declaration of a population, as an attribute of a model.
 
@@ -83,40 +63,26 @@ class Population:
             (`{"Fear": (0.0, 10.0)}`); `explain` proposes no change beyond them.
     """
 
-    def __init__(
-        self,
-        agent: type,
-        size: int | str,
-        mind: str | Path | CognitiveScheme | None = None,
-        plans: Mapping[str, Callable[..., Any]] | None = None,
-        decision_makers: tuple[Any, ...] = (),
-        hierarchy: str | Path | MindDescription | None = None,
-        master: str | None = None,
-        drive: Callable[..., None] | None = None,
-        own_genomes: bool = False,
-        instances: int = 0,
-        weighing: Weighing | None = None,
-        body: Disc | None = None,
-        sensors: Mapping[str, Sense | RangeFinder] | None = None,
-        actuators: Mapping[str, Act] | None = None,
-        bounds: Mapping[str, tuple[float, float]] | None = None,
-    ) -> None:
-        self.agent = agent
-        self.size = size
-        self.mind = mind
-        self.plans = dict(plans or {})
-        self.decision_makers = decision_makers
-        self.hierarchy = hierarchy
-        self.master = master
-        self.drive = drive
-        self.own_genomes = own_genomes
-        self.instances = instances
-        self.weighing = weighing
-        self.body = body
-        self.sensors = dict(sensors or {})
-        self.actuators = dict(actuators or {})
-        self.bounds = dict(bounds or {})
-        self.name = ""
+    agent: type
+    size: int | str
+    mind: str | Path | CognitiveScheme | None = None
+    plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    decision_makers: tuple[Any, ...] = ()
+    hierarchy: str | Path | MindDescription | None = None
+    master: str | None = None
+    drive: Callable[..., None] | None = None
+    own_genomes: bool = False
+    instances: int = 0
+    weighing: Weighing | None = None
+    body: Disc | None = None
+    sensors: Mapping[str, Sense | RangeFinder] = field(default_factory=dict)
+    actuators: Mapping[str, Act] = field(default_factory=dict)
+    bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    name: str = field(default="", init=False)
+
+    def __post_init__(self) -> None:
+        for name in ("plans", "sensors", "actuators", "bounds"):
+            setattr(self, name, dict(getattr(self, name) or {}))
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -150,13 +116,13 @@ class Population:
                     "a smallest and a largest value of a cogniton of its minds",
                     "write bounds={'Fear': (0.0, 10.0)}",
                 )
-        for field in class_fields(self.agent).values():
-            file, line = place_of_field(self.agent, field.name)
-            found = f"a field called {field.name!r}"
-            if field.name in TAKEN_NAMES or hasattr(Table, field.name):
+        for held in class_fields(self.agent).values():
+            file, line = place_of_field(self.agent, held.name)
+            found = f"a field called {held.name!r}"
+            if held.name in TAKEN_NAMES or hasattr(Table, held.name):
                 expected = "a name that agents and populations do not use"
                 raise ModelError(found, expected, None, file, line)
-            if field.name in Agent.__annotations__ and (field.storage, field.size) != ("f8", None):
+            if held.name in Agent.__annotations__ and (held.storage, held.size) != ("f8", None):
                 raise ModelError(found, "a float, as in every agent", None, file, line)
 
     def _check_hierarchy(self) -> None:

@@ -10,22 +10,8 @@ from numpy.typing import NDArray
 
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
+from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
-from socialmind.agents.bookkeeping import (
-    ALIVE,
-    COUNT,
-    ENTRIES,
-    FREE,
-    NEXT_ID,
-    SIZE,
-    born,
-    died,
-    is_living,
-    nth_living,
-    settle,
-    short_of_room,
-    slot_of_agent,
-)
 from socialmind.agents.rows import Row, held_class, row_class
 from socialmind.columns import check_fields, column, columns_of
 from socialmind.compiling.layout import row_dtype
@@ -44,12 +30,10 @@ if TYPE_CHECKING:
     from socialmind.mind.weighing import WeighingPlaces
 
 
-KEPT_BY_TABLES = frozenset(
-    (
-        "acting", "alive", "columns", "counters", "default", "dtype", "free", "minds", "model",
-        "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
-    )
-)  # fmt: skip
+KEPT_BY_TABLES = frozenset((
+    "acting", "alive", "columns", "counters", "default", "dtype", "free", "minds", "model",
+    "order", "row_class", "rows", "shape", "slot_of", "society", "weighing",
+))  # fmt: skip
 """What a table keeps under names without an underscore; users assign to fields alone."""
 
 
@@ -103,15 +87,17 @@ class Table:
         self.alive = np.zeros(capacity, np.bool_)
         self.slot_of = np.full(capacity, -1, np.int64)
         self.free = np.arange(capacity - 1, -1, -1, dtype=np.int64)
-        self.counters = np.zeros(SIZE, np.int64)
+        self.counters = np.zeros(bookkeeping.SIZE, np.int64)
         # The founders take the first slots, in order.
         self.rows[:size] = self.default[0]
         founders = np.arange(size)
         for array in (self.order, self.slot_of, self.rows["_slot"], self.rows["_id"]):
             array[:size] = founders
         self.alive[:size] = True
-        self.counters[FREE] = capacity - size
-        self.counters[[COUNT, ENTRIES, ALIVE, NEXT_ID]] = size
+        self.counters[bookkeeping.FREE] = capacity - size
+        self.counters[
+            [bookkeeping.COUNT, bookkeeping.ENTRIES, bookkeeping.ALIVE, bookkeeping.NEXT_ID]
+        ] = size
         if society is not None:
             self.rows["_mind"][:size] = society.new_minds(size)
         self.weighing: WeighingPlaces | None = None
@@ -135,17 +121,17 @@ class Table:
     # The living -------------------------------------------------------------------------------
 
     def __len__(self) -> int:
-        return int(self.counters[ALIVE])
+        return int(self.counters[bookkeeping.ALIVE])
 
     def __iter__(self) -> Iterator[Any]:
-        for place in range(int(self.counters[ENTRIES])):
+        for place in range(int(self.counters[bookkeeping.ENTRIES])):
             slot = int(self.order[place])
             if self.alive[slot]:
                 yield self.row_class(self, slot)
 
     def __getitem__(self, identity: int) -> Any:
         try:
-            slot = int(slot_of_agent(self.slot_of, int(identity)))
+            slot = int(bookkeeping.slot_of_agent(self.slot_of, int(identity)))
         except IndexError:
             raise IndexError(
                 f"no living agent of {self.shape.name!r} has the identity {identity}"
@@ -233,7 +219,7 @@ class Table:
                     f"{seen[int(identity)]}; expected one row for each"
                 )
             seen[int(identity)] = row
-            slots[row] = slot_of_agent(self.slot_of, int(identity))
+            slots[row] = bookkeeping.slot_of_agent(self.slot_of, int(identity))
         self._put(columns, slots)
 
     def _put(self, fields: Mapping[str, Any], slots: NDArray[np.int64]) -> None:
@@ -283,7 +269,7 @@ class Table:
     @property
     def slots(self) -> NDArray[np.int64]:
         """The slots of the living, in order of birth."""
-        order = self.order[: int(self.counters[ENTRIES])]
+        order = self.order[: int(self.counters[bookkeeping.ENTRIES])]
         return order[self.alive[order]]
 
     def cogniton(self, name: str) -> NDArray[np.float64]:
@@ -304,14 +290,16 @@ class Table:
 
     def contains(self, identity: int) -> bool:
         """Say whether an agent of this identity lives."""
-        return bool(is_living(self.slot_of, identity))
+        return bool(bookkeeping.is_living(self.slot_of, identity))
 
     def one_of(self, rng: Any) -> Any:
         """Return an agent drawn at random from the living."""
         if not len(self):
             raise ValueError("one_of() of a population without agents")
         place = rng.integers(0, len(self))
-        return self.row_class(self, int(nth_living(self.counters, self.order, self.alive, place)))
+        return self.row_class(
+            self, int(bookkeeping.nth_living(self.counters, self.order, self.alive, place))
+        )
 
     # Births and deaths ------------------------------------------------------------------------
 
@@ -345,31 +333,33 @@ class Table:
         """Take an agent out of the world; its mind leaves its groups."""
         slot = agent._slot
         if self.alive[slot]:
-            died(self.counters, self.alive, self.slot_of, slot, agent.id)
+            bookkeeping.died(self.counters, self.alive, self.slot_of, slot, agent.id)
             if self.society is not None:
                 self.mind_of(slot).die()
                 self.columns["_mind"][slot] = -1
 
     def _place(self) -> int:
-        slot = int(born(self.counters, self.order, self.alive, self.slot_of, self.free))
+        slot = int(bookkeeping.born(self.counters, self.order, self.alive, self.slot_of, self.free))
         if slot < 0:
             self.grow()
-            slot = int(born(self.counters, self.order, self.alive, self.slot_of, self.free))
+            slot = int(
+                bookkeeping.born(self.counters, self.order, self.alive, self.slot_of, self.free)
+            )
         return slot
 
     def _named(self, slot: int) -> Any:
         self.columns["_slot"][slot] = slot
-        self.columns["_id"][slot] = self.counters[NEXT_ID] - 1
+        self.columns["_id"][slot] = self.counters[bookkeeping.NEXT_ID] - 1
         return self.row_class(self, slot)
 
     def settle(self) -> None:
         """End a tick: the dead leave, the new-born act from now on."""
-        settle(self.counters, self.order, self.alive, self.free)
+        bookkeeping.settle(self.counters, self.order, self.alive, self.free)
 
     @property
     def short_of_room(self) -> bool:
         """Whether the next tick could bring more births than there is room for."""
-        return bool(short_of_room(self.counters, self.slot_of))
+        return bool(bookkeeping.short_of_room(self.counters, self.slot_of))
 
     def grow(self) -> None:
         """Make room for twice as many agents (the new slots are taken last)."""
@@ -385,11 +375,11 @@ class Table:
         self.slot_of = identities
         free = np.zeros(capacity, np.int64)
         added = capacity - old
-        count = int(self.counters[FREE])
+        count = int(self.counters[bookkeeping.FREE])
         free[:added] = np.arange(capacity - 1, old - 1, -1)
         free[added : added + count] = self.free[:count]
         self.free = free
-        self.counters[FREE] = count + added
+        self.counters[bookkeeping.FREE] = count + added
         self._see_columns()
         if self.society is not None:
             self.society.reserve(added)
@@ -431,7 +421,7 @@ class Table:
     @property
     def acting_order(self) -> NDArray[np.int64]:
         """The slots of those who act in this tick, in order of birth (a copy)."""
-        return self.order[: int(self.counters[COUNT])].copy()
+        return self.order[: int(self.counters[bookkeeping.COUNT])].copy()
 
     def mind_of(self, slot: int) -> Mind:
         """Return the mind of the agent in a slot."""

@@ -7,18 +7,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from socialmind.errors import nearest
+from socialmind.language import types
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
-from socialmind.language.types import (
-    BOOL,
-    FLOAT,
-    INT,
-    NONE,
-    ArrayType,
-    PopulationType,
-    TableType,
-    Type,
-)
 from socialmind.language.typing import tables
 from socialmind.language.typing.operators import typed_power
 from socialmind.language.typing.signatures import MATH, WRITTEN, Signature
@@ -53,7 +44,7 @@ def fitted(typer: Typer, node: ast.Call, name: str, signature: Signature) -> lis
     return [
         typer.fitted(argument, kind, f"{name}()")
         for argument, kind in zip(node.args, wanted, strict=True)
-        if isinstance(kind, Type)
+        if isinstance(kind, types.Type)
     ]
 
 
@@ -61,7 +52,7 @@ def math_function(typer: Typer, node: ast.Call, name: str) -> Typed:
     """Return the call of a function of `math` as both speeds run it."""
     if name == "pow" and len(node.args) == 2:
         base, exponent = (
-            (typer.to_float(*typer.number(argument)), FLOAT) for argument in node.args
+            (typer.to_float(*typer.number(argument)), types.FLOAT) for argument in node.args
         )
         return typed_power(typer, node, base, exponent)
     if name == "log" and len(node.args) == 2:
@@ -82,16 +73,16 @@ def _only(typer: Typer, node: ast.Call, name: str) -> ast.expr:
 
 def _abs(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.number(_only(typer, node, "abs"))
-    return call("_absolute_int" if kind == INT else "_abs", [value], node), kind
+    return call("_absolute_int" if kind == types.INT else "_abs", [value], node), kind
 
 
 def _int(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.number(_only(typer, node, "int"))
-    return (value if kind == INT else call("_to_int", [value], node)), INT
+    return (value if kind == types.INT else call("_to_int", [value], node)), types.INT
 
 
 def _float(typer: Typer, node: ast.Call) -> Typed:
-    return typer.to_float(*typer.number(_only(typer, node, "float"))), FLOAT
+    return typer.to_float(*typer.number(_only(typer, node, "float"))), types.FLOAT
 
 
 def _bool(typer: Typer, node: ast.Call) -> Typed:
@@ -106,28 +97,28 @@ def _round(typer: Typer, node: ast.Call) -> Typed:
             "round when you print or plot; rules keep full precision",
         )
     value, kind = typer.number(_only(typer, node, "round"))
-    return (value if kind == INT else call("_round_half_even", [value], node)), INT
+    return (value if kind == types.INT else call("_round_half_even", [value], node)), types.INT
 
 
 def _extreme(name: str) -> Callable[[Typer, ast.Call], Typed]:
     def typed(typer: Typer, node: ast.Call) -> Typed:
         if len(node.args) == 1:
             value, kind = typer.several(node.args[0])
-            if isinstance(kind, TableType) and isinstance(kind.item, Type):
+            if isinstance(kind, types.TableType) and isinstance(kind.item, types.Type):
                 return call(f"_{name}_of", [value], node), kind.item
-            if not isinstance(kind, ArrayType):
+            if not isinstance(kind, types.ArrayType):
                 typer.refuse(
                     node,
                     f"the smallest or largest of {kind}",
                     "give two or more values, or an array field",
                 )
             made = call(f"_{name}_of", [value], node)
-            return marked(made, ("element", kind.of == BOOL)), kind.of
+            return marked(made, ("element", kind.of == types.BOOL)), kind.of
         if not node.args:
             typer.refuse(node, "no values", "give two or more values, or an array field")
         numbers = [typer.number(argument) for argument in node.args]
-        if any(kind == FLOAT for _, kind in numbers):
-            numbers = [(typer.to_float(value, kind), FLOAT) for value, kind in numbers]
+        if any(kind == types.FLOAT for _, kind in numbers):
+            numbers = [(typer.to_float(value, kind), types.FLOAT) for value, kind in numbers]
         result = numbers[0][0]
         for value, _ in numbers[1:]:
             result = call(f"_{name}", [result, value], node)
@@ -138,25 +129,27 @@ def _extreme(name: str) -> Callable[[Typer, ast.Call], Typed]:
 
 def _sum(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.several(_only(typer, node, "sum"))
-    if isinstance(kind, TableType) and kind.item in (BOOL, INT):
-        return call("_total_int", [tables.written(tuple(map(int, kind.values)), node)], node), INT
-    if isinstance(kind, TableType) and kind.item == FLOAT:
-        return call("_total", [value, constant(0.0, node)], node), FLOAT
-    if not isinstance(kind, ArrayType):
+    if isinstance(kind, types.TableType) and kind.item in (types.BOOL, types.INT):
+        return call(
+            "_total_int", [tables.written(tuple(map(int, kind.values)), node)], node
+        ), types.INT
+    if isinstance(kind, types.TableType) and kind.item == types.FLOAT:
+        return call("_total", [value, constant(0.0, node)], node), types.FLOAT
+    if not isinstance(kind, types.ArrayType):
         typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
-    if kind.of == FLOAT:
-        return call("_total", [value, constant(0.0, node)], node), FLOAT
-    return call("_total_int", [value], node), INT
+    if kind.of == types.FLOAT:
+        return call("_total", [value, constant(0.0, node)], node), types.FLOAT
+    return call("_total_int", [value], node), types.INT
 
 
 def _len(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.several(_only(typer, node, "len"))
-    if isinstance(kind, TableType):
-        return constant(len(kind.values), node), INT
-    if isinstance(kind, ArrayType):
-        return constant(kind.size, node), INT
-    if isinstance(kind, PopulationType):
-        return marked(call("_len", [value], node), ("count", kind.population)), INT
+    if isinstance(kind, types.TableType):
+        return constant(len(kind.values), node), types.INT
+    if isinstance(kind, types.ArrayType):
+        return constant(kind.size, node), types.INT
+    if isinstance(kind, types.PopulationType):
+        return marked(call("_len", [value], node), ("count", kind.population)), types.INT
     return typer.refuse(node, f"the length of {kind}", "count populations and array fields")
 
 
@@ -168,7 +161,7 @@ def _print(typer: Typer, node: ast.Call) -> Typed:
     if typer.program.compiled:
         typer.refuse(node, f"print() in the rule {typer.source.name!r}", NAMES["print"])
     values = [typer.expression(argument)[0] for argument in node.args]
-    return call("_print", values, node), NONE
+    return call("_print", values, node), types.NONE
 
 
 def _breakpoint(typer: Typer, node: ast.Call) -> Typed:
@@ -176,7 +169,7 @@ def _breakpoint(typer: Typer, node: ast.Call) -> Typed:
         typer.refuse(
             node, "breakpoint() in a compiled run", "run with --interpreted to step through"
         )
-    return call("_breakpoint", [], node), NONE
+    return call("_breakpoint", [], node), types.NONE
 
 
 BUILT_IN: dict[str, Callable[[Typer, ast.Call], Typed]] = {

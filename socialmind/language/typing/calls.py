@@ -7,30 +7,9 @@ import types as python_types
 from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import close, nearest
-from socialmind.language import hints
+from socialmind.language import hints, types
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
-from socialmind.language.types import (
-    BOOL,
-    FLOAT,
-    INT,
-    MODEL,
-    NONE,
-    AnyType,
-    HierarchyType,
-    MindType,
-    OptionalType,
-    PatchType,
-    PlanType,
-    PopulationType,
-    RowType,
-    TableType,
-    TextType,
-    TupleType,
-    Type,
-    WorldType,
-)
-from socialmind.language.types import RNG as RNG_TYPE
 from socialmind.language.typing.built_in import (
     BUILT_IN,
     built_in,
@@ -39,8 +18,8 @@ from socialmind.language.typing.built_in import (
     without_keywords,
 )
 from socialmind.language.typing.draws import typed_draw
-from socialmind.language.typing.hierarchies import hierarchy_call
-from socialmind.language.typing.signatures import CHOSEN, MIND, Signature
+from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
+from socialmind.language.typing.signatures import Signature
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -155,17 +134,17 @@ def helper(typer: Typer, node: ast.Call, function: Any, first: list[Typed] | Non
         )
     arguments: list[ast.expr] = []
     keywords: list[ast.keyword] = []
-    kinds: dict[str, AnyType] = {}
+    kinds: dict[str, types.AnyType] = {}
     # In the order in which they are written, which is the order in which Python finds their values.
     for place, (name, (value, kind)) in enumerate(given.items()):
-        if isinstance(kind, OptionalType):
+        if isinstance(kind, types.OptionalType):
             value, kind = typer.present(value, kind)
-        if kind == NONE or isinstance(kind, TupleType):
+        if kind == types.NONE or isinstance(kind, types.TupleType):
             typer.refuse(
                 node, f"{kind} for {name!r} of {source.name}()", "give each parameter one value"
             )
         kinds[name] = kind
-        if isinstance(kind, TextType | TableType):
+        if isinstance(kind, types.TextType | types.TableType):
             continue  # a constant is part of which function this is, not an argument of it
         if place < len(written):
             arguments.append(value)
@@ -185,21 +164,21 @@ def helper(typer: Typer, node: ast.Call, function: Any, first: list[Typed] | Non
 def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
     base, kind = typer.expression(func.value)
     name = func.attr
-    if kind == RNG_TYPE:
+    if kind == types.RNG:
         return typed_draw(typer, node, base, name)
-    if isinstance(kind, MindType):
-        return _mind(typer, node, base, kind, name)
-    if isinstance(kind, HierarchyType):
+    if isinstance(kind, types.MindType):
+        return mind_call(typer, node, base, kind, name)
+    if isinstance(kind, types.HierarchyType):
         return hierarchy_call(typer, node, base, kind, name)
-    if isinstance(kind, RowType):
+    if isinstance(kind, types.RowType):
         return _agent(typer, node, base, kind, name)
-    if isinstance(kind, PopulationType):
+    if isinstance(kind, types.PopulationType):
         return _population(typer, node, base, kind, name)
-    if isinstance(kind, WorldType):
+    if isinstance(kind, types.WorldType):
         return _world(typer, node, base, kind, name)
     if name in METHODS:
         typer.refuse(node, f".{name}() in a rule", METHODS[name])
-    if kind == MODEL:
+    if kind == types.MODEL:
         advice = f"write it as a function of the file, and call it: {name}(model)"
         if name in hints.MODEL and name not in hints.AGENT:
             advice = hints.for_model(typer, name)
@@ -207,62 +186,14 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
     return typer.refuse(node, f"{name}() of {kind}", "see docs/rules.md for what can be called")
 
 
-def _made(node: ast.Call, base: ast.expr, name: str, arguments: list[ast.expr], mark: Any) -> Any:
-    func = ast.copy_location(ast.Attribute(base, name, ast.Load()), node)
-    return marked(ast.copy_location(ast.Call(func, arguments, []), node), mark)
-
-
-def _mind(typer: Typer, node: ast.Call, base: ast.expr, kind: MindType, name: str) -> Typed:
-    if name not in MIND:
-        typer.refuse(node, f"the mind's {name}()", nearest(name, MIND))
-    without_keywords(typer, node, f"mind.{name}")
-    signature = MIND[name]
-    if len(node.args) != len(signature.arguments):
-        typer.refuse(
-            node,
-            f"{len(node.args)} arguments for mind.{name}()",
-            "see docs/coglogo_py.md",
-            f"{len(signature.arguments)}",
-        )
-    arguments: list[ast.expr] = []
-    places: list[int | None] = []
-    group = ""
-    for argument, wanted in zip(node.args, signature.arguments, strict=True):
-        if isinstance(wanted, Type):
-            arguments.append(typer.fitted(argument, wanted, f"mind.{name}()"))
-            places.append(None)
-            continue
-        value, found = typer.expression(argument)
-        if wanted.part == "plan" and isinstance(found, PlanType):
-            arguments.append(value)
-            places.append(None)
-            continue
-        if not isinstance(found, TextType):
-            typer.refuse(
-                argument,
-                f"{found} as the name of a {wanted.part}",
-                f"write the {wanted.part}'s name as a text",
-            )
-        group = found.value if wanted.part == "group" else group
-        keys = (group, found.value) if wanted.part in ("role", "culturon") else (found.value,)
-        arguments.append(constant(found.value, argument))
-        places.append(typer.name(argument, kind.population, wanted.part, keys))
-    result: AnyType = signature.result
-    if result == CHOSEN:
-        result = PlanType(kind.population)
-    return _made(
-        node, base, name, arguments, ("mind", kind.population, name, tuple(places))
-    ), result
-
-
-def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: RowType, name: str) -> Typed:
+def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, name: str) -> Typed:
     population = kind.population
     if name in ("die", "hatch"):
         typer.program.changes(population)
     if name == "die":
-        fitted(typer, node, "die", Signature((), NONE))
+        fitted(typer, node, "die", Signature((), types.NONE))
         without_keywords(typer, node, "die")
-        return _made(node, base, name, [], ("die", population)), NONE
+        return method_call(node, base, name, [], ("die", population)), types.NONE
     if name == "hatch":
         keep = False
         for keyword in node.keywords:
@@ -274,20 +205,20 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: RowType, name: st
                 keep = bool(keyword.value.value)
         _alone(typer, node, "hatch", f"{ast.unparse(base)}.hatch()")
         typer.program.bears(population)
-        made = _made(node, base, name, [constant(keep, node)], ("hatch", population, keep))
+        made = method_call(node, base, name, [constant(keep, node)], ("hatch", population, keep))
         return made, kind
     if name == "run_plan":
         if not typer.shape.populations[population].minded:
             typer.refuse(node, f"run_plan() of {kind}", "give the population a mind and plans")
         kinds = [typer.expression(argument) for argument in node.args]
-        if [found for _, found in kinds] != [MODEL, RNG_TYPE] or node.keywords:
+        if [found for _, found in kinds] != [types.MODEL, types.RNG] or node.keywords:
             typer.refuse(
                 node, "run_plan() with other arguments", "write agent.run_plan(model, rng)"
             )
         typer.program.runs_plans(population, typer, node)
-        return _made(
+        return method_call(
             node, base, name, [value for value, _ in kinds], ("run_plan", population)
-        ), NONE
+        ), types.NONE
     if name in typer.shape.populations[population].fields:
         typer.refuse(node, f"a call of the field {name!r}", "read it without ()")
     return typer.refuse(
@@ -312,24 +243,24 @@ def _alone(typer: Typer, node: ast.Call, name: str, written: str) -> None:
 
 
 def _population(
-    typer: Typer, node: ast.Call, base: ast.expr, kind: PopulationType, name: str
+    typer: Typer, node: ast.Call, base: ast.expr, kind: types.PopulationType, name: str
 ) -> Typed:
-    row = RowType(kind.population)
+    row = types.RowType(kind.population)
     if name == "create":
         _alone(typer, node, "create", f"new = model.{kind.population}.create()")
         typer.program.bears(kind.population)
         typer.program.changes(kind.population)
-        return _made(node, base, name, [], ("create", kind.population)), row
+        return method_call(node, base, name, [], ("create", kind.population)), row
     if name == "one_of":
         kinds = [typer.expression(argument) for argument in node.args]
-        if [found for _, found in kinds] != [RNG_TYPE]:
+        if [found for _, found in kinds] != [types.RNG]:
             typer.refuse(node, "one_of() without the random stream", "write model.cows.one_of(rng)")
-        return _made(node, base, name, [kinds[0][0]], ("one_of", kind.population)), row
+        return method_call(node, base, name, [kinds[0][0]], ("one_of", kind.population)), row
     if name == "contains":
-        index = [typer.fitted(argument, INT, "contains()") for argument in node.args]
+        index = [typer.fitted(argument, types.INT, "contains()") for argument in node.args]
         if len(index) != 1:
             typer.refuse(node, "contains() of other than one identity", "write contains(id)")
-        return _made(node, base, name, index, ("contains", kind.population)), BOOL
+        return method_call(node, base, name, index, ("contains", kind.population)), types.BOOL
     advice = close(name, ("create", "one_of", "contains")) if name not in hints.POPULATION else None
     return typer.refuse(
         node,
@@ -338,11 +269,11 @@ def _population(
     )
 
 
-def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: WorldType, name: str) -> Typed:
+def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: types.WorldType, name: str) -> Typed:
     world = typer.shape.world
     if name == "patch" and world.patch is not None:
-        arguments = fitted(typer, node, "patch", Signature((FLOAT, FLOAT), NONE))
-        return _made(node, base, name, arguments, ("patch_at",)), PatchType()
+        arguments = fitted(typer, node, "patch", Signature((types.FLOAT, types.FLOAT), types.NONE))
+        return method_call(node, base, name, arguments, ("patch_at",)), types.PatchType()
     if name in world.commands:
         return helper(typer, node, world.commands[name], first=[(base, kind)])
     if name in ("in_radius", "patches"):

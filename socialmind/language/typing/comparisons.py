@@ -6,18 +6,8 @@ import ast
 from typing import TYPE_CHECKING
 
 from socialmind.errors import nearest
+from socialmind.language import types
 from socialmind.language.nodes import Typed, constant, marked
-from socialmind.language.types import (
-    BOOL,
-    FLOAT,
-    ChoiceType,
-    OptionalType,
-    PlanType,
-    RowType,
-    TableType,
-    TextType,
-    TupleType,
-)
 from socialmind.language.typing import tables
 
 if TYPE_CHECKING:
@@ -40,23 +30,23 @@ def typed_comparison(typer: Typer, node: ast.Compare) -> Typed:
         return _identity(typer, node)
     typed = [typer.expression(side) for side in sides]
     kinds = [kind for _, kind in typed]
-    if any(isinstance(kind, ChoiceType) for kind in kinds):
+    if any(isinstance(kind, types.ChoiceType) for kind in kinds):
         return _choices(typer, node, typed)
-    if any(isinstance(kind, PlanType | TextType) for kind in kinds):
+    if any(isinstance(kind, types.PlanType | types.TextType) for kind in kinds):
         return _plans(typer, node, typed)
-    if any(isinstance(kind, TupleType | TableType) for kind in kinds):
+    if any(isinstance(kind, types.TupleType | types.TableType) for kind in kinds):
         advice = "compare them one by one: `x == 0 and y == 1`"
         typer.refuse(node, "several values in a comparison", advice)
-    if any(isinstance(kind, RowType) for kind in kinds):
+    if any(isinstance(kind, types.RowType) for kind in kinds):
         return _agents(typer, node, typed)
-    if len(typed) == 2 and kinds[0] == kinds[1] == BOOL:
-        return _compare(node, [value for value, _ in typed]), BOOL
+    if len(typed) == 2 and kinds[0] == kinds[1] == types.BOOL:
+        return _compare(node, [value for value, _ in typed]), types.BOOL
     numbers = [
         typer.as_number(value, kind, side) for (value, kind), side in zip(typed, sides, strict=True)
     ]
-    if any(kind == FLOAT for _, kind in numbers):
-        return _compare(node, [typer.to_float(*number) for number in numbers]), BOOL
-    return _compare(node, [value for value, _ in numbers]), BOOL
+    if any(kind == types.FLOAT for _, kind in numbers):
+        return _compare(node, [typer.to_float(*number) for number in numbers]), types.BOOL
+    return _compare(node, [value for value, _ in numbers]), types.BOOL
 
 
 def _compare(node: ast.Compare, values: list[ast.expr]) -> ast.expr:
@@ -77,7 +67,7 @@ def _identity(typer: Typer, node: ast.Compare) -> Typed:
     if isinstance(other, ast.Constant) and other.value is None:
         if not isinstance(operator, ast.Is | ast.IsNot):
             typer.refuse(node, "None compared by its value", "write `is None` or `is not None`")
-        if not isinstance(kind, OptionalType | PlanType):
+        if not isinstance(kind, types.OptionalType | types.PlanType):
             typer.refuse(
                 node,
                 f"`is None` on {kind}, which is never None",
@@ -85,9 +75,9 @@ def _identity(typer: Typer, node: ast.Compare) -> Typed:
             )
         negated = isinstance(operator, ast.IsNot)
         new = _compare(node, [left, constant(None, other)])
-        return marked(new, ("none", negated, isinstance(kind, PlanType))), BOOL
+        return marked(new, ("none", negated, isinstance(kind, types.PlanType))), types.BOOL
     right = typer.expression(other)
-    if isinstance(kind, RowType) and isinstance(right[1], RowType):
+    if isinstance(kind, types.RowType) and isinstance(right[1], types.RowType):
         return _agents(typer, node, [(left, kind), right])
     return typer.refuse(node, "`is` between values", "write `==`; `is` is for None and agents")
 
@@ -97,9 +87,9 @@ def _one_of_several(typer: Typer, node: ast.Compare, operator: ast.cmpop) -> Typ
     several = node.comparators[0]
     if isinstance(several, ast.Name | ast.Attribute):
         kind = typer.expression(several)[1]
-        if isinstance(kind, TableType) and not isinstance(kind.item, TupleType):
+        if isinstance(kind, types.TableType) and not isinstance(kind.item, types.TupleType):
             several = tables.written(kind.values, several)
-        if isinstance(kind, TableType) and isinstance(kind.item, TupleType):
+        if isinstance(kind, types.TableType) and isinstance(kind.item, types.TupleType):
             names = "abcdefgh"[: len(kind.item.items)]
             parts = node.left.elts if isinstance(node.left, ast.Tuple) else []
             sought = [ast.unparse(one) for one in parts] or ["…"] * len(names)
@@ -142,7 +132,7 @@ def _agents(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
         marked(ast.copy_location(ast.Attribute(side, "id", ast.Load()), node), ("id",))
         for side in (left, right)
     ]
-    return ast.copy_location(ast.Compare(ids[0], [operator()], [ids[1]]), node), BOOL
+    return ast.copy_location(ast.Compare(ids[0], [operator()], [ids[1]]), node), types.BOOL
 
 
 def _choices(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
@@ -151,18 +141,20 @@ def _choices(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
         typer.refuse(node, "choices in a comparison of size", "compare them with == or !=")
     values = []
     for (value, kind), (_, other) in zip(typed, reversed(typed), strict=True):
-        if isinstance(kind, TextType) and isinstance(other, ChoiceType):
+        if isinstance(kind, types.TextType) and isinstance(other, types.ChoiceType):
             if kind.value not in other.texts:
                 typer.refuse(
                     node, f"{kind}, which is none of the choices", nearest(kind.value, other.texts)
                 )
             place = other.texts.index(kind.value)
             values.append(marked(constant(kind.value, node), ("choice", place)))
-        elif isinstance(kind, ChoiceType) and (kind == other or isinstance(other, TextType)):
+        elif isinstance(kind, types.ChoiceType) and (
+            kind == other or isinstance(other, types.TextType)
+        ):
             values.append(value)
         else:
             typer.refuse(node, f"{kind} compared with {other}", "compare a choice with a text")
-    return _compare(node, values), BOOL
+    return _compare(node, values), types.BOOL
 
 
 def _plans(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
@@ -171,16 +163,18 @@ def _plans(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
         typer.refuse(node, "plans in a comparison of size", "compare them with == or !=")
     values = []
     for (value, kind), (_, other) in zip(typed, reversed(typed), strict=True):
-        if isinstance(kind, PlanType) and (kind == other or isinstance(other, TextType)):
+        if isinstance(kind, types.PlanType) and (
+            kind == other or isinstance(other, types.TextType)
+        ):
             values.append(value)
-        elif isinstance(kind, TextType) and isinstance(other, PlanType):
+        elif isinstance(kind, types.TextType) and isinstance(other, types.PlanType):
             values.append(typer.plan_name(value, kind, other.population))
         else:
             advice = "compare a plan with a plan's name, or with a plan of the same population"
-            if not isinstance(kind, PlanType) and not isinstance(other, PlanType):
+            if not isinstance(kind, types.PlanType) and not isinstance(other, types.PlanType):
                 advice = (
                     "texts name plans (agent.plan == 'GrowWheat') and nothing else; "
                     "keep a choice among few as a whole number: `RED = 0` at the top of the file"
                 )
             typer.refuse(node, f"{kind} compared with {other}", advice)
-    return _compare(node, values), BOOL
+    return _compare(node, values), types.BOOL

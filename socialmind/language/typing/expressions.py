@@ -11,43 +11,15 @@ import numpy as np
 
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field
-from socialmind.language import hints
+from socialmind.language import hints, types
 from socialmind.language.nodes import Typed, call, constant, marked, written_number
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import RuleSource
-from socialmind.language.types import (
-    BOOL,
-    FLOAT,
-    INT,
-    MODEL,
-    NUMBERS,
-    AnyType,
-    ArrayType,
-    ChoiceType,
-    HierarchyType,
-    MindType,
-    OptionalType,
-    PatchType,
-    PlanType,
-    PopulationType,
-    RowType,
-    TableType,
-    TextType,
-    TupleType,
-    Type,
-    WorldType,
-)
-from socialmind.language.typing import tables
+from socialmind.language.typing import operators, tables
 from socialmind.language.typing.built_in import BUILT_IN
 from socialmind.language.typing.calls import typed_call
 from socialmind.language.typing.comparisons import typed_comparison
-from socialmind.language.typing.operators import (
-    typed_choice,
-    typed_logic,
-    typed_operation,
-    typed_sign,
-)
 from socialmind.language.typing.signatures import MATH_CONSTANTS
 
 _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
@@ -57,8 +29,8 @@ _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
     (str, (str,)),
 )
 """What a constant of an author's file may be; NumPy's numbers become Python's."""
-SCALARS: dict[type, Type] = {float: FLOAT, int: INT, bool: BOOL}
-_WRITTEN_NUMBERS = tuple(TextType(text) for text in ("inf", "-inf", "nan"))
+SCALARS: dict[type, types.Type] = {float: types.FLOAT, int: types.INT, bool: types.BOOL}
+_WRITTEN_NUMBERS = tuple(types.TextType(text) for text in ("inf", "-inf", "nan"))
 
 
 class ExpressionTyper:
@@ -73,7 +45,7 @@ class ExpressionTyper:
         self.program = program
         self.shape: ModelShape = program.shape
         self.source = source
-        self.variables: dict[str, AnyType] = {}
+        self.variables: dict[str, types.AnyType] = {}
         self.assigned: set[str] = set()
         self.stored = {
             node.id
@@ -113,65 +85,65 @@ class ExpressionTyper:
         value, kind = self.expression(node)
         return self.as_number(value, kind, node)
 
-    def as_number(self, value: ast.expr, kind: AnyType, near: ast.AST) -> Typed:
+    def as_number(self, value: ast.expr, kind: types.AnyType, near: ast.AST) -> Typed:
         """Return a typed expression as a whole number or a number."""
-        if isinstance(kind, OptionalType):
+        if isinstance(kind, types.OptionalType):
             value, kind = self.present(value, kind)
-        if kind == BOOL:
-            return call("_as_int", [value], near), INT
-        if not isinstance(kind, Type) or kind not in NUMBERS:
+        if kind == types.BOOL:
+            return call("_as_int", [value], near), types.INT
+        if not isinstance(kind, types.Type) or kind not in types.NUMBERS:
             written = "math.inf or math.nan" if kind in _WRITTEN_NUMBERS else "a number or a field"
             self.refuse(near, f"{kind} where a number is needed", f"write {written}")
         return value, kind
 
-    def present(self, value: ast.expr, kind: OptionalType) -> Typed:
+    def present(self, value: ast.expr, kind: types.OptionalType) -> Typed:
         """Return an optional value that is known to be there; None raises when the rule runs."""
         return marked(call("_present", [value], value), ("present",)), kind.of
 
     def there(self, node: ast.expr) -> Typed:
         """Return an expression whose value, if it may be None, must be there."""
         value, kind = self.expression(node)
-        return self.present(value, kind) if isinstance(kind, OptionalType) else (value, kind)
+        return self.present(value, kind) if isinstance(kind, types.OptionalType) else (value, kind)
 
-    def to_float(self, value: ast.expr, kind: AnyType) -> ast.expr:
+    def to_float(self, value: ast.expr, kind: types.AnyType) -> ast.expr:
         """Return a numeric expression as a float."""
-        if kind == FLOAT:
+        if kind == types.FLOAT:
             return value
         if isinstance(value, ast.Constant):
             return constant(float(written_number(value)), value)
         return call("_as_float", [value], value)
 
-    def fitted(self, node: ast.expr, target: AnyType, what: str) -> ast.expr:
+    def fitted(self, node: ast.expr, target: types.AnyType, what: str) -> ast.expr:
         """Return an expression as the type that its place needs, or refuse it."""
         value, kind = self.expression(node)
         return self.converted(value, kind, target, what, node)
 
     def converted(
-        self, value: ast.expr, kind: AnyType, target: AnyType, what: str, near: ast.AST
+        self, value: ast.expr, kind: types.AnyType, target: types.AnyType, what: str, near: ast.AST
     ) -> ast.expr:
         """Return a typed expression as another type, or refuse."""
         if kind == target:
             return value
-        if isinstance(kind, OptionalType) and target in NUMBERS:
+        if isinstance(kind, types.OptionalType) and target in types.NUMBERS:
             value, kind = self.present(value, kind)
             return self.converted(value, kind, target, what, near)
-        if target == FLOAT and kind in NUMBERS:
+        if target == types.FLOAT and kind in types.NUMBERS:
             value, kind = self.as_number(value, kind, near)
             return self.to_float(value, kind)
-        if target == INT and kind == BOOL:
+        if target == types.INT and kind == types.BOOL:
             return call("_as_int", [value], near)
-        if target == INT and kind == FLOAT:
+        if target == types.INT and kind == types.FLOAT:
             self.refuse(
                 near,
                 f"a number with a fraction for {what}",
                 "write int(…) to cut, round(…) to round, or declare it as float",
                 "a whole number",
             )
-        if target == BOOL and kind in NUMBERS:
+        if target == types.BOOL and kind in types.NUMBERS:
             self.refuse(
                 near, f"{kind} for {what}", "write a comparison, as `x != 0`", "True or False"
             )
-        if isinstance(target, TupleType) and isinstance(kind, TupleType):
+        if isinstance(target, types.TupleType) and isinstance(kind, types.TupleType):
             if not isinstance(value, ast.Tuple):
                 self.refuse(
                     near,
@@ -183,7 +155,7 @@ class ExpressionTyper:
                 for item, of, to in zip(value.elts, kind.items, target.items, strict=True)
             ]
             return value
-        if isinstance(kind, RowType) and target in NUMBERS:
+        if isinstance(kind, types.RowType) and target in types.NUMBERS:
             advice = (
                 f"keep its identity, `….id`; `model.{kind.population}[identity]` finds it again"
             )
@@ -198,40 +170,40 @@ class ExpressionTyper:
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
             return ast.copy_location(ast.UnaryOp(ast.Not(), self.truth(node.operand)), node)
         value, kind = self.expression(node)
-        if kind == BOOL:
+        if kind == types.BOOL:
             return value
-        if kind in (INT, FLOAT):
-            zero = constant(0 if kind == INT else 0.0, node)
+        if kind in (types.INT, types.FLOAT):
+            zero = constant(0 if kind == types.INT else 0.0, node)
             return ast.copy_location(ast.Compare(value, [ast.NotEq()], [zero]), node)
-        if isinstance(kind, OptionalType | PlanType):
+        if isinstance(kind, types.OptionalType | types.PlanType):
             self.refuse(
                 node,
                 "a value that may be None as a condition",
                 "write `is not None`, or compare it",
             )
-        if isinstance(kind, PopulationType):
+        if isinstance(kind, types.PopulationType):
             advice = f"write `len(model.{kind.population}) > 0`"
             self.refuse(node, f"{kind} as a condition", advice)
         return self.refuse(node, f"{kind} as a condition", "write a comparison")
 
     def truth_value(self, node: ast.expr) -> Typed:
         """Return an expression as True or False, and the type of these."""
-        return self.truth(node), BOOL
+        return self.truth(node), types.BOOL
 
     # Names and constants ----------------------------------------------------------------------
 
     def _on_constant(self, node: ast.Constant) -> Typed:
         value = node.value
         if isinstance(value, bool):
-            return constant(value, node), BOOL
+            return constant(value, node), types.BOOL
         if isinstance(value, int):
             if not -(2**63) <= value < 2**63:
                 self.refuse(node, f"the number {value}", "write it as a float", "at most 64 bits")
-            return constant(value, node), INT
+            return constant(value, node), types.INT
         if isinstance(value, float):
-            return constant(value, node), FLOAT
+            return constant(value, node), types.FLOAT
         if isinstance(value, str):
-            return constant(value, node), TextType(value)
+            return constant(value, node), types.TextType(value)
         if value is None:
             self.refuse(
                 node,
@@ -251,10 +223,10 @@ class ExpressionTyper:
                     f"give {name!r} a value before the if or the loop",
                 )
             kind = self.variables[name]
-            if isinstance(kind, TextType):
+            if isinstance(kind, types.TextType):
                 # A text is part of which function this is, not an argument of it.
                 return constant(kind.value, node), kind
-            if isinstance(kind, TableType):
+            if isinstance(kind, types.TableType):
                 return tables.written(kind.values, node), kind
             return ast.copy_location(ast.Name(name, ast.Load()), node), kind
         if name in self.source.names:
@@ -318,23 +290,23 @@ class ExpressionTyper:
                 return self.module_attribute(node, module)
         base, kind = self.expression(node.value)
         new = ast.copy_location(ast.Attribute(base, node.attr, ast.Load()), node)
-        if kind == MODEL:
+        if kind == types.MODEL:
             return self._model_attribute(new)
-        if isinstance(kind, RowType):
+        if isinstance(kind, types.RowType):
             return self._agent_attribute(new, kind)
-        if isinstance(kind, PatchType):
+        if isinstance(kind, types.PatchType):
             if node.attr in ("x", "y"):
-                return marked(new, ("patch_place", node.attr)), INT
+                return marked(new, ("patch_place", node.attr)), types.INT
             return self.field(new, self.shape.world.patch, kind, ("patch",))
-        if isinstance(kind, WorldType):
+        if isinstance(kind, types.WorldType):
             numbers = self.shape.world.numbers
             if node.attr in numbers:
-                return marked(new, ("world_number", node.attr)), INT
+                return marked(new, ("world_number", node.attr)), types.INT
             remedy = hints.for_world(self, node.attr, numbers)
             if node.attr == "patches":
                 remedy = "write `for patch in model.world.patches:`"
             self.refuse(node, f"the world's {node.attr!r} as a value", remedy)
-        if isinstance(kind, PopulationType):
+        if isinstance(kind, types.PopulationType):
             advice = hints.for_population(self, kind.population, node.attr)
             self.refuse(node, f"{node.attr!r} of {kind}", advice)
         return self.refuse(
@@ -357,27 +329,27 @@ class ExpressionTyper:
     def _model_attribute(self, node: ast.Attribute) -> Typed:
         name = node.attr
         if name == "tick":
-            return marked(node, ("tick",)), INT
+            return marked(node, ("tick",)), types.INT
         if name in self.shape.populations:
-            return marked(node, ("population", name)), PopulationType(name)
+            return marked(node, ("population", name)), types.PopulationType(name)
         if name == "world" and self.shape.world.commands:
-            return marked(node, ("world",)), WorldType()
+            return marked(node, ("world",)), types.WorldType()
         fields = {**self.shape.parameters, **self.shape.variables}
         if name not in fields:
             found = f"the model's {name!r}, which it does not declare"
             self.refuse(node, found, hints.for_model(self, name))
-        return self.field(node, fields, MODEL, ("model",))
+        return self.field(node, fields, types.MODEL, ("model",))
 
-    def _agent_attribute(self, node: ast.Attribute, kind: RowType) -> Typed:
+    def _agent_attribute(self, node: ast.Attribute, kind: types.RowType) -> Typed:
         shape = self.shape.populations[kind.population]
         if node.attr == "id":
-            return marked(node, ("id",)), INT
+            return marked(node, ("id",)), types.INT
         if node.attr == "mind" and shape.minded:
-            return marked(node, ("mind", shape.name)), MindType(shape.name)
+            return marked(node, ("mind", shape.name)), types.MindType(shape.name)
         if node.attr == "plan" and shape.minded:
-            return marked(node, ("plan",)), PlanType(shape.name)
+            return marked(node, ("plan",)), types.PlanType(shape.name)
         if node.attr == "hierarchy" and shape.hierarchy:
-            return marked(node, ("hierarchy", shape.name)), HierarchyType(shape.name)
+            return marked(node, ("hierarchy", shape.name)), types.HierarchyType(shape.name)
         if node.attr == "hierarchy":
             self.refuse(
                 node,
@@ -393,23 +365,23 @@ class ExpressionTyper:
         return self.field(node, shape.fields, kind, ("agent", shape.name))
 
     def field(
-        self, node: ast.Attribute, fields: Any, owner: AnyType, mark: tuple[Any, ...]
+        self, node: ast.Attribute, fields: Any, owner: types.AnyType, mark: tuple[Any, ...]
     ) -> Typed:
         """Return the reading of a declared field."""
         found: Field | None = fields.get(node.attr)
         if found is None:
-            if isinstance(owner, RowType):
+            if isinstance(owner, types.RowType):
                 advice = hints.for_agent(self, node, owner.population)
             else:
                 advice = hints.declaring(node.attr, fields, "the class of the patches", self)
             self.refuse(node, f"the unknown field {node.attr!r} of {owner}", advice)
-        kind: AnyType = SCALARS[found.kind]
+        kind: types.AnyType = SCALARS[found.kind]
         if found.size is not None:
-            kind = ArrayType(SCALARS[found.kind], found.size)
+            kind = types.ArrayType(SCALARS[found.kind], found.size)
         elif found.optional:
-            kind = OptionalType(SCALARS[found.kind])
+            kind = types.OptionalType(SCALARS[found.kind])
         elif found.choices:
-            kind = ChoiceType(found.choices)
+            kind = types.ChoiceType(found.choices)
         return marked(node, (*mark, found)), kind
 
     # Places in arrays and populations ---------------------------------------------------------
@@ -418,33 +390,33 @@ class ExpressionTyper:
         base, kind = self.several(node.value)
         if isinstance(node.slice, ast.Slice):
             self.refuse_syntax(node.slice)
-        if isinstance(kind, TableType | TupleType):
+        if isinstance(kind, types.TableType | types.TupleType):
             return self.place_in_tuple(node, base, kind)
-        if isinstance(kind, PopulationType):
-            index = self.fitted(node.slice, INT, "the identity of an agent")
+        if isinstance(kind, types.PopulationType):
+            index = self.fitted(node.slice, types.INT, "the identity of an agent")
             new = ast.copy_location(ast.Subscript(base, index, ast.Load()), node)
-            return marked(new, ("agent_of", kind.population)), RowType(kind.population)
-        if isinstance(kind, ArrayType):
-            index = self.fitted(node.slice, INT, "the place in the array")
+            return marked(new, ("agent_of", kind.population)), types.RowType(kind.population)
+        if isinstance(kind, types.ArrayType):
+            index = self.fitted(node.slice, types.INT, "the place in the array")
             checked = call("_position", [index, constant(kind.size, node)], node)
             new = ast.copy_location(ast.Subscript(base, checked, ast.Load()), node)
-            return marked(new, ("element", kind.of == BOOL)), kind.of
-        if isinstance(kind, RowType) or kind == MODEL:
+            return marked(new, ("element", kind.of == types.BOOL)), kind.of
+        if isinstance(kind, types.RowType) or kind == types.MODEL:
             self.refuse(node, f"[…] on {kind}", "write the name of the field after a dot")
-        if isinstance(kind, WorldType):
+        if isinstance(kind, types.WorldType):
             self.refuse(node, f"[…] on {kind}", "write model.world.patch(x, y)")
         return self.refuse(node, f"[…] on {kind}", "only array fields and populations have places")
 
     def place_in_tuple(
-        self, node: ast.Subscript, base: ast.expr, kind: TableType | TupleType
+        self, node: ast.Subscript, base: ast.expr, kind: types.TableType | types.TupleType
     ) -> Typed:
         """Return a place of a tuple: of constants by any index, of others by a written one."""
-        size = len(kind.values if isinstance(kind, TableType) else kind.items)
-        index = self.fitted(node.slice, INT, "the place in the tuple")
+        size = len(kind.values if isinstance(kind, types.TableType) else kind.items)
+        index = self.fitted(node.slice, types.INT, "the place in the tuple")
         written = index.value if isinstance(index, ast.Constant) else None
         if isinstance(written, int) and not -size <= written < size:
             self.refuse(node, f"the place {written} of {kind}", f"write 0 … {size - 1}")
-        if isinstance(kind, TupleType):
+        if isinstance(kind, types.TupleType):
             if not isinstance(written, int):
                 self.refuse(
                     node, f"a place of {kind} that depends", "take them apart: `x, y = PAIRS[k]`"
@@ -459,26 +431,26 @@ class ExpressionTyper:
     def _on_tuple(self, node: ast.Tuple) -> Typed:
         items = [self.there(item) for item in node.elts]
         new = ast.copy_location(ast.Tuple([value for value, _ in items], ast.Load()), node)
-        return new, TupleType(tuple(kind for _, kind in items))
+        return new, types.TupleType(tuple(kind for _, kind in items))
 
     # Operators, names of a scheme, calls -------------------------------------------------------
 
     def _on_unaryop(self, node: ast.UnaryOp) -> Typed:
-        return typed_sign(self, node)
+        return operators.typed_sign(self, node)
 
     def _on_binop(self, node: ast.BinOp) -> Typed:
-        return typed_operation(self, node)
+        return operators.typed_operation(self, node)
 
     def _on_boolop(self, node: ast.BoolOp) -> Typed:
-        return typed_logic(self, node)
+        return operators.typed_logic(self, node)
 
     def _on_ifexp(self, node: ast.IfExp) -> Typed:
-        return typed_choice(self, node)
+        return operators.typed_choice(self, node)
 
     def _on_compare(self, node: ast.Compare) -> Typed:
         return typed_comparison(self, node)
 
-    def plan_name(self, near: ast.expr, text: TextType, population: str) -> ast.expr:
+    def plan_name(self, near: ast.expr, text: types.TextType, population: str) -> ast.expr:
         """Return a written text as the name of a plan of a population's scheme."""
         place = self.name(near, population, "plan", (text.value,))
         return marked(constant(text.value, near), ("name", population, place))

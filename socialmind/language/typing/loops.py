@@ -6,22 +6,9 @@ import ast
 import copy
 from typing import TYPE_CHECKING, Any
 
+from socialmind.language import types
 from socialmind.language.nodes import call, constant, marked
 from socialmind.language.refusals import NAMES
-from socialmind.language.types import (
-    BOOL,
-    FLOAT,
-    INT,
-    RNG,
-    AnyType,
-    ArrayType,
-    PatchType,
-    PopulationType,
-    RowType,
-    TableType,
-    TupleType,
-    WorldType,
-)
 from socialmind.language.typing.draws import permutation
 
 if TYPE_CHECKING:
@@ -29,7 +16,7 @@ if TYPE_CHECKING:
 
 NOWHERE: Any = frozenset({"(every name)"})
 """What is assigned after a return, break or continue: nothing can be read there any more."""
-Iterated = tuple[list[ast.stmt], ast.expr, AnyType, tuple[Any, ...]]
+Iterated = tuple[list[ast.stmt], ast.expr, types.AnyType, tuple[Any, ...]]
 """What goes before a for loop, what it runs over, the type of its variable, and a mark."""
 
 
@@ -72,7 +59,7 @@ def for_loop(function: FunctionTyper, node: ast.For) -> list[ast.stmt]:
     kinds = [kind] if isinstance(node.target, ast.Name) else list(getattr(kind, "items", ()))
     if not names:
         typer.refuse(node, "a field in the place of a loop's variable", "write `for name in …:`")
-    if isinstance(node.target, ast.Name) and isinstance(kind, TupleType):
+    if isinstance(node.target, ast.Name) and isinstance(kind, types.TupleType):
         advice = f"write `for {', '.join('xyzuvw'[: len(kind.items)])} in …:`"
         typer.refuse(node, f"{kind} for one variable in a for loop", advice)
     if len(kinds) != len(names):
@@ -125,28 +112,28 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
         if "range" not in typer.variables and "range" not in typer.source.names:
             return _range(function, node)
     elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-        if node.func.attr == "in_radius" and _is(function, node.func.value, WorldType()):
+        if node.func.attr == "in_radius" and _is(function, node.func.value, types.WorldType()):
             return _in_radius(function, node, node.func.value)
-        if node.func.attr == "permutation" and _is(function, node.func.value, RNG):
+        if node.func.attr == "permutation" and _is(function, node.func.value, types.RNG):
             stream, _ = typer.expression(node.func.value)
-            return [], permutation(typer, node, stream), INT, ("permutation",)
+            return [], permutation(typer, node, stream), types.INT, ("permutation",)
     elif (
         isinstance(node, ast.Attribute)
         and node.attr == "patches"
-        and _is(function, node.value, WorldType())
+        and _is(function, node.value, types.WorldType())
     ):
         base, _ = typer.expression(node.value)
-        return [], call("_all_patches", [base], node), PatchType(), ("patches",)
+        return [], call("_all_patches", [base], node), types.PatchType(), ("patches",)
     value, kind = typer.several(node)
-    if isinstance(kind, TableType):
+    if isinstance(kind, types.TableType):
         if kind.item is None:
             advice = "write a line for each text: rules hold no texts"
             typer.refuse(node, "a for loop over texts", advice)
         return [], value, kind.item, ("table",)
-    if isinstance(kind, PopulationType):
-        return [], value, RowType(kind.population), ("agents", kind.population)
-    if isinstance(kind, ArrayType):
-        return [], value, kind.of, ("elements", kind.of == BOOL)
+    if isinstance(kind, types.PopulationType):
+        return [], value, types.RowType(kind.population), ("agents", kind.population)
+    if isinstance(kind, types.ArrayType):
+        return [], value, kind.of, ("elements", kind.of == types.BOOL)
     return typer.refuse(
         node,
         f"a for loop over {kind}",
@@ -158,11 +145,11 @@ def _range(function: FunctionTyper, node: ast.Call) -> Iterated:
     typer = function.typer
     if node.keywords or not 1 <= len(node.args) <= 3:
         typer.refuse(node, "range() like this", "write range(stop) or range(start, stop, step)")
-    bounds = [typer.fitted(argument, INT, "range()") for argument in node.args]
-    return [], call("_range", bounds, node), INT, ("range",)
+    bounds = [typer.fitted(argument, types.INT, "range()") for argument in node.args]
+    return [], call("_range", bounds, node), types.INT, ("range",)
 
 
-def _is(function: FunctionTyper, node: ast.expr, kind: AnyType) -> bool:
+def _is(function: FunctionTyper, node: ast.expr, kind: types.AnyType) -> bool:
     if isinstance(node, ast.Name) and node.id not in function.kinds:
         return False
     return function.typer.expression(node)[1] == kind
@@ -175,15 +162,15 @@ def _in_radius(function: FunctionTyper, node: ast.Call, world: ast.expr) -> Iter
     base, _ = typer.expression(world)
     before, agent = function.steadied(node.args[0])
     kind = typer.expression(agent)[1]
-    if not isinstance(kind, RowType | PatchType):
+    if not isinstance(kind, types.RowType | types.PatchType):
         typer.refuse(node, f"in_radius() of {kind}", "give it an agent or a patch")
-    radius = typer.fitted(node.args[1], FLOAT, "the radius")
+    radius = typer.fitted(node.args[1], types.FLOAT, "the radius")
     x, y = (
         typer.fitted(
             ast.copy_location(ast.Attribute(agent, axis, ast.Load()), node),
-            FLOAT,
+            types.FLOAT,
             f"the coordinate {axis}",
         )
         for axis in "xy"
     )
-    return before, call("_in_radius", [base, x, y, radius], node), PatchType(), ("patches",)
+    return before, call("_in_radius", [base, x, y, radius], node), types.PatchType(), ("patches",)

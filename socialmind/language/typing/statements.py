@@ -7,23 +7,9 @@ from collections.abc import Callable
 from typing import Any
 
 from socialmind.fields import Field
+from socialmind.language import types
 from socialmind.language.nodes import call, constant, marked
 from socialmind.language.source import RuleSource
-from socialmind.language.types import (
-    BOOL,
-    FLOAT,
-    INT,
-    NONE,
-    AnyType,
-    ArrayType,
-    OptionalType,
-    PlanType,
-    RowType,
-    TableType,
-    TextType,
-    TupleType,
-    unified,
-)
 from socialmind.language.typing.expressions import ExpressionTyper
 from socialmind.language.typing.loops import NOWHERE, both, for_loop, while_loop
 
@@ -40,14 +26,14 @@ class FunctionTyper:
         kinds: the types of its parameters.
     """
 
-    def __init__(self, program: Any, source: RuleSource, kinds: tuple[AnyType, ...]) -> None:
+    def __init__(self, program: Any, source: RuleSource, kinds: tuple[types.AnyType, ...]) -> None:
         self.program = program
         self.source = source
         self.parameters = dict(zip(source.parameters, kinds, strict=True))
-        self.kinds: dict[str, AnyType] = dict(self.parameters)
-        self.result: AnyType | None = None
+        self.kinds: dict[str, types.AnyType] = dict(self.parameters)
+        self.result: types.AnyType | None = None
 
-    def typed(self) -> tuple[list[ast.stmt], AnyType]:
+    def typed(self) -> tuple[list[ast.stmt], types.AnyType]:
         """Return the body as both speeds run it, and the type of what it returns."""
         while True:
             before = (dict(self.kinds), self.result)
@@ -63,8 +49,8 @@ class FunctionTyper:
                 break
         body = self.promoted() + body
         if self.result is None:
-            return body, NONE
-        if fell_through and self.result != NONE:
+            return body, types.NONE
+        if fell_through and self.result != types.NONE:
             self.typer.refuse(
                 self.source.tree,
                 f"the function {self.source.name!r}, which returns a value on some ways only",
@@ -113,22 +99,23 @@ class FunctionTyper:
     def _on_return(self, node: ast.Return) -> ast.stmt:
         written = node.value
         if written is None or (isinstance(written, ast.Constant) and written.value is None):
-            self.returned(NONE, node)
+            self.returned(types.NONE, node)
             return ast.copy_location(ast.Return(None), node)
         value, kind = self.typer.there(written)
-        if isinstance(kind, TableType):
+        if isinstance(kind, types.TableType):
             self.typer.refuse(node, f"{kind} returned", "use the constant where it is needed")
-        if isinstance(kind, TextType) or (
-            isinstance(kind, TupleType) and any(isinstance(item, TextType) for item in kind.items)
+        if isinstance(kind, types.TextType) or (
+            isinstance(kind, types.TupleType)
+            and any(isinstance(item, types.TextType) for item in kind.items)
         ):
             self.typer.refuse(node, "a text returned", "set the plan where it is chosen")
         wanted = self.returned(kind, node)
         value = self.typer.converted(value, kind, wanted, "the result", written)
         return ast.copy_location(ast.Return(value), node)
 
-    def returned(self, kind: AnyType, node: ast.Return) -> AnyType:
+    def returned(self, kind: types.AnyType, node: ast.Return) -> types.AnyType:
         """Note that the function returns a type; return the one that holds all it returns."""
-        wanted = kind if self.result is None else unified(self.result, kind)
+        wanted = kind if self.result is None else types.unified(self.result, kind)
         if wanted is None:
             self.typer.refuse(
                 node,
@@ -172,7 +159,7 @@ class FunctionTyper:
             return before, ast.copy_location(ast.Attribute(owner, place.attr, ast.Load()), place)
         if isinstance(place, ast.Subscript) and not isinstance(place.slice, ast.Slice):
             before, owner = self.steadied(place.value)
-            if isinstance(self.typer.expression(owner)[1], ArrayType):
+            if isinstance(self.typer.expression(owner)[1], types.ArrayType):
                 more, index = self.kept(place.slice)
                 new = ast.copy_location(ast.Subscript(owner, index, ast.Load()), place)
                 return before + more, new
@@ -201,25 +188,25 @@ class FunctionTyper:
         return self.stored(place, kind, what, value, node)
 
     def stored_in_variable(
-        self, target: ast.Name, value: ast.expr, kind: AnyType, node: ast.stmt
+        self, target: ast.Name, value: ast.expr, kind: types.AnyType, node: ast.stmt
     ) -> ast.stmt:
         """Return the assignment of a typed value to a variable."""
         value = self.bound(target.id, value, kind, node)
         place = ast.copy_location(ast.Name(target.id, ast.Store()), target)
         return ast.copy_location(ast.Assign([place], value), node)
 
-    def bound(self, name: str, value: ast.expr, kind: AnyType, node: ast.stmt) -> ast.expr:
+    def bound(self, name: str, value: ast.expr, kind: types.AnyType, node: ast.stmt) -> ast.expr:
         """Give a variable a value; its type is one that holds all its values."""
-        if kind == NONE:
+        if kind == types.NONE:
             self.typer.refuse(
                 node, f"{name!r} from a call that returns nothing", "call it on its own line"
             )
-        if isinstance(kind, TextType | TupleType | ArrayType | TableType):
+        if isinstance(kind, types.TextType | types.TupleType | types.ArrayType | types.TableType):
             self.typer.refuse(
                 node,
                 f"{kind} as the variable {name!r}",
                 "take it apart: `x, y = …`"
-                if isinstance(kind, TupleType)
+                if isinstance(kind, types.TupleType)
                 else "write it where it is used, or use a field",
             )
         if name.startswith("_") and name != "_":
@@ -229,7 +216,7 @@ class FunctionTyper:
                 node, f"a new value for {name!r}, which counts in a for loop", "use another name"
             )
         before = self.kinds.get(name)
-        wanted = kind if before is None else unified(before, kind)
+        wanted = kind if before is None else types.unified(before, kind)
         if wanted is None:
             self.typer.refuse(
                 node, f"{kind} for {name!r}, which is {before} elsewhere", "use another name"
@@ -241,14 +228,14 @@ class FunctionTyper:
     def several(self, target: ast.Tuple, value: ast.expr, node: ast.stmt) -> ast.stmt:
         """Return `x, y = y, x`, or the taking apart of what a function returns."""
         typed, kind = self.typer.expression(value)
-        if not isinstance(kind, TupleType) or len(kind.items) != len(target.elts):
+        if not isinstance(kind, types.TupleType) or len(kind.items) != len(target.elts):
             self.typer.refuse(
                 node,
                 f"{kind} for {len(target.elts)} variables",
                 "give each variable one value",
             )
         places: list[ast.expr] = []
-        wanted: list[AnyType] = []
+        wanted: list[types.AnyType] = []
         for place, item in zip(target.elts, kind.items, strict=True):
             if not isinstance(place, ast.Name):
                 self.typer.refuse(
@@ -257,17 +244,17 @@ class FunctionTyper:
             self.bound(place.id, constant(0, node), item, node)
             wanted.append(self.kinds[place.id])
             places.append(ast.copy_location(ast.Name(place.id, ast.Store()), place))
-        typed = self.typer.converted(typed, kind, TupleType(tuple(wanted)), "these", node)
+        typed = self.typer.converted(typed, kind, types.TupleType(tuple(wanted)), "these", node)
         left = ast.copy_location(ast.Tuple(places, ast.Store()), target)
         return ast.copy_location(ast.Assign([left], typed), node)
 
-    def place(self, target: ast.expr) -> tuple[ast.expr, AnyType, str]:
+    def place(self, target: ast.expr) -> tuple[ast.expr, types.AnyType, str]:
         """Return where a field or an element is stored, its type and what to call it."""
         if not isinstance(target, ast.Attribute | ast.Subscript):
             self.typer.refuse_syntax(target)
         if isinstance(target, ast.Subscript):
             _, held = self.typer.several(target.value)
-            if isinstance(held, TableType | TupleType):
+            if isinstance(held, types.TableType | types.TupleType):
                 advice = "constants stay as they are; declare an array field for what changes"
                 self.typer.refuse(target, f"a new value for a place of {held}", advice)
         reading, kind = self.typer.expression(target)
@@ -281,7 +268,7 @@ class FunctionTyper:
                 )
             if mark[0] not in ("agent", "model", "patch", "plan"):
                 self.typer.refuse(target, f"a new value for {reading.attr!r}", "it cannot be set")
-            if isinstance(kind, ArrayType):
+            if isinstance(kind, types.ArrayType):
                 self.typer.refuse(
                     target,
                     f"a new value for the whole array {reading.attr!r}",
@@ -291,22 +278,22 @@ class FunctionTyper:
                 self.program.changes(mark[1])
             reading.ctx = ast.Store()
             return reading, kind, f"the field {reading.attr!r}"
-        if not isinstance(reading, ast.Subscript) or isinstance(kind, RowType):
+        if not isinstance(reading, ast.Subscript) or isinstance(kind, types.RowType):
             self.typer.refuse(target, "this on the left of =", "assign to a variable or a field")
         reading.ctx = ast.Store()
         return reading, kind, "the array"
 
     def stored(
-        self, place: ast.expr, kind: AnyType, what: str, value: ast.expr, node: ast.stmt
+        self, place: ast.expr, kind: types.AnyType, what: str, value: ast.expr, node: ast.stmt
     ) -> ast.stmt:
         """Return the storing of a value in a field or an element."""
         none = isinstance(value, ast.Constant) and value.value is None
         mark = getattr(place, "mark", ("other",))
         made: ast.expr
-        if isinstance(kind, PlanType):
+        if isinstance(kind, types.PlanType):
             made = self.plan_value(kind, value, what, none)
         elif none:
-            if not isinstance(kind, OptionalType):
+            if not isinstance(kind, types.OptionalType):
                 self.typer.refuse(
                     node,
                     f"None for {what}, which is {kind}",
@@ -314,7 +301,7 @@ class FunctionTyper:
                 )
             made = constant(None, value)
         else:
-            target = kind.of if isinstance(kind, OptionalType) else kind
+            target = kind.of if isinstance(kind, types.OptionalType) else kind
             made = self.typer.fitted(value, target, what)
             field = mark[-1] if isinstance(mark[-1], Field) else None
             if field is not None and field.limits is not None:
@@ -323,12 +310,12 @@ class FunctionTyper:
         new = ast.copy_location(ast.Assign([place], made), node)
         return marked(new, ("store", none))
 
-    def plan_value(self, kind: PlanType, value: ast.expr, what: str, none: bool) -> ast.expr:
+    def plan_value(self, kind: types.PlanType, value: ast.expr, what: str, none: bool) -> ast.expr:
         """Return what may be stored as an agent's plan: a plan, a plan's name or None."""
         if none:
             return marked(constant(None, value), ("no_plan",))
         made, found = self.typer.expression(value)
-        if isinstance(found, TextType):
+        if isinstance(found, types.TextType):
             return self.typer.plan_name(value, found, kind.population)
         if found != kind:
             self.typer.refuse(
@@ -364,7 +351,11 @@ class FunctionTyper:
         return ast.copy_location(ast.Continue(), node)
 
 
-_ANNOTATIONS: dict[str, AnyType] = {"float": FLOAT, "int": INT, "bool": BOOL}
+_ANNOTATIONS: dict[str, types.AnyType] = {
+    "float": types.FLOAT,
+    "int": types.INT,
+    "bool": types.BOOL,
+}
 """The annotations of variables that are heeded; others say nothing to the typing."""
 
 

@@ -10,15 +10,8 @@ import numpy as np
 
 from socialmind.errors import ModelError
 from socialmind.mind.description import MindDescription
+from socialmind.mind.functions import network
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
-from socialmind.mind.functions.network import (
-    Dense,
-    Gather,
-    Mix,
-    Neurons,
-    Recall,
-    Remember,
-)
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.kernel import layout
 from socialmind.mind.kernel.layout import Structure
@@ -295,27 +288,27 @@ class _Assembling:
         if isinstance(skill.function, CognitonScheme):
             self.schemes.append(skill.name)
             return layout.SCHEME, len(self.schemes) - 1, 1, inputs
-        network = skill.function.network(inputs, outputs)
-        if network is None:
+        drawn = skill.function.network(inputs, outputs)
+        if drawn is None:
             raise skill.refused(f"with {skill.function}, which is no network", "a network")
-        self.nodes = max(self.nodes, network.nodes)
-        self.steps += [self.step(step) for step in network.steps]
-        self.genome += network.genome_size
-        self.memory += network.memory
-        return layout.NETWORK, 0, int(network.memory > 0), network.output
+        self.nodes = max(self.nodes, drawn.nodes)
+        self.steps += [self.step(step) for step in drawn.steps]
+        self.genome += drawn.genome_size
+        self.memory += drawn.memory
+        return layout.NETWORK, 0, int(drawn.memory > 0), drawn.output
 
     def step(self, step: Any) -> list[int]:
         """Return a network's step as a row of numbers."""
         row = _STEPS[type(step)](self, step)
         return row + [0] * (layout.STEP_COLUMNS - len(row))
 
-    def dense(self, step: Dense) -> list[int]:
+    def dense(self, step: network.Dense) -> list[int]:
         return [
             layout.DENSE, step.source, step.sources, step.target, step.neurons,
             self.genome + step.weights, step.activation,
         ]  # fmt: skip
 
-    def own_inputs(self, step: Neurons) -> list[int]:
+    def own_inputs(self, step: network.Neurons) -> list[int]:
         first = len(self.neurons)
         for one in step.neurons:
             bias = self.genome + one.bias if one.bias >= 0 else -1
@@ -326,12 +319,12 @@ class _Assembling:
             self.neuron_weights += [self.genome + weight for weight in one.weights]
         return [layout.NEURONS, first, len(step.neurons), step.target]
 
-    def gather(self, step: Gather) -> list[int]:
+    def gather(self, step: network.Gather) -> list[int]:
         first = len(self.node_list)
         self.node_list += step.sources
         return [layout.GATHER, first, len(step.sources), step.target]
 
-    def mix(self, step: Mix) -> list[int]:
+    def mix(self, step: network.Mix) -> list[int]:
         first = len(self.node_list)
         for pairs in step.pairs:
             self.node_list.append(len(pairs))
@@ -339,20 +332,20 @@ class _Assembling:
                 self.node_list += pair
         return [layout.MIX, first, len(step.pairs), step.target]
 
-    def recall(self, step: Recall) -> list[int]:
+    def recall(self, step: network.Recall) -> list[int]:
         return [layout.RECALL, self.memory + step.memory, step.count, step.target]
 
-    def remember(self, step: Remember) -> list[int]:
+    def remember(self, step: network.Remember) -> list[int]:
         return [layout.REMEMBER, step.source, step.count, self.memory + step.memory]
 
 
 _STEPS: dict[type, Callable[[_Assembling, Any], list[int]]] = {
-    Dense: _Assembling.dense,
-    Neurons: _Assembling.own_inputs,
-    Gather: _Assembling.gather,
-    Mix: _Assembling.mix,
-    Recall: _Assembling.recall,
-    Remember: _Assembling.remember,
+    network.Dense: _Assembling.dense,
+    network.Neurons: _Assembling.own_inputs,
+    network.Gather: _Assembling.gather,
+    network.Mix: _Assembling.mix,
+    network.Recall: _Assembling.recall,
+    network.Remember: _Assembling.remember,
 }
 
 

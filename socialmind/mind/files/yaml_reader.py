@@ -15,30 +15,8 @@ import yaml
 from coglogo_py import SchemeError
 from coglogo_py.files.yaml_nodes import NOTHING, Nodes, composed
 from socialmind.errors import ModelError, nearest
-from socialmind.mind.files.evoagents import genome_file
-from socialmind.mind.files.evoagents.ades import (
-    CLASS,
-    GENERAL_REMEDY,
-    SCHEME,
-    read_input,
-    scheme_function,
-)
+from socialmind.mind.files.evoagents import ades, genome_file, network_lines, text_file
 from socialmind.mind.files.evoagents.folder_reader import whole
-from socialmind.mind.files.evoagents.network_lines import (
-    BRANCHES,
-    HIDDEN,
-    KEYWORDS,
-    TYPE,
-    network_of,
-)
-from socialmind.mind.files.evoagents.text_file import (
-    MOST_GENOME,
-    WHOLE_NUMBER,
-    Line,
-    Lines,
-    inside,
-    text_of,
-)
 from socialmind.mind.files.evoagents.vardesc import SHARED
 from socialmind.mind.files.python_file import load_beside
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
@@ -64,12 +42,17 @@ VARIABLE_FIELDS = {
 }
 KERNELS, GRAPH, KERNEL_FIELDS = "kernels", "graph", ("inputs", "links")
 FUNCTION_FIELDS: dict[str, tuple[str, ...]] = {
-    **{kind: tuple(one.lower() for one in KEYWORDS[Perceptron.keyword]) for kind in KEYWORDS},
-    Convolution.keyword: (*(one.lower() for one in HIDDEN), KERNELS, "bypass"),
+    **{
+        kind: tuple(one.lower() for one in network_lines.KEYWORDS[Perceptron.keyword])
+        for kind in network_lines.KEYWORDS
+    },
+    Convolution.keyword: (*(one.lower() for one in network_lines.HIDDEN), KERNELS, "bypass"),
     NeatGraph.keyword: (GRAPH,),
-    InfluenceNetwork.keyword: tuple(one.lower() for one in (*HIDDEN, *BRANCHES)),
-    Programmed.keyword: (CLASS, "file"),
-    CognitonScheme.keyword: (SCHEME, "cognitons"),
+    InfluenceNetwork.keyword: tuple(
+        one.lower() for one in (*network_lines.HIDDEN, *network_lines.BRANCHES)
+    ),
+    Programmed.keyword: (ades.CLASS, "file"),
+    CognitonScheme.keyword: (ades.SCHEME, "cognitons"),
 }
 GENOMES = ".genomes"
 """The end of the name of the folder that holds the weights."""
@@ -84,7 +67,7 @@ def load(path: Path, kind: Callable[..., AMind]) -> AMind:
     Raises:
         ModelError: one of the files is wrong; says at which line and why.
     """
-    description = parse(text_of(path), path, kind)
+    description = parse(text_file.text_of(path), path, kind)
     folder = path.with_name(path.stem + GENOMES)
     if not folder.is_dir():
         return description
@@ -112,7 +95,9 @@ def load(path: Path, kind: Callable[..., AMind]) -> AMind:
 
 def _weights_in(file: Path, mind: Path) -> str:
     place = file.relative_to(mind.parent).as_posix()
-    return text_of(inside(mind.parent, place, "the file", mind), MOST_GENOME)
+    return text_file.text_of(
+        text_file.inside(mind.parent, place, "the file", mind), text_file.MOST_GENOME
+    )
 
 
 def parse(text: str, file: str | Path, kind: Callable[..., AMind]) -> AMind:
@@ -135,7 +120,7 @@ def parse(text: str, file: str | Path, kind: Callable[..., AMind]) -> AMind:
     try:
         return _Mind(text, file).description(kind)
     except SchemeError as error:
-        remedy = error.remedy or GENERAL_REMEDY
+        remedy = error.remedy or ades.GENERAL_REMEDY
         raise ModelError(error.found, error.expected, remedy, error.file, error.line) from None
 
 
@@ -146,7 +131,7 @@ class _Mind:
         self.file = str(file)
         self.nodes = Nodes(file)
         # For the errors of what is read as lines of an `.ades` file.
-        self.lines = Lines("", file)
+        self.lines = text_file.Lines("", file)
         self.root = composed(text, file, "a mind")
 
     def description(self, kind: Callable[..., AMind]) -> AMind:
@@ -191,7 +176,7 @@ class _Mind:
         if error.file not in (None, self.file):
             return error
         line = error.line or _line(node)
-        return self.lines.placed(error, line, GENERAL_REMEDY, "" if error.file else where)
+        return self.lines.placed(error, line, ades.GENERAL_REMEDY, "" if error.file else where)
 
     def _typed(
         self, node: yaml.Node, where: str, fields: tuple[str, ...]
@@ -290,7 +275,7 @@ class _Mind:
         return self._word(given[name], f"{name} of {where}")
 
     def _whole(self, node: yaml.Node, where: str) -> int:
-        if not self.nodes.is_plain(node) or not WHOLE_NUMBER.fullmatch(node.value):
+        if not self.nodes.is_plain(node) or not text_file.WHOLE_NUMBER.fullmatch(node.value):
             raise self.nodes.wrong(node, where, "a whole number, 0 or more", "write it in digits")
         return int(node.value)
 
@@ -308,7 +293,7 @@ class _Mind:
         if "function" not in given:
             raise self.nodes.error(key, f"{where} without function", "function:", "add function:")
         try:
-            inputs = self._links(given, "inputs", read_input, where)
+            inputs = self._links(given, "inputs", Input.parse, where)
             outputs = self._links(given, "outputs", Output.parse, where)
             function = self._internal(given["function"], len(inputs), len(outputs), where)
             return Skill(name, inputs, outputs, function, None, self.file, _line(key))
@@ -334,40 +319,42 @@ class _Mind:
         kind, given = self._typed(node, where, every)
         self._check_fields(kind, given, FUNCTION_FIELDS, where, node)
         if kind == Programmed.keyword:
-            written = self._needed(given, CLASS, where, node)
-            return Programmed(self._function(given, written, given[CLASS], True), written)
+            written = self._needed(given, ades.CLASS, where, node)
+            return Programmed(self._function(given, written, given[ades.CLASS], True), written)
         if kind == CognitonScheme.keyword:
-            source = self._needed(given, SCHEME, where, node)
+            source = self._needed(given, ades.SCHEME, where, node)
             entries = self.nodes.entries(given.get("cognitons", NOTHING), f"cognitons of {where}")
             cognitons = {
-                str(read_input(text, _line(key))): self._word(value, f"the cogniton of {text}")
+                str(Input.parse(text, _line(key))): self._word(value, f"the cogniton of {text}")
                 for text, key, value in entries
             }
             folder = Path(self.file).parent
-            return scheme_function(folder, source, cognitons, self.file, _line(given[SCHEME]))
-        lines = [Line(f"{TYPE}:{kind}", _line(node))]
+            return ades.scheme_function(
+                folder, source, cognitons, self.file, _line(given[ades.SCHEME])
+            )
+        lines = [text_file.Line(f"{network_lines.TYPE}:{kind}", _line(node))]
         for name, value in given.items():
             lines += self._network_lines(name, value, where)
-        return network_of(self.lines, lines, inputs, outputs, _line(node))
+        return network_lines.network_of(self.lines, lines, inputs, outputs, _line(node))
 
-    def _network_lines(self, name: str, node: yaml.Node, where: str) -> list[Line]:
+    def _network_lines(self, name: str, node: yaml.Node, where: str) -> list[text_file.Line]:
         """Return a field of a network as lines of an `.ades` file."""
         if name == KERNELS:
             return self._kernels(node, where)
         if name == GRAPH:
             items = self.nodes.items(node, f"{GRAPH} of {where}")
-            return [Line(self._word(item, GRAPH), _line(item)) for item in items]
+            return [text_file.Line(self._word(item, GRAPH), _line(item)) for item in items]
         keyword = "CONVO_BYPASS" if name == "bypass" else name.upper()
         if name in ("bypass", "passes"):
             return [self._numbers(keyword, node, f"{name} of {where}")]
-        return [Line(f"{keyword}:{self._word(node, f'{name} of {where}')}", _line(node))]
+        return [text_file.Line(f"{keyword}:{self._word(node, f'{name} of {where}')}", _line(node))]
 
-    def _numbers(self, keyword: str, node: yaml.Node, where: str) -> Line:
+    def _numbers(self, keyword: str, node: yaml.Node, where: str) -> text_file.Line:
         items = self.nodes.items(node, where)
         numbers = [str(self._whole(item, f"a number of {where}")) for item in items]
-        return Line(":".join([keyword, *numbers]), _line(node))
+        return text_file.Line(":".join([keyword, *numbers]), _line(node))
 
-    def _kernels(self, node: yaml.Node, where: str) -> list[Line]:
+    def _kernels(self, node: yaml.Node, where: str) -> list[text_file.Line]:
         lines = []
         for kernel, item in enumerate(self.nodes.items(node, f"{KERNELS} of {where}")):
             here = f"kernel {kernel} of {where}"
@@ -377,7 +364,7 @@ class _Mind:
                     raise self.nodes.error(item, f"{here} without {name}", f"{name}:")
             size = self._whole(given["inputs"], f"inputs of {here}")
             links = self.nodes.items(given["links"], f"links of {here}")
-            lines.append(Line(f"CONVO_LAYER:{size}:{len(links)}", _line(item)))
+            lines.append(text_file.Line(f"CONVO_LAYER:{size}:{len(links)}", _line(item)))
             for neuron, link in enumerate(links):
                 keyword = f"CONVO_LINK:{kernel}:{neuron}"
                 lines.append(self._numbers(keyword, link, f"neuron {neuron} of {here}"))

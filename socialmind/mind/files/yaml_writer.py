@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -58,20 +59,14 @@ def save(description: Modules, path: Path) -> None:
     write(texts, schemes)
 
 
+@dataclass(frozen=True)
 class _Writer:
     """The text of a mind; notes the files that belong to it."""
 
-    def __init__(
-        self,
-        description: Modules,
-        path: Path,
-        texts: Texts,
-        schemes: dict[Path, CognitonScheme],
-    ) -> None:
-        self.mind = description
-        self.path = path
-        self.texts = texts
-        self.schemes = schemes
+    mind: Modules
+    path: Path
+    texts: Texts
+    schemes: dict[Path, CognitonScheme]
 
     def text(self) -> str:
         lines = [f"name: {_text(self.mind.name)}"]

@@ -6,18 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from socialmind.errors import ModelError
+from socialmind.mind.functions import perceptron
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.draft import NetworkDraft
 from socialmind.mind.functions.network import Network, Neuron
-from socialmind.mind.functions.perceptron import (
-    ADDED,
-    HIDDEN_ACTIVATIONS,
-    add_perceptron,
-    as_places,
-    check_hidden_layers,
-    check_whole,
-    hidden_layers,
-)
 
 if TYPE_CHECKING:
     from socialmind.mind.modules import Skill
@@ -44,12 +36,12 @@ class Kernel:
 
     def __post_init__(self) -> None:
         object.__setattr__(
-            self, "size", check_whole(self.size, "the number of inputs of a kernel", 1)
+            self, "size", perceptron.check_whole(self.size, "the number of inputs of a kernel", 1)
         )
         if not isinstance(self.links, tuple | list) or not self.links:
             raise ModelError(f"{self.links!r} as the links of a kernel", "places for each neuron")
         links = tuple(
-            as_places(places, f"the places that neuron {neuron} of a kernel reads")
+            perceptron.as_places(places, f"the places that neuron {neuron} of a kernel reads")
             for neuron, places in enumerate(self.links)
         )
         object.__setattr__(self, "links", links)
@@ -95,13 +87,13 @@ class Convolution(InternalFunction):
     bypass: tuple[int, ...] = ()
     layers: int = 2
     hidden: str = "relu"
-    added: int = ADDED
+    added: int = perceptron.ADDED
     keyword: ClassVar[str] = "CNN"
 
     def __post_init__(self) -> None:
-        bypass = as_places(self.bypass, "the inputs that bypass the kernels")
+        bypass = perceptron.as_places(self.bypass, "the inputs that bypass the kernels")
         object.__setattr__(self, "bypass", bypass)
-        check_hidden_layers(self, "a convolutional network", 0)
+        perceptron.check_hidden_layers(self, "a convolutional network", 0)
         if not isinstance(self.kernels, tuple | list) or not self.kernels:
             raise ModelError(
                 f"{self.kernels!r} as the kernels of a convolutional network", "one or more"
@@ -141,7 +133,7 @@ class Convolution(InternalFunction):
         for kernel in self.kernels:
             first = draft.keep_weights(kernel.size + 1)
             weights = tuple(range(first, first + kernel.size))
-            activation = HIDDEN_ACTIVATIONS[self.hidden]
+            activation = perceptron.HIDDEN_ACTIVATIONS[self.hidden]
             below = draft.neurons(
                 [
                     Neuron(tuple(below + place for place in places), weights, first + kernel.size,
@@ -153,7 +145,7 @@ class Convolution(InternalFunction):
         read = last + len(self.bypass)
         if self.bypass:
             below = draft.gather((*range(below, below + last), *self.bypass))
-        return draft.finished(add_perceptron(draft, below, read, outputs, self), outputs)
+        return draft.finished(perceptron.add_perceptron(draft, below, read, outputs, self), outputs)
 
     def _missing(self, inputs: int) -> str | None:
         """Return which place it reads beyond the inputs, in words."""
@@ -165,7 +157,7 @@ class Convolution(InternalFunction):
     def __repr__(self) -> str:
         count = len(self.kernels)
         kernels = f"{count} kernel{'s' * (count != 1)}"
-        return f"a convolutional network of {kernels} and {hidden_layers(self)}"
+        return f"a convolutional network of {kernels} and {perceptron.hidden_layers(self)}"
 
 
 def _outside(kernel: Kernel, number: int, count: int) -> str | None:

@@ -4,17 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from socialmind.mind.functions.network import (
-    Dense,
-    Gather,
-    Mix,
-    Network,
-    Neuron,
-    Neurons,
-    Recall,
-    Remember,
-    Step,
-)
+from socialmind.mind.functions import network
 
 
 class NetworkDraft:
@@ -34,7 +24,7 @@ class NetworkDraft:
         self.nodes = inputs
         self.weights = 0
         self.memory = 0
-        self._steps: list[Step] = []
+        self._steps: list[network.Step] = []
 
     def _taken(self, count: int) -> int:
         """Return the first of further nodes."""
@@ -55,40 +45,40 @@ class NetworkDraft:
         """Add a fully connected layer with weights of its own; return its first node."""
         weights = self.keep_weights(neurons * (sources + 1))
         target = self._taken(neurons)
-        self._steps.append(Dense(source, sources, target, neurons, weights, activation))
+        self._steps.append(network.Dense(source, sources, target, neurons, weights, activation))
         return target
 
-    def neurons(self, neurons: Sequence[Neuron]) -> int:
+    def neurons(self, neurons: Sequence[network.Neuron]) -> int:
         """Add neurons, of which none reads another; return the first one's node."""
         target = self._taken(len(neurons))
-        self._steps.append(Neurons(target, tuple(neurons)))
+        self._steps.append(network.Neurons(target, tuple(neurons)))
         return target
 
     def gather(self, sources: Sequence[int]) -> int:
         """Add copies of nodes side by side; return the first."""
         target = self._taken(len(sources))
-        self._steps.append(Gather(tuple(sources), target))
+        self._steps.append(network.Gather(tuple(sources), target))
         return target
 
     def mix(self, pairs: Sequence[Sequence[tuple[int, int]]]) -> int:
         """Add nodes mixed by equation 4.3 from pairs (influence, value); return the first."""
         target = self._taken(len(pairs))
-        self._steps.append(Mix(target, tuple(tuple(branches) for branches in pairs)))
+        self._steps.append(network.Mix(target, tuple(tuple(branches) for branches in pairs)))
         return target
 
     def recall(self, memory: int, count: int) -> int:
         """Add nodes with what was remembered at the last evaluation; return the first."""
         target = self._taken(count)
-        self._steps.append(Recall(memory, target, count))
+        self._steps.append(network.Recall(memory, target, count))
         return target
 
     def remember(self, source: int, memory: int, count: int) -> None:
         """Keep nodes for the next evaluation."""
-        self._steps.append(Remember(source, memory, count))
+        self._steps.append(network.Remember(source, memory, count))
 
-    def finished(self, output: int, outputs: int) -> Network:
+    def finished(self, output: int, outputs: int) -> network.Network:
         """Return the network whose outputs are these nodes."""
-        return Network(
+        return network.Network(
             inputs=self.inputs,
             outputs=outputs,
             output=output,

@@ -35,17 +35,9 @@ SCHEME_LISTS = {
 
 
 RECORD = (
-    "itself",
-    "agents",
-    "evaluate",
-    "renew",
-    "failed_skill",
-    "failed_agent",
-    "names",
-    "names_0",
-    "worlds",
-    "keys",
-)
+    "itself", "agents", "evaluate", "renew", "failed_skill", "failed_agent", "names", "names_0",
+    "worlds", "keys",
+)  # fmt: skip
 """What the record of a mind holds beside the arrays: its own address, how many agents, where the
 compiled evaluation and births are, which program of which agent runs, and the drive's names; how
 many worlds the agents are in, as many in each, one after another; and where the keys of the draws

@@ -1,97 +1,13 @@
-"""The plane: bodies that move, sense and act in an arena with obstacles (thesis, 5.1.4 and 5.3)."""
+"""The plane: bodies that move, sense and act in an arena with obstacles (thesis, 5.1.4 and 5.3).
 
-from socialmind.worlds.plane.bodies import BALL, Body, Disc, Obstacle, Robot, Zone
-from socialmind.worlds.plane.devices.actuators import claw, emitter, wheel
-from socialmind.worlds.plane.devices.device import Act, Interruption, Reward, Sense
-from socialmind.worlds.plane.devices.interruptions import (
-    after,
-    collision,
-    flat_battery,
-    over_threshold,
-    under_threshold,
-)
-from socialmind.worlds.plane.devices.measures import Measure, against, ratio, survived, total
-from socialmind.worlds.plane.devices.rewards import (
-    clear,
-    closing,
-    collision_cost,
-    exploring,
-    forward,
-    paid,
-    reached,
-    speed,
-    straight,
-)
-from socialmind.worlds.plane.devices.sensors import (
-    RangeFinder,
-    active,
-    battery,
-    carrying,
-    constant,
-    distance_to,
-    identity,
-    in_claw,
-    in_zone,
-    inside,
-    moved,
-    noise,
-    orientation,
-    payoff,
-    signal_active,
-    signal_distance,
-    signal_orientation,
-)
-from socialmind.worlds.plane.plane import Plane
+What each file says in its `__all__` is the package's.
+"""
 
-__all__ = [
-    "BALL",
-    "Act",
-    "Body",
-    "Disc",
-    "Interruption",
-    "Measure",
-    "Obstacle",
-    "Plane",
-    "RangeFinder",
-    "Reward",
-    "Robot",
-    "Sense",
-    "Zone",
-    "active",
-    "after",
-    "against",
-    "battery",
-    "carrying",
-    "claw",
-    "clear",
-    "closing",
-    "collision",
-    "collision_cost",
-    "constant",
-    "distance_to",
-    "emitter",
-    "exploring",
-    "flat_battery",
-    "forward",
-    "identity",
-    "in_claw",
-    "in_zone",
-    "inside",
-    "moved",
-    "noise",
-    "orientation",
-    "over_threshold",
-    "paid",
-    "payoff",
-    "ratio",
-    "reached",
-    "signal_active",
-    "signal_distance",
-    "signal_orientation",
-    "speed",
-    "straight",
-    "survived",
-    "total",
-    "under_threshold",
-    "wheel",
-]
+from socialmind.worlds.plane.bodies import *
+from socialmind.worlds.plane.devices.actuators import *
+from socialmind.worlds.plane.devices.device import *
+from socialmind.worlds.plane.devices.interruptions import *
+from socialmind.worlds.plane.devices.measures import *
+from socialmind.worlds.plane.devices.rewards import *
+from socialmind.worlds.plane.devices.sensors import *
+from socialmind.worlds.plane.plane import *

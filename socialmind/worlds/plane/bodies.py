@@ -15,6 +15,8 @@ from socialmind.agents.agent import Agent
 from socialmind.errors import ModelError, called_at
 from socialmind.names import several
 
+__all__ = ["BALL", "Body", "Disc", "Obstacle", "Robot", "Zone"]
+
 
 class Body(Agent):
     """A round body that moves: a robot or an object.

@@ -20,6 +20,8 @@ from socialmind.worlds.plane.ticks.lockstep_text import lockstep_text
 from socialmind.worlds.plane.ticks.stages import PlaneProgram, planned
 from socialmind.worlds.plane.ticks.text import TICK, plane_text
 
+__all__ = ["Plane"]
+
 
 class Plane(World):
     """The declaration of a square arena with borders, as the attribute `world` of a model.

@@ -11,17 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import ModelError
+from socialmind.mind.functions import network
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.draft import NetworkDraft
 from socialmind.mind.functions.neat.genome import read_genome, written_genome
 from socialmind.mind.functions.neat.neuron import GraphNeuron, whole
-from socialmind.mind.functions.network import (
-    LINEAR,
-    NEAT_ACTIVATIONS,
-    NEAT_AGGREGATIONS,
-    Network,
-    Neuron,
-)
 from socialmind.mind.functions.perceptron import check_whole
 
 if TYPE_CHECKING:
@@ -206,7 +200,7 @@ class NeatGraph(InternalFunction):
             return None
         return f"{self} that has {self.inputs} inputs and {self.outputs} outputs"
 
-    def network(self, inputs: int, outputs: int) -> Network:
+    def network(self, inputs: int, outputs: int) -> network.Network:
         """Return what it computes as steps of arithmetic.
 
         Raises:
@@ -221,7 +215,7 @@ class NeatGraph(InternalFunction):
         nodes = {-place - 1: place for place in range(inputs)}
         silent = self._without_neuron()
         if silent:
-            nothing = draft.neurons([Neuron((), (), -1, LINEAR)])
+            nothing = draft.neurons([network.Neuron((), (), -1, network.LINEAR)])
             nodes.update(dict.fromkeys(silent, nothing))
         if self.recurrent and self.neurons:
             count = len(self.neurons)
@@ -298,16 +292,16 @@ def _layers(neurons: Iterable[GraphNeuron]) -> list[list[GraphNeuron]]:
     return layers
 
 
-def _neuron(draft: NetworkDraft, neuron: GraphNeuron, nodes: Mapping[int, int]) -> Neuron:
+def _neuron(draft: NetworkDraft, neuron: GraphNeuron, nodes: Mapping[int, int]) -> network.Neuron:
     """Return a neuron as a step's, with weights and a bias of its own."""
     count = len(neuron.sources)
     first = draft.keep_weights(count + 1)
-    return Neuron(
+    return network.Neuron(
         sources=tuple(nodes[source] for source in neuron.sources),
         weights=tuple(range(first, first + count)),
         bias=first + count,
-        activation=NEAT_ACTIVATIONS[neuron.activation],
-        aggregation=NEAT_AGGREGATIONS[neuron.aggregation],
+        activation=network.NEAT_ACTIVATIONS[neuron.activation],
+        aggregation=network.NEAT_AGGREGATIONS[neuron.aggregation],
         response=float(neuron.response),
     )
 

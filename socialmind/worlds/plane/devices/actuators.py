@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any
 
-from socialmind.worlds.plane.devices.device import Act, is_point
+from socialmind.worlds.plane.devices.device import Act, is_point, makers
 from socialmind.worlds.plane.devices.given import counts, numbers
 from socialmind.worlds.plane.devices.sensors import in_box
+
+__all__ = ["claw", "emitter", "wheel"]
 
 
 def wheel(at: tuple[float, float], force: float = 80.0) -> Act:
@@ -97,5 +98,5 @@ def emit(robot: Any, command: float, channel: float) -> None:
     robot.signal[int(channel)] = command
 
 
-ACTUATORS: dict[str, Callable[..., Act]] = {one.__name__: one for one in (wheel, claw, emitter)}
+ACTUATORS = makers(globals(), Act)
 """What makes actuators, by name."""

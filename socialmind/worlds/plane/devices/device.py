@@ -24,20 +24,10 @@ import numpy as np
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError, called_at, is_ours, nearest
+from socialmind.language import types
 from socialmind.language.program import Program
-from socialmind.language.types import (
-    BOOL,
-    FLOAT,
-    INT,
-    MODEL,
-    NONE,
-    RNG,
-    AnyType,
-    ArrayType,
-    PopulationType,
-    RowType,
-    Type,
-)
+
+__all__ = ["Act", "Interruption", "Reward", "Sense"]
 
 GIVEN: dict[str, str] = {
     "robot": "the robot",
@@ -73,12 +63,12 @@ _NEEDED = {
     "readings": ("sensors", "names of sensors: sensors=('S1', 'S2')"),
 }
 """What a device must say for a name: the attribute, and in words."""
-_PLAIN: dict[str, Type] = {
-    "model": MODEL,
-    "rng": RNG,
-    **dict.fromkeys(("kind", "slot"), INT),
-    **dict.fromkeys(("own", "found", "held", "restarted"), BOOL),
-    **dict.fromkeys(("distance", "bearing", "reading", "command", "before"), FLOAT),
+_PLAIN: dict[str, types.Type] = {
+    "model": types.MODEL,
+    "rng": types.RNG,
+    **dict.fromkeys(("kind", "slot"), types.INT),
+    **dict.fromkeys(("own", "found", "held", "restarted"), types.BOOL),
+    **dict.fromkeys(("distance", "bearing", "reading", "command", "before"), types.FLOAT),
 }
 
 
@@ -122,7 +112,7 @@ class Device:
     )
     word: ClassVar[str] = "device"
     further: ClassVar[tuple[str, ...]] = ()
-    results: ClassVar[tuple[AnyType, ...]] = ()
+    results: ClassVar[tuple[types.AnyType, ...]] = ()
     result: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
@@ -140,7 +130,7 @@ class Device:
             elif name not in settings:
                 known = [*self.given, *settings]
                 raise self.error(
-                    f"the parameter {name!r} of the {self.word} {self.name!r}",
+                    f"the parameter {name!r} of {self.called}",
                     f"one of {', '.join(self.given)}, or a setting",
                     f"{_hint(name, known)}give it a number: settings={{{name!r}: 1.0}}",
                 )
@@ -152,6 +142,11 @@ class Device:
     def name(self) -> str:
         """The function's name."""
         return str(getattr(self.function, "__name__", self.function))
+
+    @property
+    def called(self) -> str:
+        """What errors call it."""
+        return f"the {self.word} {self.name!r}"
 
     @property
     def takes(self) -> tuple[str, ...]:
@@ -189,7 +184,7 @@ class Device:
     def _names(self, names: Sequence[str]) -> Sequence[str]:
         if isinstance(names, str):
             raise self.error(
-                f"sensors={names!r} of the {self.word} {self.name!r}",
+                f"sensors={names!r} of {self.called}",
                 "several names",
                 f"write sensors=({names!r},)",
             )
@@ -197,26 +192,20 @@ class Device:
 
     def _point(self, at: Sequence[float]) -> tuple[float, float]:
         if not is_point(at):
-            raise self.error(f"at={shown(at)} of the {self.word} {self.name!r}", "two numbers")
+            raise self.error(f"at={shown(at)} of {self.called}", "two numbers")
         return float(at[0]), float(at[1])
 
     def _check_numbers(self) -> None:
-        reach = self.reach
-        if not isinstance(reach, str) and not (
-            (is_number(reach) or reach == math.inf) and reach > 0
-        ):
-            raise self.error(
-                f"reach={shown(reach)} of the {self.word} {self.name!r}", "a number above 0"
-            )
-        if not is_number(self.angle):
-            raise self.error(
-                f"angle={shown(self.angle)} of the {self.word} {self.name!r}", "radians"
-            )
-        if not is_whole(self.memory) or self.memory < 0:
-            raise self.error(
-                f"memory={shown(self.memory)} of the {self.word} {self.name!r}",
-                "a whole number, 0 or more",
-            )
+        reach, memory = self.reach, self.memory
+        sees = isinstance(reach, str) or ((is_number(reach) or reach == math.inf) and reach > 0)
+        checks = (
+            ("reach", "a number above 0", sees),
+            ("angle", "radians", is_number(self.angle)),
+            ("memory", "a whole number, 0 or more", is_whole(memory) and memory >= 0),
+        )
+        for name, expected, fits in checks:
+            if not fits:
+                raise self.error(f"{name}={shown(getattr(self, name))} of {self.called}", expected)
 
     def _completed(self, parameters: Mapping[str, inspect.Parameter]) -> dict[str, float | str]:
         """Return the settings with the function's defaults, in the order of its parameters."""
@@ -226,7 +215,7 @@ class Device:
                 continue
             if name in GIVEN:
                 raise self.error(
-                    f"a default for {name!r} of the {self.word} {self.name!r}",
+                    f"a default for {name!r} of {self.called}",
                     None,
                     f"leave it out: {name!r} is {GIVEN[name].split(';')[0]}",
                 )
@@ -235,7 +224,7 @@ class Device:
             if name not in parameters or name in GIVEN:
                 named = [one for one in parameters if one not in GIVEN]
                 raise self.error(
-                    f"the setting {name!r} of the {self.word} {self.name!r}",
+                    f"the setting {name!r} of {self.called}",
                     "a parameter of the function that is not given anyway",
                     nearest(name, named) if named else "leave it out: it has no settings",
                 )
@@ -244,7 +233,7 @@ class Device:
             infinite = isinstance(value, float) and math.isinf(value)
             if not (is_number(value) or is_truth(value) or infinite):
                 raise self.error(
-                    f"{name}={shown(value)} of the {self.word} {self.name!r}",
+                    f"{name}={shown(value)} of {self.called}",
                     "a number, a truth value or the name of a parameter of the model",
                 )
         given = {name: found[name] for name in parameters if name in found}
@@ -253,15 +242,14 @@ class Device:
     def _check_given(self, name: str) -> None:
         if name not in self.given:
             raise self.error(
-                f"the parameter {name!r} of the {self.word} {self.name!r}",
+                f"the parameter {name!r} of {self.called}",
                 f"one of {', '.join(self.given)}, or a setting",
                 f"{name!r} is {GIVEN[name]}",
             )
         attribute, words = _NEEDED.get(name, ("function", ""))
         if not getattr(self, attribute):
             raise self.error(
-                f"the parameter {name!r} of the {self.word} {self.name!r}, "
-                f"which says no `{attribute}`",
+                f"the parameter {name!r} of {self.called}, which says no `{attribute}`",
                 None,
                 f"give it {words}",
             )
@@ -272,7 +260,7 @@ class Device:
             names = [name for name, (needed, _) in _NEEDED.items() if needed == attribute]
             if getattr(self, attribute) and not any(name in parameters for name in names):
                 raise self.error(
-                    f"{attribute}={getattr(self, attribute)!r} of the {self.word} {self.name!r}, "
+                    f"{attribute}={getattr(self, attribute)!r} of {self.called}, "
                     f"which does not ask for it",
                     None,
                     f"leave it out, or let the function take {' or '.join(names)}",
@@ -284,7 +272,7 @@ class Sense(Device):
     """A sensor: its function returns a number, which is held to 0 … 1; truth values are 0 and 1."""
 
     word: ClassVar[str] = "sensor"
-    results: ClassVar[tuple[AnyType, ...]] = (FLOAT, INT, BOOL)
+    results: ClassVar[tuple[types.AnyType, ...]] = (types.FLOAT, types.INT, types.BOOL)
     result: ClassVar[str] = "a number"
 
 
@@ -294,7 +282,7 @@ class Act(Device):
 
     word: ClassVar[str] = "actuator"
     further: ClassVar[tuple[str, ...]] = ("command", "before")
-    results: ClassVar[tuple[AnyType, ...]] = (NONE,)
+    results: ClassVar[tuple[types.AnyType, ...]] = (types.NONE,)
     result: ClassVar[str] = "nothing"
 
 
@@ -312,7 +300,7 @@ class Reward(Device):
     settles: bool = False
     word: ClassVar[str] = "reward"
     further: ClassVar[tuple[str, ...]] = ("restarted",)
-    results: ClassVar[tuple[AnyType, ...]] = (FLOAT, INT)
+    results: ClassVar[tuple[types.AnyType, ...]] = (types.FLOAT, types.INT)
     result: ClassVar[str] = "a number"
 
 
@@ -326,8 +314,14 @@ class Interruption(Device):
 
     robots: str | None = None
     word: ClassVar[str] = "interruption"
-    results: ClassVar[tuple[AnyType, ...]] = (BOOL,)
+    results: ClassVar[tuple[types.AnyType, ...]] = (types.BOOL,)
     result: ClassVar[str] = "True or False"
+
+
+def makers(names: Mapping[str, Any], made: type[Device]) -> dict[str, Callable[..., Any]]:
+    """Return those functions of a file, given by its names, that make devices of a kind."""
+    functions = {name: one for name, one in names.items() if inspect.isfunction(one)}
+    return {n: f for n, f in functions.items() if f.__annotations__.get("return") == made.__name__}
 
 
 def typed(
@@ -374,7 +368,7 @@ def typed(
             f"the function {source.name!r}, which returns {result}, in {what}",
             device.result,
             "write `return x > 0.5`"
-            if device.results == (BOOL,) and result in (FLOAT, INT)
+            if device.results == (types.BOOL,) and result in (types.FLOAT, types.INT)
             else None,
             source.file,
             source.line,
@@ -425,21 +419,21 @@ def is_point(at: Any) -> bool:
     return isinstance(at, Sequence | np.ndarray) and len(at) == 2 and all(map(is_number, at))
 
 
-def _kind(device: Device, name: str, population: str) -> AnyType:
+def _kind(device: Device, name: str, population: str) -> types.AnyType:
     """Return the type of a parameter of a device's function."""
     if name in _PLAIN:
         return _PLAIN[name]
     if name == "robot":
-        return RowType(population)
+        return types.RowType(population)
     if name == "target":
-        return RowType(str(device.of))
+        return types.RowType(str(device.of))
     if name == "members":
-        return PopulationType(str(device.of))
+        return types.PopulationType(str(device.of))
     if name == "memory":
-        return ArrayType(FLOAT, device.memory)
+        return types.ArrayType(types.FLOAT, device.memory)
     if name == "readings":
-        return ArrayType(FLOAT, len(device.sensors))
-    return FLOAT
+        return types.ArrayType(types.FLOAT, len(device.sensors))
+    return types.FLOAT
 
 
 def _hint(name: str, known: Sequence[str]) -> str:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-from socialmind.worlds.plane.devices.device import Interruption
+from socialmind.worlds.plane.devices.device import Interruption, makers
 from socialmind.worlds.plane.devices.given import counts, numbers
+
+__all__ = ["after", "collision", "flat_battery", "over_threshold", "under_threshold"]
 
 
 def collision() -> Interruption:
@@ -62,7 +63,5 @@ def out_of_time(model: Any, ticks: float) -> bool:
     return model.tick + 1 >= ticks
 
 
-INTERRUPTIONS: dict[str, Callable[..., Interruption]] = {
-    one.__name__: one for one in (collision, flat_battery, over_threshold, under_threshold, after)
-}
+INTERRUPTIONS = makers(globals(), Interruption)
 """What makes interruptions, by name."""

@@ -21,6 +21,8 @@ import numpy as np
 from socialmind.errors import ModelError
 from socialmind.names import several
 
+__all__ = ["Measure", "against", "ratio", "survived", "total"]
+
 EPISODE: Mapping[str, str] = {
     "ticks": "how many ticks the episode lasted",
     "limit": "how many it could have lasted",

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from socialmind.names import several
-from socialmind.worlds.plane.devices.device import Reward
+from socialmind.worlds.plane.devices.device import Reward, makers
 from socialmind.worlds.plane.devices.given import numbers, whole
+
+__all__ = [
+    "clear", "closing", "collision_cost", "exploring", "forward", "paid", "reached", "speed",
+    "straight",
+]  # fmt: skip
 
 
 def closing(of: str, gain: float = 0.001) -> Reward:
@@ -193,18 +198,5 @@ def take(robot: Any, amount: float) -> float:
     return amount * earned
 
 
-REWARDS: dict[str, Callable[..., Reward]] = {
-    one.__name__: one
-    for one in (
-        closing,
-        reached,
-        forward,
-        speed,
-        collision_cost,
-        exploring,
-        straight,
-        clear,
-        paid,
-    )
-}
+REWARDS = makers(globals(), Reward)
 """What makes rewards, by name."""

@@ -6,7 +6,6 @@ All read 0 … 1. Those that say yes or no read `high` and `low`, 1 and 0 unless
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,9 +15,15 @@ from numpy.typing import NDArray
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_number, is_whole
 from socialmind.errors import ModelError, called_at
-from socialmind.worlds.plane.devices.device import Sense, is_point
+from socialmind.worlds.plane.devices.device import Sense, is_point, makers
 from socialmind.worlds.plane.devices.given import counts, numbers, whole
 from socialmind.worlds.plane.layout import RAY
+
+__all__ = [
+    "RangeFinder", "active", "battery", "carrying", "constant", "distance_to", "identity",
+    "in_claw", "in_zone", "inside", "moved", "noise", "orientation", "payoff",
+    "signal_active", "signal_distance", "signal_orientation",
+]  # fmt: skip
 
 HALF_ANGLE = math.radians(6.0)
 """Half the cone of a range finder."""
@@ -407,26 +412,7 @@ def felt_reward(robot: Any, scale: float) -> float:
     return max(0.0, min(0.5 + 0.5 * robot.reward / scale, 1.0))
 
 
-SENSORS: dict[str, Callable[..., Sense]] = {
-    one.__name__: one
-    for one in (
-        orientation,
-        distance_to,
-        active,
-        in_claw,
-        inside,
-        signal_orientation,
-        signal_distance,
-        signal_active,
-        battery,
-        moved,
-        constant,
-        identity,
-        carrying,
-        noise,
-        payoff,
-    )
-}
+SENSORS = makers(globals(), Sense)
 """What makes sensors, by name; beside them there is the `RangeFinder`."""
 
 
