@@ -42,12 +42,7 @@ from socialmind.runs.sources import (
     scheme_copies,
     with_late_reads,
 )
-from socialmind.runs.tables import (
-    AGENTS,
-    SERIES,
-    TABLES,
-    GrowingTable,
-)
+from socialmind.runs.tables import AGENTS, SERIES, TABLES, GrowingTable
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
@@ -309,11 +304,7 @@ class _Execution:
         return failure_in_model(error, path, f"the run at tick {self._model.tick}")
 
     def _loop(
-        self,
-        length: int,
-        on_progress: Progress | None,
-        checkpoint_every: float,
-        arrived: list[int],
+        self, length: int, on_progress: Progress | None, checkpoint_every: float, arrived: list[int]
     ) -> None:
         chunk = 1
         clock = time.perf_counter

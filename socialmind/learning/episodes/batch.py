@@ -172,10 +172,7 @@ class Batch:
         )
 
     def _fail(
-        self,
-        genomes: NDArray[np.float64],
-        individual: NDArray[np.int64],
-        keys: NDArray[np.uint64],
+        self, genomes: NDArray[np.float64], individual: NDArray[np.int64], keys: NDArray[np.uint64]
     ) -> None:
         """Run the episode that failed once more, alone, which says where and why.
 

@@ -251,15 +251,7 @@ _CHECKPOINT = Fields(
     },
     {"last": Kind("a position in the curriculum, or null", lambda one: one is None or _at(one))},
 )
-_RESULT = Fields(
-    {
-        "lesson": TEXT,
-        "cycle": whole(),
-        "skills": Many(TEXT),
-        "ticks": whole(),
-    },
-    {},
-)
+_RESULT = Fields({"lesson": TEXT, "cycle": whole(), "skills": Many(TEXT), "ticks": whole()}, {})
 
 
 def _at(value: Any) -> bool:
