@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,9 +12,8 @@ from gymnasium.utils.seeding import np_random
 from numpy.typing import NDArray
 
 from coglogo_py.border.errors import shown
-from socialmind.envs.steered_world import SteeredWorld, commands_of
+from socialmind.envs.steered_world import Steered, commands_of
 from socialmind.errors import SocialmindError, nearest
-from socialmind.model import Model
 
 
 class MissingPettingZooError(SocialmindError, ImportError):
@@ -33,7 +30,7 @@ from pettingzoo import ParallelEnv  # noqa: E402  # needs PettingZoo
 Numbers = NDArray[np.float32]
 
 
-class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
+class PlaneParallelEnv(Steered, ParallelEnv[str, Numbers, Numbers]):
     """A world with any number of robots, each of which is steered from outside.
 
     An agent is a robot that is there from the start and has actuators; the second of the population
@@ -63,22 +60,7 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         SocialmindError: no such model or lesson; no plane, or no robots to steer.
     """
 
-    # As PettingZoo declares it; an instance has its own.
-    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 30}  # noqa: RUF012
-
-    def __init__(
-        self,
-        model: type[Model] | str | Path,
-        environment: str | None = None,
-        render_mode: str | None = None,
-        ticks: int | None = None,
-        physics: str = "compiled",
-        without: Sequence[str] = (),
-        parameters: Mapping[str, Any] | None = None,
-    ) -> None:
-        self._world = SteeredWorld(
-            model, environment, render_mode, ticks, physics, without, parameters
-        )
+    def _prepare(self) -> None:
         bodies, sizes = self._world.bodies, self._world.sizes
         self._place = {
             f"{name}_{number}": (name, number) for name in bodies for number in range(sizes[name])
@@ -97,23 +79,13 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         }
         self.observation_spaces = {agent: one for agent, (one, _) in spaces.items()}
         self.action_spaces = {agent: one for agent, (_, one) in spaces.items()}
-        self.metadata = {
-            **self.metadata,
-            "name": f"{self._world.model_class.name}_v0",
-            "render_fps": self._world.fps,
-        }
-        self.render_mode = render_mode
+        self.metadata["name"] = f"{self._world.model_class.name}_v0"
         self.possible_agents = list(self._place)
         self.agents: list[str] = []
         self._random, _ = np_random(None)
         self._identity: dict[str, int] = {}
         self._dead: dict[str, Any] = {}
         self._pending: dict[str, float] = {}
-
-    @property
-    def model(self) -> Model | None:
-        """The running model; None before `reset` was called."""
-        return self._world.model
 
     def observation_space(self, agent: str) -> Box:
         """Return the space of what an agent's sensors read."""
@@ -194,16 +166,9 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         self.agents = [agent for agent in acting if not (ended[agent] or up[agent])]
         return self._observations(acting), rewards, ended, up, self._infos(acting)
 
-    def __copy__(self) -> Any:
-        return copy.deepcopy(self)  # or both would run one world
-
-    def render(self) -> Any:
-        """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
-        return self._world.pixels()
-
     def close(self) -> None:
         """Let the world go."""
-        self._world.close()
+        super().close()
         self.agents = []
 
     def _commands(self, actions: Mapping[str, Numbers]) -> dict[str, NDArray[np.float64]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -144,6 +145,59 @@ class SteeredWorld:
     def close(self) -> None:
         """Let the world go."""
         self.model = self._drawing = None
+
+
+class Steered:
+    """What environments of either library have in common: a world that is steered from outside.
+
+    Args:
+        model: a model's class, name or folder.
+        environment: the name of a class in its `lessons.py`, in place of the model itself.
+        render_mode: None, or "rgb_array".
+        ticks: the limit of an episode; the model's own by default.
+        physics: what moves the bodies, "compiled" or "pymunk".
+        without: names of interruptions that are not heeded.
+        parameters: values of the model's parameters that differ from the defaults.
+    """
+
+    # As both libraries declare it; an instance has its own.
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 30}  # noqa: RUF012
+
+    def __init__(
+        self,
+        model: type[Model] | str | Path,
+        environment: str | None = None,
+        render_mode: str | None = None,
+        ticks: int | None = None,
+        physics: str = "compiled",
+        without: Sequence[str] = (),
+        parameters: Mapping[str, Any] | None = None,
+    ) -> None:
+        self._world = SteeredWorld(
+            model, environment, render_mode, ticks, physics, without, parameters
+        )
+        self.metadata = {**self.metadata, "render_fps": self._world.fps}
+        self.render_mode = render_mode
+        self._prepare()
+
+    def _prepare(self) -> None:
+        """Find who is steered."""
+
+    @property
+    def model(self) -> Model | None:
+        """The running model; None before `reset` was called."""
+        return self._world.model
+
+    def __copy__(self) -> Any:
+        return copy.deepcopy(self)  # or both would run one world
+
+    def render(self) -> Any:
+        """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
+        return self._world.pixels()
+
+    def close(self) -> None:
+        """Let the world go."""
+        self._world.close()
 
 
 def commands_of(action: Any, actuators: Sequence[str], whose: str = "") -> NDArray[np.float64]:
