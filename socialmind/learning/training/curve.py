@@ -117,13 +117,10 @@ def draw_curve(curve: pd.DataFrame) -> Figure:
     from socialmind.drawing import style as paper
 
     lessons = list(dict.fromkeys(curve["lesson"]))
-    across = min(3, max(1, len(lessons)))
-    down = max(1, -(-len(lessons) // across))
     attempts = sorted(set(curve["attempt"]))
     with paper.style():
-        figure = paper.figure(PANEL[0] * across, PANEL[1] * down)
-        panels = figure.subplots(down, across, squeeze=False)
-        for axes, lesson in zip(panels.flat, lessons, strict=False):
+        figure, panels = paper.grid(len(lessons), *PANEL)
+        for axes, lesson in zip(panels, lessons, strict=True):
             own = curve[curve["lesson"] == lesson]
             for attempt in attempts:
                 best = own.loc[own["attempt"] == attempt, "best"].to_numpy()
@@ -133,8 +130,6 @@ def draw_curve(curve: pd.DataFrame) -> Figure:
             axes.set_title(lesson)
             axes.set_xlabel("generation")
             axes.set_ylabel("best score")
-        for axes in panels.flat[len(lessons) :]:
-            axes.set_visible(False)
     return figure
 
 
