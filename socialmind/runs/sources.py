@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.catalogue import load_model, load_script
 from socialmind.errors import SocialmindError
+from socialmind.runs import folders
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.loading import modules_from
 from socialmind.sources.provenance import KEPT, difference, difference_of_copies, sources_of
 from socialmind.sources.trust import programs_in, remember, require
-from socialmind.version import __version__
 
 if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme
@@ -228,12 +228,7 @@ def model_of(
             remedies.insert(1, "take the run's own copies (--source kept)")
         remedy = f"{', '.join(remedies[:-1])}, or {remedies[-1]}"
         raise SocialmindError(f"{changed}; {remedy}")
-    then, today = manifest.versions.get("socialmind"), __version__
-    if then != today:
-        raise SocialmindError(
-            f"{capsule.folder}: made by socialmind {then}, this is {today}, whose runs may differ; "
-            f"install {then}, or start another run"
-        )
+    folders.refuse_other_version(capsule.folder, "run", manifest.versions)
     return cls(
         seed=manifest.seed,
         compiled=manifest.compiled if compiled is None else compiled,
