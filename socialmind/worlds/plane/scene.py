@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError
+from socialmind.worlds.plane.arena import Arena
 from socialmind.worlds.plane.bodies import Body, Obstacle, Robot, Zone
 from socialmind.worlds.plane.devices.actuators import emit
 from socialmind.worlds.plane.devices.device import Act, Sense
@@ -18,7 +19,6 @@ from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
-    from socialmind.worlds.plane.arena import Arena
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
