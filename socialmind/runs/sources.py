@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import inspect
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.catalogue import load_model, load_script
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders
-from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
+from socialmind.sources.folders import MODEL_FILE, catalogue, file_of_class, source_hash
 from socialmind.sources.loading import modules_from
 from socialmind.sources.provenance import KEPT, difference, difference_of_copies, sources_of
 from socialmind.sources.trust import programs_in, remember, require
@@ -36,10 +35,8 @@ def model_source(model_class: type[Model]) -> dict[str, Any]:
     Raises:
         SocialmindError: a file was edited since it was loaded.
     """
-    try:
-        path: Path | None = Path(inspect.getfile(model_class)).resolve()
-    except (OSError, TypeError):
-        path = None
+    file = file_of_class(model_class)
+    path = None if file is None else file.resolve()
     if path is not None and path.name == MODEL_FILE:
         path = path.parent
     there = path is not None and path.exists()
@@ -185,10 +182,8 @@ def what_was_edited(record: Mapping[str, Any], place: Path) -> str | None:
 
 def _is_kept(capsule: Capsule, model_class: type[Model]) -> bool:
     """Return whether a class was loaded from a run's own copies."""
-    try:
-        return Path(inspect.getfile(model_class)).is_relative_to(capsule.folder / KEPT)
-    except (OSError, TypeError):
-        return False
+    file = file_of_class(model_class)
+    return file is not None and file.is_relative_to(capsule.folder / KEPT)
 
 
 def model_of(

@@ -122,17 +122,12 @@ def draw_curve(curve: pd.DataFrame) -> Figure:
         figure, panels = paper.grid(len(lessons), *PANEL)
         for axes, lesson in zip(panels, lessons, strict=True):
             own = curve[curve["lesson"] == lesson]
-            for attempt in attempts:
+            for place, attempt in enumerate(attempts):
                 best = own.loc[own["attempt"] == attempt, "best"].to_numpy()
-                colour = paper.BLUE_TO_RED[_shade(attempts.index(attempt), len(attempts))]
+                colour = paper.BLUE_TO_RED[round(8 * place / max(len(attempts) - 1, 1))]
                 # Those of a lesson taught over and over follow upon each other.
                 axes.plot(np.arange(1, len(best) + 1), best, color=colour, linewidth=0.8)
             axes.set_title(lesson)
             axes.set_xlabel("generation")
             axes.set_ylabel("best score")
     return figure
-
-
-def _shade(place: int, count: int) -> int:
-    """Return a place on the scale of nine colours for one of several lines."""
-    return 0 if count < 2 else round(8 * place / (count - 1))
