@@ -7,7 +7,6 @@ repository.
 
 from __future__ import annotations
 
-import shutil
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -17,7 +16,7 @@ from typing import Any
 from socialmind.errors import SocialmindError, nearest
 from socialmind.experiments.studies import Way
 from socialmind.experiments.trainings.rechecking import recheck, rescore
-from socialmind.experiments.trainings.store import differences, keep
+from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.execution import learn, resume
@@ -159,8 +158,8 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
             name: of the plan.
         """
         plan, folder = self[name], self.home / name
-        if not folder.is_dir() and (self.kept / name / MANIFEST).is_file():
-            shutil.copytree(self.kept / name, folder)
+        if not folder.is_dir():
+            take_out(self.kept / name, folder)
         return plan.train(folder, on_lesson=print_lesson)
 
     def training(self, name: str, way: Way, out: Path) -> tuple[Training | None, str]:

@@ -117,6 +117,22 @@ def identity(manifest: TrainingManifest) -> dict[str, Any]:
     }
 
 
+def take_out(kept: Path, folder: Path) -> bool:
+    """Copy a kept training to where it can be gone on with.
+
+    Args:
+        kept: where it is kept.
+        folder: the one to make.
+
+    Returns:
+        Whether it is kept at all.
+    """
+    if not (kept / MANIFEST).is_file():
+        return False
+    shutil.copytree(kept, folder)
+    return True
+
+
 def differences(training: Training, plan: TrainingPlan) -> list[str]:
     """Return in what a training is another one than its plan would give today."""
     manifest = training.manifest
