@@ -9,15 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from socialmind.commands.console.options import (
-    FROM_1,
-    ModelUnlessResumed,
-    Quiet,
-    Seed,
-    Trust,
-    Workers,
-    refuse_with_resume,
-)
+from socialmind.commands.console import options
 from socialmind.commands.console.progress import progress_line
 from socialmind.commands.console.terminal import quoted
 from socialmind.errors import SocialmindError
@@ -32,13 +24,13 @@ RESUMED_WITH = ("attempts", "cycles", "workers", "cluster", "resume", "trust", "
 
 def learn(
     context: typer.Context,
-    model: ModelUnlessResumed = None,
+    model: options.ModelUnlessResumed = None,
     lesson: Annotated[
         list[str] | None,
         typer.Option(metavar="NAME|FILE", help="A lesson, or a .simbatch file (the curriculum)."),
     ] = None,
     attempts: Annotated[
-        int | None, typer.Option(**FROM_1, help="Independent attempts (1).")
+        int | None, typer.Option(**options.FROM_1, help="Independent attempts (1).")
     ] = None,
     mind: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Mind to begin from (the model's).")
@@ -51,19 +43,20 @@ def learn(
         typer.Option("--set", metavar="NAME=NUMBER", help="Setting of optimisers; may repeat."),
     ] = None,
     generations: Annotated[
-        int | None, typer.Option(**FROM_1, help="Generations of each lesson (the lesson's).")
+        int | None,
+        typer.Option(**options.FROM_1, help="Generations of each lesson (the lesson's)."),
     ] = None,
     ticks_budget: Annotated[
-        int | None, typer.Option(**FROM_1, help="Ticks after which no generation begins.")
+        int | None, typer.Option(**options.FROM_1, help="Ticks after which no generation begins.")
     ] = None,
     cycles: Annotated[
-        int | None, typer.Option(**FROM_1, help="How often lessons in a cycle are taught.")
+        int | None, typer.Option(**options.FROM_1, help="How often lessons in a cycle are taught.")
     ] = None,
-    seed: Seed = None,
+    seed: options.Seed = None,
     engine: Annotated[
         str | None, typer.Option(metavar="ENGINE", help="compiled (as by default) or pymunk.")
     ] = None,
-    workers: Workers = None,
+    workers: options.Workers = None,
     cluster: Annotated[
         str | None, typer.Option(metavar="ADDRESS", help="Work on a Dask cluster: tcp://HOST:8786.")
     ] = None,
@@ -75,8 +68,8 @@ def learn(
         Path | None,
         typer.Option(metavar="DIR", help="Go on with a training; --attempts adds attempts."),
     ] = None,
-    trust: Trust = False,
-    quiet: Quiet = False,
+    trust: options.Trust = False,
+    quiet: options.Quiet = False,
 ) -> None:
     """Teach the mind of a model its lessons, or go on with a training."""
     from socialmind.learning.training import execution
@@ -92,7 +85,7 @@ def learn(
                 workers=workers, cluster=cluster, **told,
             )  # fmt: skip
     else:
-        refuse_with_resume(context, "training", RESUMED_WITH)
+        options.refuse_with_resume(context, "training", RESUMED_WITH)
         with _told(quiet) as told:
             folder = execution.resume(
                 resume, attempts=attempts, cycles=cycles, workers=workers, cluster=cluster,

@@ -7,15 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from socialmind.commands.console.options import (
-    FROM_0,
-    FROM_1,
-    Folder,
-    Quiet,
-    Source,
-    Trust,
-    is_kept,
-)
+from socialmind.commands.console import options
 from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError
 
@@ -24,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def render(
-    folder: Folder,
+    folder: options.Folder,
     out: Annotated[
         Path,
         typer.Option(
@@ -33,17 +25,21 @@ def render(
     ],
     tick: Annotated[
         list[int] | None,
-        typer.Option(**FROM_0, help="Moment of a picture (the last); may be repeated, for rows."),
+        typer.Option(
+            **options.FROM_0, help="Moment of a picture (the last); may be repeated, for rows."
+        ),
     ] = None,
     begin: Annotated[
-        int | None, typer.Option("--from", **FROM_0, help="First tick of a film (0).")
+        int | None, typer.Option("--from", **options.FROM_0, help="First tick of a film (0).")
     ] = None,
     end: Annotated[
-        int | None, typer.Option("--to", **FROM_0, help="Last tick of a film (the run's).")
+        int | None, typer.Option("--to", **options.FROM_0, help="Last tick of a film (the run's).")
     ] = None,
     every: Annotated[
         int | None,
-        typer.Option(**FROM_1, help="Ticks between two frames (for 900 frames, 300 of a GIF)."),
+        typer.Option(
+            **options.FROM_1, help="Ticks between two frames (for 900 frames, 300 of a GIF)."
+        ),
     ] = None,
     fps: Annotated[float | None, typer.Option(help="Frames a second (30, 20 for a GIF).")] = None,
     mind: Annotated[
@@ -59,7 +55,9 @@ def render(
     ] = None,
     trail: Annotated[
         int | None,
-        typer.Option(**FROM_0 | {"metavar": "TICKS"}, help="Length of the path drawn (all)."),
+        typer.Option(
+            **options.FROM_0 | {"metavar": "TICKS"}, help="Length of the path drawn (all)."
+        ),
     ] = None,
     look: Annotated[
         str | None,
@@ -68,11 +66,12 @@ def render(
         ),
     ] = None,
     width: Annotated[
-        int | None, typer.Option(**FROM_1, help="Width in pixels; of SVG and PDF in millimetres.")
+        int | None,
+        typer.Option(**options.FROM_1, help="Width in pixels; of SVG and PDF in millimetres."),
     ] = None,
-    source: Source = None,
-    trust: Trust = False,
-    quiet: Quiet = False,
+    source: options.Source = None,
+    trust: options.Trust = False,
+    quiet: options.Quiet = False,
 ) -> None:
     """Draw a run on a plane: robots, what they see, where they go; on request their minds."""
     from socialmind.drawing.look import LOOKS
@@ -102,12 +101,18 @@ def render(
     with progress_bar(quiet) as on_progress:
         if suffix in STILLS:
             path = draw_moments(
-                folder, out, tick or [], style, on_progress, trust=trust, kept=is_kept(source)
+                folder,
+                out,
+                tick or [],
+                style,
+                on_progress,
+                trust=trust,
+                kept=options.is_kept(source),
             )
         else:
             path = film_run(
                 folder, out, begin or 0, end, every, fps, style, on_progress, trust,
-                is_kept(source),
+                options.is_kept(source),
             )  # fmt: skip
     typer.echo(path)
 

@@ -9,20 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from socialmind.commands.console.options import (
-    FROM_0,
-    FROM_1,
-    Folder,
-    Minds,
-    ModelUnlessResumed,
-    Parameters,
-    Quiet,
-    Seed,
-    Source,
-    Trust,
-    is_kept,
-    refuse_with_resume,
-)
+from socialmind.commands.console import options
 from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError, nearest
 
@@ -36,20 +23,21 @@ RESUMED_WITH = ("ticks", "figures", "interpreted", "resume", "source", "trust", 
 
 def run(
     context: typer.Context,
-    model: ModelUnlessResumed = None,
-    ticks: Annotated[int | None, typer.Option(**FROM_0, help="Length of the run.")] = None,
-    seed: Seed = None,
-    settings: Parameters = None,
+    model: options.ModelUnlessResumed = None,
+    ticks: Annotated[int | None, typer.Option(**options.FROM_0, help="Length of the run.")] = None,
+    seed: options.Seed = None,
+    settings: options.Parameters = None,
     scheme: Annotated[
         list[str] | None,
         typer.Option(metavar="[POPULATION=]FILE", help="Cognitive scheme in place of the model's."),
     ] = None,
-    mind: Minds = None,
+    mind: options.Minds = None,
     every: Annotated[
-        int | None, typer.Option(**FROM_1, help="Ticks between two rows of the series (500 rows).")
+        int | None,
+        typer.Option(**options.FROM_1, help="Ticks between two rows of the series (500 rows)."),
     ] = None,
     agents_every: Annotated[
-        int | None, typer.Option(**FROM_1, help="Ticks between two records of the agents.")
+        int | None, typer.Option(**options.FROM_1, help="Ticks between two records of the agents.")
     ] = None,
     out: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Folder to make (a fresh one under runs/).")
@@ -68,9 +56,9 @@ def run(
         Path | None,
         typer.Option(metavar="DIR", help="Go on with a run; --ticks makes a finished one longer."),
     ] = None,
-    source: Source = None,
-    trust: Trust = False,
-    quiet: Quiet = False,
+    source: options.Source = None,
+    trust: options.Trust = False,
+    quiet: options.Quiet = False,
 ) -> None:
     """Run a model into a folder, or go on with a run."""
     from socialmind.runs import execution
@@ -96,11 +84,11 @@ def run(
                 out, not interpreted, on_progress, engine=engine or "compiled",
             )  # fmt: skip
     else:
-        refuse_with_resume(context, "run", RESUMED_WITH)
+        options.refuse_with_resume(context, "run", RESUMED_WITH)
         with progress_bar(quiet) as on_progress:
             folder = execution.resume(
                 resume, ticks, False if interpreted else None, on_progress=on_progress,
-                kept=is_kept(source), trust=trust,
+                kept=options.is_kept(source), trust=trust,
             )  # fmt: skip
     _conclude(folder, quiet)
     if figures:
@@ -108,21 +96,24 @@ def run(
     typer.echo(folder)
 
 
-def plot(folder: Folder, trust: Trust = False) -> None:
+def plot(folder: options.Folder, trust: options.Trust = False) -> None:
     """Draw a run's figures, as PDF and PNG, under figures/ in its folder."""
     for path in draw(folder, trust):
         typer.echo(path)
 
 
 def replay(
-    folder: Folder, source: Source = None, trust: Trust = False, quiet: Quiet = False
+    folder: options.Folder,
+    source: options.Source = None,
+    trust: options.Trust = False,
+    quiet: options.Quiet = False,
 ) -> None:
     """Run a run again and compare: exit code 0 when it comes out equal, 1 when not."""
     from socialmind.runs import verification
 
     with progress_bar(quiet) as on_progress:
         found = verification.replay(
-            folder, on_progress=on_progress, kept=is_kept(source), trust=trust
+            folder, on_progress=on_progress, kept=options.is_kept(source), trust=trust
         )
     for note in found.notes:
         typer.echo(f"note: {note}", err=True)

@@ -8,15 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from socialmind.commands.console.options import (
-    FROM_1,
-    SEED,
-    Minds,
-    Model,
-    Parameters,
-    Quiet,
-    Workers,
-)
+from socialmind.commands.console import options
 from socialmind.commands.console.progress import progress_bar
 from socialmind.commands.running import by_population, read_settings
 
@@ -25,10 +17,12 @@ if TYPE_CHECKING:
 
 
 def score(
-    model: Model,
-    mind: Minds = None,
-    episodes: Annotated[int, typer.Option(**FROM_1, help="How many, each in its own world.")] = 100,
-    seed: Annotated[int, typer.Option(**SEED, help="Seed of the worlds.")] = 0,
+    model: options.Model,
+    mind: options.Minds = None,
+    episodes: Annotated[
+        int, typer.Option(**options.FROM_1, help="How many, each in its own world.")
+    ] = 100,
+    seed: Annotated[int, typer.Option(**options.SEED, help="Seed of the worlds.")] = 0,
     engine: Annotated[
         str, typer.Option(metavar="ENGINE", help="compiled or pymunk, the reference.")
     ] = "compiled",
@@ -37,12 +31,12 @@ def score(
         typer.Option(metavar="end|continue", help="Whether a collision ends a run (the model's)."),
     ] = None,
     ticks: Annotated[
-        int | None, typer.Option(**FROM_1, help="Limit of an episode (the model's).")
+        int | None, typer.Option(**options.FROM_1, help="Limit of an episode (the model's).")
     ] = None,
-    settings: Parameters = None,
-    workers: Workers = None,
+    settings: options.Parameters = None,
+    workers: options.Workers = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
-    quiet: Quiet = False,
+    quiet: options.Quiet = False,
 ) -> None:
     """Measure a model's minds in worlds that no training has seen, with intervals of 95 %."""
     from socialmind.catalogue import load_model

@@ -101,6 +101,23 @@ def figure(width: float, height: float, gap: float = 1.0) -> Figure:
     return Figure(figsize=(width / 25.4, height / 25.4), layout=layout)
 
 
+def grid(count: int, width: float, height: float) -> tuple[Figure, list[Axes]]:
+    """Make a figure of panels, three in a row.
+
+    Args:
+        count: how many panels; the places left over in the last row stay empty.
+        width: of a panel, in millimetres.
+        height: of a panel, in millimetres.
+    """
+    across = min(3, max(1, count))
+    down = max(1, -(-count // across))
+    made = figure(width * across, height * down)
+    panels = list(made.subplots(down, across, squeeze=False).flat)
+    for axes in panels[count:]:
+        axes.set_visible(False)
+    return made, panels[:count]
+
+
 def save(figures: Mapping[str, Figure], folder: Path) -> list[Path]:
     """Write each figure as PDF and as PNG (300 dots an inch).
 

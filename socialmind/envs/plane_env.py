@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import copy
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 import gymnasium
@@ -12,14 +10,14 @@ import numpy as np
 from gymnasium.spaces import Box
 from numpy.typing import NDArray
 
-from socialmind.envs.steered_world import SteeredWorld, commands_of, sizes_of
+from socialmind.envs.steered_world import SteeredWorld, commands_of
 from socialmind.errors import SocialmindError
 from socialmind.model import Model
 
 Numbers = NDArray[np.float32]
 
 
-class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
+class PlaneEnv(SteeredWorld, gymnasium.Env[Numbers, Numbers]):
     """A world with one robot, which is steered from outside.
 
     An observation is what the body's sensors read, an action is what its actuators are told, both
@@ -45,36 +43,14 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
         SocialmindError: no such model or lesson; no plane, or not one robot alone.
     """
 
-    # As Gymnasium declares it; an instance has its own.
-    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 30}  # noqa: RUF012
-
-    def __init__(
-        self,
-        model: type[Model] | str | Path,
-        environment: str | None = None,
-        render_mode: str | None = None,
-        ticks: int | None = None,
-        physics: str = "compiled",
-        without: Sequence[str] = (),
-        parameters: Mapping[str, Any] | None = None,
-    ) -> None:
-        self._world = SteeredWorld(
-            model, environment, render_mode, ticks, physics, without, parameters
-        )
-        self._robots = robot_of(self._world.model_class, parameters)
-        body = self._world.bodies[self._robots]
+    def _prepare(self) -> None:
+        self._robots = robot_of(self._model_class, self._sizes)
+        body = self._bodies[self._robots]
         self.observation_space = Box(0.0, 1.0, (len(body.sensors),), np.float32)
         self.action_space = Box(0.0, 1.0, (len(body.actuators),), np.float32)
-        self.metadata = {**self.metadata, "render_fps": self._world.fps}
-        self.render_mode = render_mode
         self._actuators = list(body.actuators)
         self._identity = 0
         self._pending = 0.0
-
-    @property
-    def model(self) -> Model | None:
-        """The running model; None before `reset` was called."""
-        return self._world.model
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -90,11 +66,11 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
             the name of the interruption that has ended the episode or None.
         """
         super().reset(seed=seed)
-        model = self._world.begin(int(self.np_random.integers(2**63)), options)
+        model = self._begin(int(self.np_random.integers(2**63)), options)
         if not len(model.tables[self._robots]):
             raise SocialmindError(f"the robot of {model.name} died in its setup")
         self._identity = int(model.tables[self._robots].id[0])
-        self._world.advance()
+        self._advance()
         self._pending = self._column("reward")
         return self._observation(), self._info()
 
@@ -111,53 +87,41 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
         Raises:
             SocialmindError: an action that is not a number for each actuator.
         """
-        model = self._world.running
+        model = self._running
         told = commands_of(action, self._actuators)
         reward, self._pending = self._pending, 0.0
         if not self._ended:
             slots = model.tables[self._robots].slots
             commands = np.full((len(slots), len(told)), 0.5)
-            commands[slots == self._world.slot(self._robots, self._identity)] = told
+            commands[slots == self._slot_of(self._robots, self._identity)] = told
             model.steer(self._robots, commands)
-            self._world.advance()
+            self._advance()
             reward += self._column("reward")
-        return self._observation(), reward, self._ended, self._world.up, self._info()
-
-    def __copy__(self) -> Any:
-        return copy.deepcopy(self)  # or both would run one world
-
-    def render(self) -> Any:
-        """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
-        return self._world.pixels()
-
-    def close(self) -> None:
-        """Let the world go."""
-        self._world.close()
+        return self._observation(), reward, self._ended, self._up, self._info()
 
     @property
     def _ended(self) -> bool:
-        dead = self._world.slot(self._robots, self._identity) is None
-        return dead or self._world.running.over is not None
+        dead = self._slot_of(self._robots, self._identity) is None
+        return dead or self._running.over is not None
 
     def _column(self, name: str) -> Any:
-        return self._world.row(self._robots, self._identity)[name].item()
+        return self._row_of(self._robots, self._identity)[name].item()
 
     def _observation(self) -> Numbers:
-        readings = self._world.row(self._robots, self._identity)["readings"]
+        readings = self._row_of(self._robots, self._identity)["readings"]
         shape: Any = self.observation_space.shape
         return readings[: shape[0]].astype(np.float32)
 
     def _info(self) -> dict[str, Any]:
-        return {**self._world.facts(), "score": self._column("score")}
+        return {**self._facts(), "score": self._column("score")}
 
 
-def robot_of(model_class: type[Model], parameters: Mapping[str, Any] | None = None) -> str:
-    """Return the population of the one robot that a model has.
+def robot_of(model_class: type[Model], sizes: Mapping[str, int]) -> str:
+    """Return the population of the one robot that a model has, by how many there are of each.
 
     Raises:
         SocialmindError: it has none, or several, or one without actuators.
     """
-    sizes = sizes_of(model_class, parameters)
     if sum(sizes.values()) != 1:
         found = ", ".join(f"{count} {name}" for name, count in sizes.items()) or "no robots"
         raise SocialmindError(

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,7 +14,6 @@ from numpy.typing import NDArray
 from coglogo_py.border.errors import shown
 from socialmind.envs.steered_world import SteeredWorld, commands_of
 from socialmind.errors import SocialmindError, nearest
-from socialmind.model import Model
 
 
 class MissingPettingZooError(SocialmindError, ImportError):
@@ -33,7 +30,7 @@ from pettingzoo import ParallelEnv  # noqa: E402  # needs PettingZoo
 Numbers = NDArray[np.float32]
 
 
-class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
+class PlaneParallelEnv(SteeredWorld, ParallelEnv[str, Numbers, Numbers]):
     """A world with any number of robots, each of which is steered from outside.
 
     An agent is a robot that is there from the start and has actuators; the second of the population
@@ -63,30 +60,13 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         SocialmindError: no such model or lesson; no plane, or no robots to steer.
     """
 
-    # As PettingZoo declares it; an instance has its own.
-    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 30}  # noqa: RUF012
-
-    def __init__(
-        self,
-        model: type[Model] | str | Path,
-        environment: str | None = None,
-        render_mode: str | None = None,
-        ticks: int | None = None,
-        physics: str = "compiled",
-        without: Sequence[str] = (),
-        parameters: Mapping[str, Any] | None = None,
-    ) -> None:
-        self._world = SteeredWorld(
-            model, environment, render_mode, ticks, physics, without, parameters
-        )
-        bodies, sizes = self._world.bodies, self._world.sizes
+    def _prepare(self) -> None:
+        bodies, sizes = self._bodies, self._sizes
         self._place = {
             f"{name}_{number}": (name, number) for name in bodies for number in range(sizes[name])
         }
         if not self._place:
-            raise SocialmindError(
-                f"{self._world.model_class.name} has no robots with actuators to steer"
-            )
+            raise SocialmindError(f"{self._model_class.name} has no robots with actuators to steer")
         self._counts = {
             name: (len(one.sensors), len(one.actuators)) for name, one in bodies.items()
         }
@@ -97,23 +77,13 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         }
         self.observation_spaces = {agent: one for agent, (one, _) in spaces.items()}
         self.action_spaces = {agent: one for agent, (_, one) in spaces.items()}
-        self.metadata = {
-            **self.metadata,
-            "name": f"{self._world.model_class.name}_v0",
-            "render_fps": self._world.fps,
-        }
-        self.render_mode = render_mode
+        self.metadata["name"] = f"{self._model_class.name}_v0"
         self.possible_agents = list(self._place)
         self.agents: list[str] = []
         self._random, _ = np_random(None)
         self._identity: dict[str, int] = {}
         self._dead: dict[str, Any] = {}
         self._pending: dict[str, float] = {}
-
-    @property
-    def model(self) -> Model | None:
-        """The running model; None before `reset` was called."""
-        return self._world.model
 
     def observation_space(self, agent: str) -> Box:
         """Return the space of what an agent's sensors read."""
@@ -140,14 +110,14 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
             self._random, _ = np_random(seed)
         # PettingZoo's own checks of an environment give it an option called "options".
         given = {name: one for name, one in (options or {}).items() if name != "options"}
-        model = self._world.begin(int(self._random.integers(2**63)), given)
+        model = self._begin(int(self._random.integers(2**63)), given)
         self._dead = {}
         self._identity = {
             agent: number
             for agent, (name, number) in self._place.items()
             if model.tables[name].contains(number)  # the others died in the setup
         }
-        self._world.advance()
+        self._advance()
         # Who died in this tick as well: the first step tells of it, and pays what is due.
         self.agents = list(self._identity)
         self._dead = {
@@ -178,32 +148,25 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         Raises:
             SocialmindError: an action for nobody, or that is not a number for each actuator.
         """
-        model = self._world.running
+        model = self._running
         acting = list(self.agents)
         told = self._commands(actions)
         rewards, self._pending = {agent: self._pending.pop(agent, 0.0) for agent in acting}, {}
         living = [agent for agent in acting if agent not in self._dead]
         if model.over is None and living:
             self._steer(told)
-            self._world.advance()
+            self._advance()
             for agent in living:
                 rewards[agent] += float(self._row(agent)["reward"])
         over = model.over is not None
         ended = {agent: over or self._slot(agent) is None for agent in acting}
-        up = dict.fromkeys(acting, self._world.up)
+        up = dict.fromkeys(acting, self._up)
         self.agents = [agent for agent in acting if not (ended[agent] or up[agent])]
         return self._observations(acting), rewards, ended, up, self._infos(acting)
 
-    def __copy__(self) -> Any:
-        return copy.deepcopy(self)  # or both would run one world
-
-    def render(self) -> Any:
-        """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
-        return self._world.pixels()
-
     def close(self) -> None:
         """Let the world go."""
-        self._world.close()
+        super().close()
         self.agents = []
 
     def _commands(self, actions: Mapping[str, Numbers]) -> dict[str, NDArray[np.float64]]:
@@ -216,15 +179,13 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
                     f"{', '.join(self.possible_agents)}; {hint}"
                 )
         return {
-            agent: commands_of(
-                action, list(self._world.bodies[self._place[agent][0]].actuators), agent
-            )
+            agent: commands_of(action, list(self._bodies[self._place[agent][0]].actuators), agent)
             for agent, action in actions.items()
         }
 
     def _steer(self, told: Mapping[str, NDArray[np.float64]]) -> None:
         """Tell each living robot's actuators the action of its agent."""
-        model = self._world.running
+        model = self._running
         for name, (_, count) in self._counts.items():
             table = model.tables[name]
             commands = np.full((len(table.rows), count), 0.5)
@@ -236,13 +197,13 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
 
     def _slot(self, agent: str) -> int | None:
         """Return where the robot of an agent is in its table, None once it is dead."""
-        return self._world.slot(self._place[agent][0], self._identity[agent])
+        return self._slot_of(self._place[agent][0], self._identity[agent])
 
     def _row(self, agent: str) -> Any:
         """Return the robot of an agent, as it was at last if it is dead."""
         if agent in self._dead:
             return self._dead[agent]
-        return self._world.row(self._place[agent][0], self._identity[agent])
+        return self._row_of(self._place[agent][0], self._identity[agent])
 
     def _observations(self, agents: Sequence[str]) -> dict[str, Numbers]:
         found = {}
@@ -252,5 +213,5 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         return found
 
     def _infos(self, agents: Sequence[str]) -> dict[str, dict[str, Any]]:
-        told = self._world.facts()
+        told = self._facts()
         return {agent: {**told, "score": float(self._row(agent)["score"])} for agent in agents}

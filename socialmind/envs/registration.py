@@ -11,7 +11,7 @@ import gymnasium
 
 from socialmind.catalogue import load_model
 from socialmind.envs.plane_env import robot_of
-from socialmind.envs.steered_world import lessons_of
+from socialmind.envs.steered_world import lessons_of, sizes_of
 from socialmind.errors import SocialmindError
 from socialmind.model import Model
 from socialmind.sources.folders import catalogue, model_folder
@@ -77,7 +77,7 @@ def register_envs(model: str | Path | None = None) -> list[str]:
 
 def _fits(model_class: type[Model]) -> bool:
     try:
-        robot_of(model_class)
+        robot_of(model_class, sizes_of(model_class))
     except SocialmindError:
         return False
     return True

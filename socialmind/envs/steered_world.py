@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class SteeredWorld:
-    """The world of an environment, episode after episode.
+    """What environments of either library have in common: a world, episode after episode.
 
     Args:
         model: a model's class, name or folder.
@@ -35,43 +36,45 @@ class SteeredWorld:
         parameters: values of the model's parameters that differ from the defaults.
 
     Attributes:
-        model_class: the model.
-        sizes: how many robots of each population it begins with.
-        bodies: what the robots of each population that can be steered sense and act with.
-        fps: ticks a second.
-        model: the running model; None before the first episode.
-        seed: of the running model.
+        model: the running model; None before `reset` was called.
 
     Raises:
         SocialmindError: no such model or lesson; no plane; a wrong render mode, or too few ticks.
     """
 
+    # As both libraries declare it; an instance has its own.
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 30}  # noqa: RUF012
+
     def __init__(
         self,
         model: type[Model] | str | Path,
-        environment: str | None,
-        render_mode: str | None,
-        ticks: int | None,
-        physics: str,
-        without: Sequence[str],
-        parameters: Mapping[str, Any] | None,
+        environment: str | None = None,
+        render_mode: str | None = None,
+        ticks: int | None = None,
+        physics: str = "compiled",
+        without: Sequence[str] = (),
+        parameters: Mapping[str, Any] | None = None,
     ) -> None:
         if render_mode not in (None, "rgb_array"):
             raise SocialmindError(f"render_mode {render_mode!r}; expected 'rgb_array' or None")
-        self.model_class = class_of(model, environment)
-        _check_names(self.model_class, physics, without, parameters or {})
-        self.sizes = sizes_of(self.model_class, parameters)
-        self._limit = limit_of(self.model_class, ticks)
-        world = self.model_class.shape.world
-        self.bodies = {name: one for name, one in world.robots.items() if one.actuators}
-        self.fps = round(1 / world.dt)
+        self._model_class = class_of(model, environment)
+        _check_names(self._model_class, physics, without, parameters or {})
+        self._sizes = sizes_of(self._model_class, parameters)
+        self._limit = limit_of(self._model_class, ticks)
+        world = self._model_class.shape.world
+        self._bodies = {name: one for name, one in world.robots.items() if one.actuators}
+        self.metadata = {**self.metadata, "render_fps": round(1 / world.dt)}
         self._made_with = {"physics": physics, "without": without, **(parameters or {})}
-        self._drawn = render_mode is not None
+        self.render_mode = render_mode
         self._drawing: Drawing | None = None
         self.model: Model | None = None
-        self.seed = 0
+        self._seed = 0
+        self._prepare()
 
-    def begin(self, drawn: int, options: Mapping[str, Any] | None) -> Model:
+    def _prepare(self) -> None:
+        """Find who is steered."""
+
+    def _begin(self, drawn: int, options: Mapping[str, Any] | None) -> Model:
         """Return the model of another episode, before its first tick.
 
         Args:
@@ -83,29 +86,29 @@ class SteeredWorld:
             if name != "world":
                 hint = nearest(str(name), ["world"])
                 raise SocialmindError(f"the option {shown(name)} of reset(); {hint}")
-        self.seed = whole_number(
+        self._seed = whole_number(
             given.get("world", drawn), "the option 'world'", 0, 2**64 - 1, SocialmindError
         )
-        self.model = self.model_class(seed=self.seed, hierarchy=False, **self._made_with)
+        self.model = self._model_class(seed=self._seed, hierarchy=False, **self._made_with)
         self._drawing = None
         return self.model
 
-    def advance(self) -> None:
+    def _advance(self) -> None:
         """Run a tick; in the last one robots are paid what is still due to them."""
-        model = self.running
+        model = self._running
         model.advance()
-        if self.up and model.over is None:
+        if self._up and model.over is None:
             model.ground.settle()
-        if not self._drawn:
+        if self.render_mode is None:
             return
         if self._drawing is None:
             from socialmind.envs.drawing import Drawing
 
-            self._drawing = Drawing(list(self.bodies))
-        self._drawing.note(self.running)
+            self._drawing = Drawing(list(self._bodies))
+        self._drawing.note(self._running)
 
     @property
-    def running(self) -> Model:
+    def _running(self) -> Model:
         """The running model.
 
         Raises:
@@ -116,26 +119,29 @@ class SteeredWorld:
         return self.model
 
     @property
-    def up(self) -> bool:
+    def _up(self) -> bool:
         """Whether the ticks of the episode are up."""
-        return self.running.tick >= self._limit
+        return self._running.tick >= self._limit
 
-    def slot(self, population: str, identity: int) -> int | None:
+    def _slot_of(self, population: str, identity: int) -> int | None:
         """Return where a robot is in its table, None once it is dead."""
-        table = self.running.tables[population]
+        table = self._running.tables[population]
         return int(table.slot_of[identity]) if table.contains(identity) else None
 
-    def row(self, population: str, identity: int) -> Any:
+    def _row_of(self, population: str, identity: int) -> Any:
         """Return a robot, in the tick in which it dies as it was at last."""
-        rows = self.running.tables[population].rows
-        slot = self.slot(population, identity)
+        rows = self._running.tables[population].rows
+        slot = self._slot_of(population, identity)
         return rows[np.flatnonzero(rows["_id"] == identity)[0] if slot is None else slot]
 
-    def facts(self) -> dict[str, Any]:
+    def _facts(self) -> dict[str, Any]:
         """Return the seed of the world, the tick, and what has ended the episode, or None."""
-        return {"world": self.seed, "tick": self.running.tick, "over": self.running.over}
+        return {"world": self._seed, "tick": self._running.tick, "over": self._running.over}
 
-    def pixels(self) -> Any:
+    def __copy__(self) -> Any:
+        return copy.deepcopy(self)  # or both would run one world
+
+    def render(self) -> Any:
         """Return the picture of the world, (height, width, 3) bytes; None without a render mode."""
         if self._drawing is None or self.model is None:
             return None

@@ -6,6 +6,7 @@ writes what belongs to another, and holds no copy that could grow old.
 
 from __future__ import annotations
 
+from operator import attrgetter
 from typing import Any, ClassVar
 
 import mesa
@@ -158,17 +159,16 @@ def class_of_agents(population: Population) -> type[SocietyAgent]:
                 "another name",
                 "rename it to use model.mesa()",
             )
-        members[name] = _through_row(name)
+        members[name] = through("row", name)
     members["__module__"] = population.agent.__module__
     bases = (SocietyAgent,) if population.agent is Agent else (SocietyAgent, population.agent)
     return type(population.agent.__name__, bases, members)
 
 
-def _through_row(name: str) -> property:
-    def read(agent: SocietyAgent) -> Any:
-        return getattr(agent.row, name)
+def through(part: str, name: str, writable: bool = True) -> property:
+    """Return a property that stands for the attribute `name` of an object's attribute `part`."""
 
-    def write(agent: SocietyAgent, value: Any) -> None:
-        setattr(agent.row, name, value)
+    def write(whole: Any, value: Any) -> None:
+        setattr(getattr(whole, part), name, value)
 
-    return property(read, write)
+    return property(attrgetter(f"{part}.{name}"), write if writable else None)

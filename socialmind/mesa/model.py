@@ -14,7 +14,7 @@ import numpy as np
 from mesa.datacollection import DataCollector
 
 from socialmind.errors import ModelError, UnknownNameError, nearest
-from socialmind.mesa.agents import SocietyAgent, class_of_agents
+from socialmind.mesa.agents import SocietyAgent, class_of_agents, through
 from socialmind.mesa.grid import SocietyGrid
 
 _MESA_NAMES = frozenset(
@@ -208,7 +208,7 @@ def mesa_model(society: Any) -> SocietyModel:
                 "another name",
                 "rename it to use model.mesa()",
             )
-        members[name] = _through_society(name, writable=name not in kind.populations)
+        members[name] = through("society", name, writable=name not in kind.populations)
     members["agent_class"] = {name: class_of_agents(one) for name, one in kind.populations.items()}
     members["__init__"] = _initialiser(society)
     made: SocietyModel = type(kind.__name__, (SocietyModel,), members)(society)
@@ -247,13 +247,3 @@ def _read(kind: Any, name: str, value: Any) -> Any:
 def _observed(model: SocietyModel, name: str) -> Any:
     """Return a column of the series as it was at the last step."""
     return model._observed.get(name)
-
-
-def _through_society(name: str, writable: bool) -> property:
-    def read(model: SocietyModel) -> Any:
-        return getattr(model.society, name)
-
-    def write(model: SocietyModel, value: Any) -> None:
-        setattr(model.society, name, value)
-
-    return property(read, write if writable else None)

@@ -11,76 +11,35 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
-from socialmind.runs.folders import (
-    FAILED,
-    FINISHED,
-    FORMAT,
-    INTERRUPTED,
-    MANIFEST,
-    RUNNING,
-    FolderManifest,
-    ManifestFolder,
-    make_folder,
-)
-from socialmind.runs.record import (
-    NAME_WITHIN,
-    NUMBER,
-    PATH,
-    SETTING,
-    SHA256,
-    SOURCES,
-    TEXT,
-    TRUTH,
-    Each,
-    Fields,
-    Many,
-    check_record,
-    one_of,
-    optional,
-    whole,
-    within,
-)
+from socialmind.runs import folders
+from socialmind.runs import record as kinds
+from socialmind.runs.record import check_record, within
 from socialmind.runs.tables import TABLES
 
-IDLE = Fields(
-    {}, {"count": whole(), "first_agent": optional(whole()), "first_tick": optional(whole())}
-)
-_TABLE = Fields({"rows": whole(), "columns": Each(TEXT), "sha256": SHA256}, {})
-_BOTH_TABLES = Fields(dict.fromkeys(TABLES, _TABLE), {})
-_FIELDS = Fields(
+IDLE = kinds.Fields(
+    {},
     {
-        "model": Fields(
-            {"name": TEXT, "path": optional(PATH), "source_sha256": optional(SHA256)},
-            {"sources": SOURCES},
-        ),
-        "parameters": Each(SETTING),
-        "seed": whole(0, 2**64 - 1),
-        "compiled": TRUTH,
-        "schemes": Each(Fields({"file": NAME_WITHIN, "sha256": SHA256}, {"name": TEXT})),
-        "ticks": whole(),
-        "every": whole(1),
-        "agents_every": whole(1),
-        "status": one_of(RUNNING, INTERRUPTED, FAILED, FINISHED),
-        "ticks_done": whole(),
-    },
-    {
-        "error": optional(TEXT),
-        "engine": one_of("compiled", "pymunk"),
-        "minds": Each(Fields({"folder": NAME_WITHIN, "sha256": SHA256}, {"name": TEXT})),
-        "tables": Each(_TABLE),
-        "idle": IDLE,
-        "timings": Fields({}, {"created": TEXT, "seconds": NUMBER, "loop_seconds": NUMBER}),
-        "versions": Each(TEXT),
-        "platforms": Many(Each(TEXT)),
+        "count": kinds.whole(),
+        "first_agent": kinds.optional(kinds.whole()),
+        "first_tick": kinds.optional(kinds.whole()),
     },
 )
-"""What a manifest holds; fields that came later may be missing."""
+_TABLE = kinds.Fields({"rows": kinds.whole(), "columns": kinds.TEXTS, "sha256": kinds.SHA256})
+_TIMINGS = kinds.Fields(
+    {}, {"created": kinds.TEXT, "seconds": kinds.NUMBER, "loop_seconds": kinds.NUMBER}
+)
+_BOTH_TABLES = kinds.Fields(dict.fromkeys(TABLES, _TABLE))
+
+
+def _copied(place: str) -> kinds.Fields:
+    """Return the record of a copy in the run's folder, whose field `place` says where it is."""
+    return kinds.Fields({place: kinds.NAME_WITHIN, "sha256": kinds.SHA256}, {"name": kinds.TEXT})
 
 
 @dataclass(frozen=True)
-class Manifest(FolderManifest):
+class Manifest(folders.FolderManifest):
     """What a run is and how far it came; the content of ``manifest.json``.
 
     Args:
@@ -109,33 +68,37 @@ class Manifest(FolderManifest):
         format: of this file.
     """
 
-    model: dict[str, Any]
-    parameters: dict[str, Any]
-    seed: int
-    compiled: bool
-    schemes: dict[str, dict[str, str]]
-    ticks: int
-    every: int
-    agents_every: int
-    status: str = RUNNING
-    ticks_done: int = 0
-    error: str | None = None
-    engine: str = "compiled"
-    minds: dict[str, dict[str, str]] = field(default_factory=dict)
-    tables: dict[str, dict[str, Any]] = field(default_factory=dict)
-    idle: dict[str, int | None] = field(default_factory=dict)
-    timings: dict[str, Any] = field(default_factory=dict)
-    versions: dict[str, str] = field(default_factory=dict)
-    platforms: list[dict[str, str]] = field(default_factory=list)
-    format: int = FORMAT
+    model: Annotated[dict[str, Any], kinds.model_called(kinds.TEXT)]
+    parameters: Annotated[dict[str, Any], kinds.Each(kinds.SETTING)]
+    seed: Annotated[int, kinds.SEED]
+    compiled: Annotated[bool, kinds.TRUTH]
+    schemes: Annotated[dict[str, dict[str, str]], kinds.Each(_copied("file"))]
+    ticks: Annotated[int, kinds.whole()]
+    every: Annotated[int, kinds.whole(1)]
+    agents_every: Annotated[int, kinds.whole(1)]
+    status: Annotated[str, folders.STATUS] = folders.RUNNING
+    ticks_done: Annotated[int, kinds.whole()] = 0
+    error: Annotated[str | None, kinds.optional(kinds.TEXT)] = None
+    engine: Annotated[str, kinds.ENGINE] = "compiled"
+    minds: Annotated[dict[str, dict[str, str]], kinds.Each(_copied("folder"))] = field(
+        default_factory=dict
+    )
+    tables: Annotated[dict[str, dict[str, Any]], kinds.Each(_TABLE)] = field(default_factory=dict)
+    idle: Annotated[dict[str, int | None], IDLE] = field(default_factory=dict)
+    timings: Annotated[dict[str, Any], _TIMINGS] = field(default_factory=dict)
+    versions: Annotated[dict[str, str], kinds.TEXTS] = field(default_factory=dict)
+    platforms: Annotated[list[dict[str, str]], kinds.Many(kinds.TEXTS)] = field(
+        default_factory=list
+    )
+    format: int = folders.FORMAT
 
+    NEEDED: ClassVar[tuple[str, ...]] = ("status", "ticks_done")
     WHAT: ClassVar[str] = "run"
-    FIELDS: ClassVar[Fields] = _FIELDS
 
     @classmethod
     def _check(cls, content: Mapping[str, Any], path: Path) -> None:
-        check_record(content["ticks_done"], whole(0, content["ticks"]), f"{path}: ticks_done")
-        if content["status"] == FINISHED:
+        check_record(content["ticks_done"], kinds.whole(0, content["ticks"]), f"{path}: ticks_done")
+        if content["status"] == folders.FINISHED:
             check_record(content.get("tables"), _BOTH_TABLES, f"{path}: tables of a finished run")
 
     def identity(self) -> str:
@@ -154,7 +117,7 @@ class Manifest(FolderManifest):
         return hashlib.sha256(json.dumps(decides, sort_keys=True).encode()).hexdigest()
 
 
-class Capsule(ManifestFolder[Manifest]):
+class Capsule(folders.ManifestFolder[Manifest]):
     """A run's folder on disk.
 
     Args:
@@ -179,8 +142,8 @@ class Capsule(ManifestFolder[Manifest]):
         Raises:
             SocialmindError: the folder holds something, or cannot be written.
         """
-        content = {**files, MANIFEST: manifest.content()}
-        return cls(make_folder(out, "runs", str(manifest.model["name"]), content))
+        content = {**files, folders.MANIFEST: manifest.content()}
+        return cls(folders.make_folder(out, "runs", str(manifest.model["name"]), content))
 
     @property
     def parts(self) -> Path:

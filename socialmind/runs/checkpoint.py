@@ -11,20 +11,10 @@ import numpy as np
 
 from coglogo_py.border.numbers import is_whole
 from socialmind.errors import SocialmindError
+from socialmind.runs import record as kinds
 from socialmind.runs.arrays_file import load_arrays, save_arrays
 from socialmind.runs.capsule import IDLE
-from socialmind.runs.record import (
-    NUMBER,
-    SHA256,
-    TEXT,
-    Each,
-    Fields,
-    Kind,
-    Many,
-    check_record,
-    optional,
-    whole,
-)
+from socialmind.runs.record import check_record
 from socialmind.runs.tables import TABLES, check_part, part_name
 
 _RECORD = "checkpoint"
@@ -105,20 +95,24 @@ class Checkpoint:
                 check_part(folder / part, self.sums.get(part))
 
 
-_AT = Kind("a whole number, -1 or more", whole(-1).holds)
-_FIELDS = Fields(
+_AT = kinds.whole(-1)
+_FIELDS = kinds.Fields(
     {
-        "tick": whole(),
-        "recorded": Fields(dict.fromkeys(TABLES, _AT), {}),
-        "parts": Fields(dict.fromkeys(TABLES, Many(TEXT)), {}),
+        "tick": kinds.whole(),
+        "recorded": kinds.Fields(dict.fromkeys(TABLES, _AT)),
+        "parts": kinds.Fields(dict.fromkeys(TABLES, kinds.Many(kinds.TEXT))),
         "idle": IDLE,
-        "loop_seconds": NUMBER,
-        "seconds": NUMBER,
+        "loop_seconds": kinds.NUMBER,
+        "seconds": kinds.NUMBER,
     },
     {
-        "sums": Each(
-            Many(Kind("a size and a hash", lambda value: is_whole(value) or SHA256.holds(value)))
+        "sums": kinds.Each(
+            kinds.Many(
+                kinds.Kind(
+                    "a size and a hash", lambda value: is_whole(value) or kinds.SHA256.holds(value)
+                )
+            )
         ),
-        "run": optional(SHA256),
+        "run": kinds.optional(kinds.SHA256),
     },
 )

@@ -11,15 +11,7 @@ from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
-from socialmind.runs.tables import (
-    AGENTS,
-    SERIES,
-    TABLES,
-    check_content,
-    merge,
-    part_name,
-    seal,
-)
+from socialmind.runs.tables import AGENTS, SERIES, TABLES, check_content, merge, part_name, seal
 from socialmind.work.files import make_room, refuse_folder
 
 if TYPE_CHECKING:

@@ -22,32 +22,11 @@ from typing import TYPE_CHECKING, Any
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents.agent_columns import as_before
 from socialmind.errors import SocialmindError
-from socialmind.runs import folders
+from socialmind.runs import continuing, folders, sources
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
-from socialmind.runs.continuing import (
-    checked_checkpoint,
-    finish,
-    progress_fields,
-    reopen,
-    restore,
-    ticks_done,
-)
 from socialmind.runs.record import LONGEST
-from socialmind.runs.sources import (
-    mind_copies,
-    model_of,
-    model_source,
-    physics_of,
-    scheme_copies,
-    with_late_reads,
-)
-from socialmind.runs.tables import (
-    AGENTS,
-    SERIES,
-    TABLES,
-    GrowingTable,
-)
+from socialmind.runs.tables import AGENTS, SERIES, TABLES, GrowingTable
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
@@ -145,13 +124,13 @@ def run(
         compiled=compiled,
         scheme=scheme,
         hierarchy=hierarchy,
-        **physics_of(engine),
+        **sources.physics_of(engine),
         **given,
     )
-    schemes, scheme_files = scheme_copies(model, scheme)
-    minds, mind_files = mind_copies(model)
+    schemes, scheme_files = sources.scheme_copies(model, scheme)
+    minds, mind_files = sources.mind_copies(model)
     manifest = Manifest(
-        model=model_source(model_class),
+        model=sources.model_source(model_class),
         parameters=dict(model.parameter_values()),
         seed=seed,
         compiled=compiled,
@@ -209,7 +188,7 @@ def resume(
     started = time.perf_counter()
     capsule = Capsule(folder)
     with capsule.locked():
-        checkpoint = checked_checkpoint(capsule)
+        checkpoint = continuing.checked_checkpoint(capsule)
         # Killed between its last tick and its last file: only the files are missing.
         if (
             checkpoint is not None
@@ -217,8 +196,8 @@ def resume(
             and checkpoint.tick == capsule.manifest.ticks
             and all(tick == checkpoint.tick for tick in checkpoint.recorded.values())
         ):
-            finish(capsule, checkpoint)
-        done = ticks_done(capsule.manifest, checkpoint)
+            continuing.finish(capsule, checkpoint)
+        done = continuing.ticks_done(capsule.manifest, checkpoint)
         length = capsule.manifest.ticks if ticks is None else _whole("ticks", ticks, 0)
         if length < done:
             raise SocialmindError(
@@ -229,19 +208,17 @@ def resume(
             shutil.rmtree(capsule.parts, ignore_errors=True)
             if length == done:
                 return capsule.folder
-        model = model_of(capsule, model_class, compiled, kept, trust)
+        model = sources.model_of(capsule, model_class, compiled, kept, trust)
         if checkpoint is not None:
-            restore(model, checkpoint, capsule.checkpoint)
+            continuing.restore(model, checkpoint, capsule.checkpoint)
         if capsule.manifest.status == folders.FINISHED:
-            checkpoint = reopen(capsule, checkpoint, length)
-        machine = folders.fingerprint()
-        known = capsule.manifest.platforms
+            checkpoint = continuing.reopen(capsule, checkpoint, length)
         capsule.update(
             status=folders.RUNNING,
             ticks=length,
             error=None,
             compiled=capsule.manifest.compiled if compiled is None else compiled,
-            platforms=known if machine in known else [*known, machine],
+            platforms=folders.with_this_machine(capsule.manifest.platforms),
         )
         _Execution(capsule, model, checkpoint, started).go(length, on_progress, checkpoint_every)
     return capsule.folder
@@ -286,7 +263,7 @@ class _Execution:
         with deferred_signals() as arrived:
             try:
                 self._loop(length, on_progress, checkpoint_every, arrived)
-                finish(self._capsule, self._checkpoint())
+                continuing.finish(self._capsule, self._checkpoint())
             except Interrupted:
                 raise
             except Exception as error:
@@ -309,11 +286,7 @@ class _Execution:
         return failure_in_model(error, path, f"the run at tick {self._model.tick}")
 
     def _loop(
-        self,
-        length: int,
-        on_progress: Progress | None,
-        checkpoint_every: float,
-        arrived: list[int],
+        self, length: int, on_progress: Progress | None, checkpoint_every: float, arrived: list[int]
     ) -> None:
         chunk = 1
         clock = time.perf_counter
@@ -380,8 +353,8 @@ class _Execution:
             run=self._capsule.manifest.identity(),
         )
         checkpoint.save(self._capsule.checkpoint)
-        model = with_late_reads(self._capsule.manifest.model, type(self._model))
-        changes = progress_fields(self._capsule.manifest, checkpoint)
+        model = sources.with_late_reads(self._capsule.manifest.model, type(self._model))
+        changes = continuing.progress_fields(self._capsule.manifest, checkpoint)
         self._capsule.update(status=status, model=model, **changes)
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
 

@@ -71,17 +71,12 @@ def draw_series(run: Run) -> Figure:
 
     series = run.series
     columns = [name for name in series.columns if name != "tick"]
-    across = min(3, max(1, len(columns)))
-    down = max(1, -(-len(columns) // across))
     with paper.style():
-        figure = paper.figure(PANEL[0] * across, PANEL[1] * down)
-        panels = figure.subplots(down, across, squeeze=False)
-        for axes, name in zip(panels.flat, columns, strict=False):
+        figure, panels = paper.grid(len(columns), *PANEL)
+        for axes, name in zip(panels, columns, strict=True):
             scale = paper.time_axis(axes, list(series["tick"]))
             axes.plot(series["tick"] / scale, series[name].astype(float), color=paper.BLUE)
             axes.set_title(name.replace("_", " "))
-        for axes in panels.flat[len(columns) :]:
-            axes.set_visible(False)
     return figure
 
 

@@ -13,19 +13,20 @@ import secrets
 import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import MISSING, asdict, dataclass, fields, replace
 from pathlib import Path
-from typing import Any, ClassVar, Generic, Self, TypeVar
+from typing import Annotated, Any, ClassVar, Generic, Self, TypeVar, get_origin, get_type_hints
 
 from coglogo_py.border.errors import shown
 from socialmind.errors import SocialmindError
-from socialmind.runs.record import Fields, check_record, read_record
+from socialmind.runs.record import Expected, Fields, check_record, one_of, read_record
 from socialmind.version import __version__
 from socialmind.work.files import replace_file
 
 MANIFEST = "manifest.json"
 FORMAT = 1
 RUNNING, INTERRUPTED, FAILED, FINISHED = "running", "interrupted", "failed", "finished"
+STATUS = one_of(RUNNING, INTERRUPTED, FAILED, FINISHED)
 MOST_TAKEN = 1000
 """How often another program may take a number before something else must be wrong."""
 
@@ -36,8 +37,8 @@ class FolderManifest:
 
     WHAT: ClassVar[str]
     """What it is the manifest of."""
-    FIELDS: ClassVar[Fields]
-    """What it holds; fields that came later may be missing."""
+    NEEDED: ClassVar[tuple[str, ...]] = ()
+    """Fields that a file has from the first version on, although they have a default."""
 
     @classmethod
     def load(cls, path: Path) -> Self:
@@ -57,10 +58,23 @@ class FolderManifest:
                 f"{path}: format {shown(content.get('format'))}; expected {FORMAT}; "
                 "use the version of socialmind that wrote it"
             )
-        check_record(content, cls.FIELDS, str(path))
+        check_record(content, cls.expected(), str(path))
         cls._check(content, path)
         known = {one.name for one in fields(cls)}
         return cls(**{key: value for key, value in content.items() if key in known})
+
+    @classmethod
+    def expected(cls) -> Fields:
+        """Return what fields hold, as they are annotated; what came later may be missing."""
+        hints = get_type_hints(cls, include_extras=True)
+        needed: dict[str, Expected] = {}
+        others: dict[str, Expected] = {}
+        for one in fields(cls):
+            if get_origin(hints[one.name]) is Annotated:
+                first = one.default is MISSING and one.default_factory is MISSING
+                holds = needed if first or one.name in cls.NEEDED else others
+                holds[one.name] = hints[one.name].__metadata__[0]
+        return Fields(needed, others)
 
     @classmethod
     def _check_kind(cls, content: Mapping[str, Any], folder: Path) -> None:
@@ -226,6 +240,31 @@ def refuse_unless_free(folder: Path) -> None:
             raise SocialmindError(f"{folder}: is not empty; give a fresh folder")
     elif folder.exists() or folder.is_symlink():
         raise SocialmindError(f"{folder}: is a file; give a folder")
+
+
+def refuse_other_version(folder: Path, what: str, made_with: Mapping[str, str]) -> None:
+    """Refuse to go on with a run or a training that another version of the program made.
+
+    Args:
+        folder: its own.
+        what: "run" or "training".
+        made_with: the versions of what it stood on.
+
+    Raises:
+        SocialmindError: the program's is another.
+    """
+    then = made_with.get("socialmind")
+    if then != __version__:
+        raise SocialmindError(
+            f"{folder}: made by socialmind {then}, this is {__version__}, whose {what}s may "
+            f"differ; install {then}, or start another {what}"
+        )
+
+
+def with_this_machine(platforms: list[dict[str, str]]) -> list[dict[str, str]]:
+    """Return the fingerprints of machines, with that of this one."""
+    machine = fingerprint()
+    return platforms if machine in platforms else [*platforms, machine]
 
 
 def fingerprint() -> dict[str, str]:

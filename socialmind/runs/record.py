@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -53,7 +53,7 @@ class Fields:
     """
 
     needed: Mapping[str, Expected]
-    others: Mapping[str, Expected]
+    others: Mapping[str, Expected] = field(default_factory=dict)
 
 
 Expected = Kind | Each | Many | Fields
@@ -84,10 +84,19 @@ SHA256 = Kind(
     "a SHA-256 hash of 64 digits",
     lambda value: isinstance(value, str) and re.fullmatch("[0-9a-f]{64}", value) is not None,
 )
-SOURCES = Fields(
-    {"version": whole(1), "sha256": SHA256, "files": Each(SHA256), "packages": Each(TEXT)}, {}
-)
+TEXTS = Each(TEXT)
+SEED = whole(0, 2**64 - 1)
+ENGINE = one_of("compiled", "pymunk")
+SOURCES = Fields({"version": whole(1), "sha256": SHA256, "files": Each(SHA256), "packages": TEXTS})
 """What decided how a model ran: `socialmind.sources.provenance.Sources.record`."""
+
+
+def model_called(name: Kind) -> Fields:
+    """Where a model was found, and what decided how it ran; its name is of a kind."""
+    found = {"name": name, "path": optional(PATH), "source_sha256": optional(SHA256)}
+    return Fields(found, {"sources": SOURCES})
+
+
 SETTING = Kind(
     "a number, a truth value or a text",
     lambda value: isinstance(value, bool | str) or is_number(value),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import inspect
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.catalogue import load_model, load_script
 from socialmind.errors import SocialmindError
-from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
+from socialmind.runs import folders
+from socialmind.sources.folders import MODEL_FILE, catalogue, file_of_class, source_hash
 from socialmind.sources.loading import modules_from
 from socialmind.sources.provenance import KEPT, difference, difference_of_copies, sources_of
 from socialmind.sources.trust import programs_in, remember, require
-from socialmind.version import __version__
 
 if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme
@@ -36,10 +35,8 @@ def model_source(model_class: type[Model]) -> dict[str, Any]:
     Raises:
         SocialmindError: a file was edited since it was loaded.
     """
-    try:
-        path: Path | None = Path(inspect.getfile(model_class)).resolve()
-    except (OSError, TypeError):
-        path = None
+    file = file_of_class(model_class)
+    path = None if file is None else file.resolve()
     if path is not None and path.name == MODEL_FILE:
         path = path.parent
     there = path is not None and path.exists()
@@ -185,10 +182,8 @@ def what_was_edited(record: Mapping[str, Any], place: Path) -> str | None:
 
 def _is_kept(capsule: Capsule, model_class: type[Model]) -> bool:
     """Return whether a class was loaded from a run's own copies."""
-    try:
-        return Path(inspect.getfile(model_class)).is_relative_to(capsule.folder / KEPT)
-    except (OSError, TypeError):
-        return False
+    file = file_of_class(model_class)
+    return file is not None and file.is_relative_to(capsule.folder / KEPT)
 
 
 def model_of(
@@ -228,12 +223,7 @@ def model_of(
             remedies.insert(1, "take the run's own copies (--source kept)")
         remedy = f"{', '.join(remedies[:-1])}, or {remedies[-1]}"
         raise SocialmindError(f"{changed}; {remedy}")
-    then, today = manifest.versions.get("socialmind"), __version__
-    if then != today:
-        raise SocialmindError(
-            f"{capsule.folder}: made by socialmind {then}, this is {today}, whose runs may differ; "
-            f"install {then}, or start another run"
-        )
+    folders.refuse_other_version(capsule.folder, "run", manifest.versions)
     return cls(
         seed=manifest.seed,
         compiled=manifest.compiled if compiled is None else compiled,

@@ -86,34 +86,31 @@ class GrowingTable:
         Raises:
             SocialmindError: columns of unequal length, or other columns than before.
         """
-        rows: dict[str, Sequence[Any] | np.ndarray] = {"tick": np.zeros(0, np.int64)}
-        for name, values in _items(columns, f"{self.source} at tick {tick}"):
+        where = f"{self.source} at tick {tick}"
+        rows: dict[str, Sequence[Any] | np.ndarray] = {}
+        for name, values in _items(columns, where):
             if name == "tick":
-                _refuse_unless_tick(values, tick, f"{self.source} at tick {tick}")
+                _refuse_unless_tick(values, tick, where)
             elif name in rows:
-                raise SocialmindError(
-                    f"{self.source} at tick {tick}: two columns {name!r}; give each a name"
-                )
+                raise SocialmindError(f"{where}: two columns {name!r}; give each a name")
             else:
                 rows[name] = values.copy() if isinstance(values, np.ndarray) else list(values)
-        first, length = next(((n, len(v)) for n, v in rows.items() if n != "tick"), ("", 0))
+        names = tuple(rows)
+        length = len(rows[names[0]]) if names else 0
         for name, values in rows.items():
-            if name != "tick" and len(values) != length:
+            if len(values) != length:
                 raise SocialmindError(
-                    f"{self.source} at tick {tick}: column {name} has {len(values)} values, "
-                    f"{first} has {length}; give every column one value a row"
+                    f"{where}: column {name} has {len(values)} values, {names[0]} has {length}; "
+                    "give every column one value a row"
                 )
-        rows["tick"] = np.full(length, tick, dtype=np.int64)
-        names = tuple(name for name in rows if name != "tick")
         if self.columns is None:
             self.columns = names
         elif names != self.columns:
             raise SocialmindError(
-                f"{self.source} at tick {tick}: columns {', '.join(names) or 'none'}; expected "
-                f"those of the ticks before, {', '.join(self.columns) or 'none'}; "
-                "give the same columns at every tick"
+                f"{where}: columns {', '.join(names) or 'none'}; expected those of the ticks "
+                f"before, {', '.join(self.columns) or 'none'}; give the same columns at every tick"
             )
-        self._waiting.append(rows)
+        self._waiting.append({"tick": np.full(length, tick, dtype=np.int64), **rows})
         self._rows += length
         if self._rows >= WAITING_ROWS:
             self.flush()

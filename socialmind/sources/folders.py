@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import ast
 import hashlib
+import inspect
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from socialmind.errors import SocialmindError, nearest
 from socialmind.language.syntax import parsed
@@ -134,6 +136,14 @@ def deciding_files(folder: Path) -> Iterator[Path]:
         other_mind = len(place.parts) > 1 and place.parts[0].startswith(OTHER_MINDS)
         if not hidden and not other_mind and place not in (Path(FIGURES_FILE), Path(APP_FILE)):
             yield path
+
+
+def file_of_class(one: type[Any]) -> Path | None:
+    """Return the file that defines a class; None for one that was typed in."""
+    try:
+        return Path(inspect.getfile(one))
+    except (OSError, TypeError):
+        return None
 
 
 def models_in(source: bytes) -> set[str]:

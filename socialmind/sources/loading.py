@@ -156,10 +156,7 @@ def failure_in_model(
     except Exception:  # an exception of the file's own, which cannot be written
         said = ""
     return ModelError(
-        f"{doing} stopped with {type(error).__name__}{said}",
-        remedy=remedy,
-        file=file,
-        line=line,
+        f"{doing} stopped with {type(error).__name__}{said}", remedy=remedy, file=file, line=line
     )
 
 

@@ -152,23 +152,16 @@ def _data_folder() -> Path | None:
 
 def _remembered() -> set[str]:
     """Return the hashes that are remembered; none that somebody else may have written."""
-    folder = _data_folder()
-    if folder is None:
-        return set(_here)
-    try:
-        if not _is_own(folder.lstat()):
-            return set(_here)
-        handle = os.open(
-            folder / PROGRAMS_FILE,
-            os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0),
-        )
-        with os.fdopen(handle, "rb") as file:
-            found = os.fstat(handle)
-            if not stat.S_ISREG(found.st_mode) or not _is_own(found):
-                return set(_here)
-            return {*_here, *file.read().decode("ascii", "replace").split()}
-    except OSError:
-        return set(_here)
+    folder, known = _data_folder(), set(_here)
+    with suppress(OSError):
+        if folder is not None and _is_own(folder.lstat()):
+            flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+            handle = os.open(folder / PROGRAMS_FILE, flags)
+            with os.fdopen(handle, "rb") as file:
+                found = os.fstat(handle)
+                if stat.S_ISREG(found.st_mode) and _is_own(found):
+                    known.update(file.read().decode("ascii", "replace").split())
+    return known
 
 
 def _is_own(found: os.stat_result) -> bool:

@@ -13,15 +13,7 @@ import threading
 from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    BrokenExecutor,
-    CancelledError,
-    Executor,
-    Future,
-    ThreadPoolExecutor,
-    wait,
-)
+from concurrent import futures
 from hashlib import sha256
 from importlib import import_module
 from typing import Any, Protocol, Self
@@ -120,7 +112,7 @@ class Workers(ABC):
         coming = enumerate(jobs)
         again: list[Job] = []
         losses: Counter[int] = Counter()
-        given: dict[Future[Any], Job] = {}
+        given: dict[futures.Future[Any], Job] = {}
         done: dict[int, Any] = {}
         following = 0
         broken = False
@@ -137,7 +129,7 @@ class Workers(ABC):
                     self._replace()
                     broken = False
                     continue
-                finished, _ = wait(given, LOOK_SECONDS, FIRST_COMPLETED)
+                finished, _ = futures.wait(given, LOOK_SECONDS, futures.FIRST_COMPLETED)
                 if stop():
                     raise Stopped
                 for future in finished:
@@ -158,7 +150,7 @@ class Workers(ABC):
         self,
         task: Task,
         job: Job,
-        given: dict[Future[Any], Job],
+        given: dict[futures.Future[Any], Job],
         again: list[Job],
         losses: Counter[int],
     ) -> bool:
@@ -171,7 +163,7 @@ class Workers(ABC):
         return True
 
     @abstractmethod
-    def _submit(self, task: Task, job: Any) -> Future[Any]:
+    def _submit(self, task: Task, job: Any) -> futures.Future[Any]:
         """Have a job done."""
 
     @abstractmethod
@@ -181,7 +173,7 @@ class Workers(ABC):
     def _replace(self) -> None:  # noqa: B027  # most are not lost
         """Have others in the place of lost workers."""
 
-    def _drop(self, given: Iterable[Future[Any]]) -> None:
+    def _drop(self, given: Iterable[futures.Future[Any]]) -> None:
         """Give up jobs that are not done."""
         for one in given:
             one.cancel()
@@ -212,7 +204,7 @@ class Alone(Workers):
                 raise Stopped
             yield number, worker.do(job)
 
-    def _submit(self, task: Task, job: Any) -> Future[Any]:
+    def _submit(self, task: Task, job: Any) -> futures.Future[Any]:
         raise NotImplementedError
 
     def _take_on(self, task: Task) -> None:
@@ -231,7 +223,7 @@ class Threads(Workers):
 
     def __init__(self, count: int) -> None:
         self._count = count
-        self._executor = ThreadPoolExecutor(count)
+        self._executor = futures.ThreadPoolExecutor(count)
         self._task: Task | None = None
         self._making = threading.Lock()
         self._free: list[Worker] = []
@@ -246,7 +238,7 @@ class Threads(Workers):
         if task is not self._task:
             self._task, self._free = task, []
 
-    def _submit(self, task: Task, job: Any) -> Future[Any]:
+    def _submit(self, task: Task, job: Any) -> futures.Future[Any]:
         return self._executor.submit(self._do, task, job)
 
     def _do(self, task: Task, job: Any) -> Any:
@@ -260,11 +252,11 @@ class Threads(Workers):
                 self._busy.remove(worker)
                 self._free.append(worker)
 
-    def _drop(self, given: Iterable[Future[Any]]) -> None:
+    def _drop(self, given: Iterable[futures.Future[Any]]) -> None:
         running = [one for one in given if not one.cancel()]
         if running:
             self._stop()
-            wait(running)
+            futures.wait(running)
 
     def _stop(self) -> None:
         with self._making:
@@ -281,7 +273,7 @@ class Threads(Workers):
 class _Elsewhere(Workers):
     """Workers outside this process, who are told a task as bytes."""
 
-    _executor: Executor
+    _executor: futures.Executor
 
     def __init__(self) -> None:
         self._task: Task | None = None
@@ -300,7 +292,7 @@ class _Elsewhere(Workers):
             ) from None
         self._task, self._bytes = task, _Bytes(sha256(content).hexdigest(), content)
 
-    def _submit(self, task: Task, job: Any) -> Future[Any]:
+    def _submit(self, task: Task, job: Any) -> futures.Future[Any]:
         return self._executor.submit(_do_elsewhere, self._bytes, job)
 
 
@@ -311,7 +303,7 @@ class Processes(_Elsewhere):
         count: how many.
     """
 
-    lost = (BrokenExecutor,)
+    lost = (futures.BrokenExecutor,)
 
     def __init__(self, count: int) -> None:
         super().__init__()
@@ -357,7 +349,7 @@ class Cluster(_Elsewhere):
         except (OSError, ValueError) as error:
             raise SocialmindError(f"{address}: no Dask scheduler answers ({error})") from None
         self._executor = self._client.get_executor(pure=False, retries=LOST_AGAIN)
-        self.lost = (distributed.KilledWorker, CancelledError)
+        self.lost = (distributed.KilledWorker, futures.CancelledError)
 
     @property
     def count(self) -> int:

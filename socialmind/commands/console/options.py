@@ -37,8 +37,7 @@ Source = Annotated[
     typer.Option(metavar="kept", help="Take the copies of the model's source that the run keeps."),
 ]
 Trust = Annotated[
-    bool,
-    typer.Option("--trust", help="Run programs that you have neither named nor run before."),
+    bool, typer.Option("--trust", help="Run programs that you have neither named nor run before.")
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", help="Say nothing but the result.")]
 

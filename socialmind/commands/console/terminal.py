@@ -56,15 +56,7 @@ def _plain_ascii(name: str) -> codecs.CodecInfo | None:
     if name != PLAIN_ASCII:
         return None
     found = codecs.lookup("ascii")
-    return codecs.CodecInfo(
-        found.encode,
-        found.decode,
-        found.streamreader,
-        found.streamwriter,
-        found.incrementalencoder,
-        found.incrementaldecoder,
-        PLAIN_ASCII,
-    )
+    return codecs.CodecInfo(*found, found.incrementalencoder, found.incrementaldecoder, PLAIN_ASCII)
 
 
 def plain(text: str) -> str:

@@ -50,9 +50,7 @@ class Interval:
 
 
 def interval_of(
-    values: ArrayLike,
-    level: float = LEVEL,
-    combine: Callable[..., float] | None = None,
+    values: ArrayLike, level: float = LEVEL, combine: Callable[..., float] | None = None
 ) -> Interval:
     """Return the mean of a sample with its interval, or what is made of several means.
 

@@ -22,15 +22,7 @@ import numpy as np
 import pandas as pd
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.measures.division import (
-    LEAST,
-    SHARE,
-    WINDOW,
-    division_by_chance,
-    division_of_labour,
-    share_specialised,
-    works_of,
-)
+from socialmind.experiments.measures import division as labour
 from socialmind.experiments.measures.settling import HOLD, WITHIN, role_changes, settlings
 from socialmind.experiments.measures.split import Wanted, checked_columns, distance_to, split_of
 
@@ -74,9 +66,9 @@ class Course:
     shocks: Sequence[float] = ()
     within: float = WITHIN
     hold: int = HOLD
-    window: float = WINDOW
-    share: float = SHARE
-    least: float = LEAST
+    window: float = labour.WINDOW
+    share: float = labour.SHARE
+    least: float = labour.LEAST
 
     def __post_init__(self) -> None:
         if not len(self.roles):
@@ -108,7 +100,7 @@ class Course:
     @cached_property
     def specialised(self) -> pd.Series:
         """The share of agents that are specialised, by tick."""
-        return share_specialised(self.tasks, self.roles, self.window, self.share, self.least)
+        return labour.share_specialised(self.tasks, self.roles, self.window, self.share, self.least)
 
     @property
     def last(self) -> float:
@@ -140,10 +132,10 @@ class Course:
         """
         found = self.settlings
         windows = list(zip(found["settled"], found["end"], strict=True))
-        works = works_of(self.tasks, since=self.last).to_numpy()
-        division = division_of_labour(works)
+        works = labour.works_of(self.tasks, since=self.last).to_numpy()
+        division = labour.division_of_labour(works)
         whole = bool((works == np.round(works)).all())
-        chance = division_by_chance(works).agents_to_tasks if whole else math.nan
+        chance = labour.division_by_chance(works).agents_to_tasks if whole else math.nan
         again = found["ticks"].tolist()[1:]
         return {
             "distance": float(self.distance.mean()),
@@ -156,7 +148,7 @@ class Course:
             "agents_to_tasks": division.agents_to_tasks,
             "tasks_to_agents": division.tasks_to_agents,
             "agents_to_tasks_by_chance": chance,
-            "delivered": float(works_of(self.tasks).to_numpy().sum()),
+            "delivered": float(labour.works_of(self.tasks).to_numpy().sum()),
         }
 
     def scored(self) -> dict[str, float]:

@@ -8,9 +8,9 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,12 +58,7 @@ class Film:
         self.path.parent.mkdir(parents=True, exist_ok=True)
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         try:
             if kind is None:
                 self._writer.finish()
@@ -97,6 +92,7 @@ def ffmpeg(path: Path) -> str:
         ) from None
 
 
+@dataclass
 class _Mp4:
     """H.264 in the form that every player and browser knows.
 
@@ -104,66 +100,54 @@ class _Mp4:
     each.
     """
 
-    def __init__(self, path: Path, fps: float, program: str) -> None:
-        self._path = path
-        self._fps = fps
-        self._program = program
-        self._process: subprocess.Popen[bytes] | None = None
-        self._log: IO[bytes] | None = None
+    path: Path
+    fps: float
+    program: str
+    process: Any = None
+    log: Any = None
 
     def write(self, frame: Frame) -> None:
-        if self._process is None:
+        if self.process is None:
             height, width = frame.shape[:2]
             command = [
-                self._program, "-y", "-loglevel", "error",
+                self.program, "-y", "-loglevel", "error",
                 "-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{width}x{height}",
-                "-r", f"{self._fps:g}", "-i", "-", "-an",
+                "-r", f"{self.fps:g}", "-i", "-", "-an",
                 "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
-                str(self._path),
+                str(self.path),
             ]  # fmt: skip
-            self._log = tempfile.TemporaryFile()  # noqa: SIM115  # closed by finish and stop
+            self.log = tempfile.TemporaryFile()  # noqa: SIM115  # closed by finish and stop
             # In a session of its own Ctrl-C reaches us alone, who then stop it.
-            self._process = subprocess.Popen(
-                command, stdin=subprocess.PIPE, stdout=self._log, stderr=self._log,
+            self.process = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=self.log, stderr=self.log,
                 start_new_session=True,
             )  # fmt: skip
-        pipe: Any = self._process.stdin
         try:
-            pipe.write(np.ascontiguousarray(frame).data)
+            self.process.stdin.write(np.ascontiguousarray(frame).data)
         except OSError:
             self._fail()
 
     def finish(self) -> None:
-        if self._process is not None:
-            pipe: Any = self._process.stdin
-            try:
-                pipe.close()
-            except OSError:
+        if self.process is not None:
+            self.process.communicate()
+            if self.process.returncode != 0:
                 self._fail()
-            if self._process.wait() != 0:
-                self._fail()
-        self._close()
+            self.log.close()
 
     def stop(self) -> None:
-        if self._process is not None:
-            self._process.kill()
-            self._process.communicate()
-        self._close()
-
-    def _close(self) -> None:
-        if self._log is not None:
-            self._log.close()
+        if self.process is not None:
+            self.process.kill()
+            self.process.communicate()
+            self.log.close()
 
     def _fail(self) -> None:
         """Say what ffmpeg said."""
-        said: list[str] = []
-        if self._process is not None and self._log is not None:
-            self._process.wait()
-            self._log.seek(0)
-            said = self._log.read().decode(errors="replace").strip().splitlines()
-            self._close()
+        self.process.communicate()
+        self.log.seek(0)
+        said = self.log.read().decode(errors="replace").strip().splitlines()
+        self.log.close()
         reason = said[-1].strip() if said else "it ended without a word"
-        raise SocialmindError(f"{self._program} could not write the film: {reason}")
+        raise SocialmindError(f"{self.program} could not write the film: {reason}")
 
 
 class _Gif:

@@ -13,12 +13,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
 from socialmind.errors import SocialmindError
 from socialmind.experiments.trainings.store import LESSONS, differences
 from socialmind.learning.lessons.keys import FINAL, seeds_for
-from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import load_result, result_file
 from socialmind.learning.training.finalists import individual_of
@@ -115,21 +112,10 @@ def _rescored(training: Training, plan: TrainingPlan) -> Iterator[Rescored]:
         for number, lesson in enumerate(lessons[:done], 1):
             record, arrays = load_result(folder, number)
             winner = individual_of(archive.part(arrays, "winner/"))
-            key = training.manifest.seed, attempt
-            found = _finals(lesson, mind, winner.genome, key, training)
-            file = result_file(folder, number)
-            yield Rescored(attempt, lesson.name, record["score"], found, file)
+            episodes = evaluation_of(lesson, mind, training.manifest.engine).episodes()
+            key = training.manifest.seed, attempt, lesson.name, 1
+            outcome = episodes.run(winner.genome[None], seeds_for(lesson.finals, FINAL, *key))
+            now, file = float(outcome.score.mean(axis=1)[0]), result_file(folder, number)
+            yield Rescored(attempt, lesson.name, record["score"], now, file)
             learned = winner.given_to([mind.skill(one) for one in lesson.skills])
             mind = mind.with_modules(skills=learned)
-
-
-def _finals(
-    lesson: Lesson,
-    mind: MindDescription,
-    genome: np.ndarray,
-    key: tuple[int, int],
-    training: Training,
-) -> float:
-    episodes = evaluation_of(lesson, mind, training.manifest.engine).episodes()
-    worlds = seeds_for(lesson.finals, FINAL, *key, lesson.name, 1)
-    return float(episodes.run(genome[None], worlds).score.mean(axis=1)[0])

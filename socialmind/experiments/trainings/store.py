@@ -7,7 +7,6 @@ be kept again and again while the training is going on.
 
 from __future__ import annotations
 
-import json
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -17,9 +16,11 @@ from socialmind.errors import SocialmindError
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import CHECKPOINT, result_file
 from socialmind.learning.training.capsule import TrainingManifest
+from socialmind.learning.training.continuing import as_json
 from socialmind.learning.training.result import Training
 from socialmind.mind.files.packing import files_of
 from socialmind.runs.folders import FINISHED, INTERRUPTED, MANIFEST
+from socialmind.runs.sources import files_in
 from socialmind.sources.folders import model_folder, source_hash
 from socialmind.work.files import replace_file
 
@@ -135,16 +136,10 @@ def take_out(kept: Path, folder: Path) -> bool:
 def differences(training: Training, plan: TrainingPlan) -> list[str]:
     """Return in what a training is another one than its plan would give today."""
     manifest = training.manifest
-    lessons = json.loads(json.dumps(plan.curriculum().record(), default=str))
-    mind = {
-        path.relative_to(training.folder / "mind").as_posix(): path.read_bytes()
-        for path in (training.folder / "mind").rglob("*")
-        if path.is_file()
-    }
     same = {
         SOURCE: manifest.model["source_sha256"] == source_hash(model_folder(plan.model)),
-        LESSONS: manifest.lessons == lessons,
-        "the mind to begin from": mind == files_of(plan.mind()),
+        LESSONS: manifest.lessons == as_json(plan.curriculum().record()),
+        "the mind to begin from": files_in(training.folder / "mind") == files_of(plan.mind()),
         "the seed": manifest.seed == plan.seed,
     }
     return [what for what, agrees in same.items() if not agrees]

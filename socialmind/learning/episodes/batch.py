@@ -56,10 +56,8 @@ class Batch:
             for name, slots in room.items():
                 while len(model.tables[name].rows) < slots:
                     model.tables[name].grow()
-        self.minds: dict[str, Minds] = {}
-        for name, robots in episodes.robots.items():
-            if robots.hierarchy:
-                self.minds[name] = self._minds(name, lanes)
+        minded = [name for name, robots in episodes.robots.items() if robots.hierarchy]
+        self.minds: dict[str, Minds] = {name: self._minds(name, lanes) for name in minded}
         copies: list[tuple[int, int, int]] = []
         self.copy_begin = np.zeros(lanes + 1, np.int64)
         self._kept: list[Any] = []
@@ -172,10 +170,7 @@ class Batch:
         )
 
     def _fail(
-        self,
-        genomes: NDArray[np.float64],
-        individual: NDArray[np.int64],
-        keys: NDArray[np.uint64],
+        self, genomes: NDArray[np.float64], individual: NDArray[np.int64], keys: NDArray[np.uint64]
     ) -> None:
         """Run the episode that failed once more, alone, which says where and why.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -16,6 +15,7 @@ from socialmind.errors import ModelError
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of, mind_of
 from socialmind.mind.modules import Skill
+from socialmind.sources.folders import file_of_class
 
 COMPILED, PYMUNK = "compiled", "pymunk"
 """The engines of physical worlds."""
@@ -215,12 +215,5 @@ def _check(scores: Scores, shape: tuple[int, int], environment: type[Any]) -> No
         f"{wrong} from the environment {environment.__name__}",
         f"finite scores of shape {shape}",
         "look at its rewards",
-        _file_of(environment),
+        file_of_class(environment),
     )
-
-
-def _file_of(environment: type[Any]) -> str | None:
-    try:
-        return inspect.getfile(environment)
-    except (OSError, TypeError):
-        return None

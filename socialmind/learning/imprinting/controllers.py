@@ -92,8 +92,7 @@ class _SkillController(_HierarchyController):
         sensors = [f"input {place}" for place in range(len(skill.inputs))]
         actuators = [f"output {place}" for place in range(len(skill.outputs))]
         alone = skill.changed(
-            inputs=[f"SE:{name}" for name in sensors],
-            outputs=[f"MO:{name}" for name in actuators],
+            inputs=[f"SE:{name}" for name in sensors], outputs=[f"MO:{name}" for name in actuators]
         )
         mind = MindDescription(skill.name, sensors, actuators, skills=[alone])
         super().__init__(Hierarchy(mind), alone)

@@ -13,13 +13,7 @@ Tensor = torch.Tensor
 
 
 def train(
-    twin: Twin,
-    recording: Recording,
-    seed: int,
-    epochs: int,
-    rate: float,
-    batch: int,
-    window: int,
+    twin: Twin, recording: Recording, seed: int, epochs: int, rate: float, batch: int, window: int
 ) -> list[float]:
     """Train a twin to answer as recorded: Adam on the squared error, at a rate that falls to 0.
 

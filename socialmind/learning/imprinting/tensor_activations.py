@@ -5,21 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from socialmind.learning.imprinting.pytorch import torch
+from socialmind.mind.functions import network
 from socialmind.mind.functions.activations import FINITE, LEAK, SELU_ALPHA, SELU_SCALE
-from socialmind.mind.functions.network import (
-    CLAMP,
-    GREATEST,
-    GREATEST_ABSOLUTE,
-    LEAST,
-    LINEAR,
-    MEAN,
-    MEDIAN,
-    NEAT_ACTIVATIONS,
-    PRODUCT,
-    RELU,
-    SIGMOID,
-    TANH,
-)
 
 Tensor = torch.Tensor
 
@@ -49,21 +36,21 @@ def aggregate(code: int, values: Tensor) -> Tensor:
         Shape (…).
     """
     count = values.shape[-1]
-    if code == PRODUCT:
+    if code == network.PRODUCT:
         return values.prod(-1)
     if count == 0:
         return values.sum(-1)
-    if code == GREATEST:
+    if code == network.GREATEST:
         return values.amax(-1)
-    if code == LEAST:
+    if code == network.LEAST:
         return values.amin(-1)
-    if code == GREATEST_ABSOLUTE:
+    if code == network.GREATEST_ABSOLUTE:
         place = values.abs().argmax(-1, keepdim=True)
         return values.gather(-1, place).squeeze(-1)
-    if code == MEDIAN:
+    if code == network.MEDIAN:
         ordered = values.sort(-1).values
         return (ordered[..., (count - 1) // 2] + ordered[..., count // 2]) / 2.0
-    return values.mean(-1) if code == MEAN else values.sum(-1)
+    return values.mean(-1) if code == network.MEAN else values.sum(-1)
 
 
 def _bound(x: Tensor) -> float:
@@ -84,14 +71,14 @@ def _inverse(x: Tensor) -> Tensor:
 
 
 _PLAIN: dict[int, Callable[[Tensor], Tensor]] = {
-    LINEAR: lambda x: x,
-    RELU: torch.relu,
-    SIGMOID: torch.sigmoid,
-    CLAMP: lambda x: x.clamp(0.0, 1.0),
-    TANH: torch.tanh,
+    network.LINEAR: lambda x: x,
+    network.RELU: torch.relu,
+    network.SIGMOID: torch.sigmoid,
+    network.CLAMP: lambda x: x.clamp(0.0, 1.0),
+    network.TANH: torch.tanh,
 }
 _NEAT: dict[int, Callable[[Tensor], Tensor]] = {
-    NEAT_ACTIVATIONS[name]: formula
+    network.NEAT_ACTIVATIONS[name]: formula
     for name, formula in {
         "sigmoid": lambda x: torch.sigmoid((5.0 * x).clamp(-60.0, 60.0)),
         "tanh": lambda x: torch.tanh((2.5 * x).clamp(-60.0, 60.0)),

@@ -10,17 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from socialmind.learning.imprinting.pytorch import torch
 from socialmind.learning.imprinting.tensor_activations import activate, aggregate
-from socialmind.mind.functions.network import (
-    CLAMP,
-    Dense,
-    Gather,
-    Mix,
-    Network,
-    Neuron,
-    Neurons,
-    Recall,
-    Remember,
-)
+from socialmind.mind.functions import network as forms
 
 Tensor = torch.Tensor
 Places = Mapping[int, tuple[int, int]]
@@ -61,7 +51,7 @@ class Evaluation:
     def add(self, code: int, values: Tensor) -> None:
         """Add a block of neurons with these inputs."""
         given = activate(code, values)
-        if code == CLAMP:
+        if code == forms.CLAMP:
             self.linear[len(self.blocks)] = values
             if not self.clamp:
                 # The value is the clamped one, the gradient that of the linear one.
@@ -72,7 +62,7 @@ class Evaluation:
 class DenseStep(torch.nn.Module):
     """A fully connected layer: one linear operation on a view of the genome."""
 
-    def __init__(self, step: Dense, places: Places) -> None:
+    def __init__(self, step: forms.Dense, places: Places) -> None:
         super().__init__()
         self.step = step
         self.runs = runs_of(range(step.source, step.source + step.sources), places)
@@ -96,7 +86,7 @@ class NeuronsStep(torch.nn.Module):
         places: where their sources lie.
     """
 
-    def __init__(self, neurons: Sequence[Neuron], places: Places) -> None:
+    def __init__(self, neurons: Sequence[forms.Neuron], places: Places) -> None:
         super().__init__()
         first = neurons[0]
         self.activation, self.aggregation = first.activation, first.aggregation
@@ -133,7 +123,7 @@ class NeuronsStep(torch.nn.Module):
 class GatherStep(torch.nn.Module):
     """Nodes copied side by side."""
 
-    def __init__(self, step: Gather, places: Places) -> None:
+    def __init__(self, step: forms.Gather, places: Places) -> None:
         super().__init__()
         self.runs = runs_of(step.sources, places)
 
@@ -173,7 +163,7 @@ class MixStep(torch.nn.Module):
 class RecallStep(torch.nn.Module):
     """What was remembered at the last evaluation."""
 
-    def __init__(self, step: Recall) -> None:
+    def __init__(self, step: forms.Recall) -> None:
         super().__init__()
         self.step = step
 
@@ -183,7 +173,9 @@ class RecallStep(torch.nn.Module):
         evaluation.blocks.append(evaluation.memory[:, first : first + self.step.count])
 
 
-def tensor_steps(network: Network) -> tuple[list[torch.nn.Module], dict[int, tuple[int, int]]]:
+def tensor_steps(
+    network: forms.Network,
+) -> tuple[list[torch.nn.Module], dict[int, tuple[int, int]]]:
     """Return the steps that fill blocks, and where each node lies."""
     places = {node: (0, node) for node in range(network.inputs)}
     steps: list[torch.nn.Module] = []
@@ -194,29 +186,29 @@ def tensor_steps(network: Network) -> tuple[list[torch.nn.Module], dict[int, tup
 
     for step in network.steps:
         match step:
-            case Dense():
+            case forms.Dense():
                 add(DenseStep(step, places), range(step.target, step.target + step.neurons))
-            case Neurons():
+            case forms.Neurons():
                 for chosen in _alike(step):
                     neurons = [step.neurons[place] for place in chosen]
                     add(NeuronsStep(neurons, places), [step.target + place for place in chosen])
-            case Gather():
+            case forms.Gather():
                 nodes = range(step.target, step.target + len(step.sources))
                 add(GatherStep(step, places), nodes)
-            case Mix():
+            case forms.Mix():
                 counts = sorted({len(pairs) for pairs in step.pairs})
                 for count in counts:
                     chosen = [k for k, pairs in enumerate(step.pairs) if len(pairs) == count]
                     pairs = [step.pairs[place] for place in chosen]
                     add(MixStep(pairs, places), [step.target + place for place in chosen])
-            case Recall():
+            case forms.Recall():
                 add(RecallStep(step), range(step.target, step.target + step.count))
-            case Remember():
+            case forms.Remember():
                 continue
     return steps, places
 
 
-def _alike(step: Neurons) -> Iterator[list[int]]:
+def _alike(step: forms.Neurons) -> Iterator[list[int]]:
     """Yield the places of neurons that can be evaluated together, sources before readers."""
     levels: dict[int, int] = {}
     groups: dict[tuple[int, int, int, int], list[int]] = {}

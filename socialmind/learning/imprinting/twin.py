@@ -126,8 +126,7 @@ class Twin(torch.nn.Module):
             memory = self.start(len(read))
         if memory.shape != (len(read), self.network.memory):
             raise ModelError(
-                f"a memory of shape {tuple(memory.shape)}",
-                f"{(len(read), self.network.memory)}",
+                f"a memory of shape {tuple(memory.shape)}", f"{(len(read), self.network.memory)}"
             )
         evaluation = Evaluation(read, self.genome, memory, clamp)
         for step in self.steps:

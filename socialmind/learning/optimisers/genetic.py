@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import ModelError
-from socialmind.learning.optimisers.contract import Optimiser, State
+from socialmind.learning.optimisers.contract import Optimiser
 from socialmind.learning.optimisers.settings import Setting
 
 OURS = "the thesis gives no number"
@@ -98,12 +98,6 @@ class Genetic(Optimiser):
             return self._generator.integers(0, self.population, (count, competitors)).min(axis=1)
         selected = max(1, round(self.settings["selected"] * self.population))
         return self._generator.integers(0, selected, count)
-
-    def _own_state(self) -> State:
-        return {}
-
-    def _restore_own(self, state: Mapping[str, Any]) -> None:
-        """Take nothing: the generation is all that it remembers."""
 
 
 def crossed(

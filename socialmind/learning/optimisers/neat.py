@@ -88,9 +88,7 @@ class Neat(Optimiser):
                 "the probability that a child loses a connection", 0.5, high=1.0
             ),
             "enabling": Setting(
-                "the probability that a connection is enabled or disabled by chance",
-                0.01,
-                high=1.0,
+                "the probability that a connection is enabled or disabled by chance", 0.01, high=1.0
             ),
             "mutation": Setting("the probability that a weight mutates", 0.8, high=1.0),
             "step": Setting("the standard deviation of a weight's mutation", 0.5),

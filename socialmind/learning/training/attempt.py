@@ -25,17 +25,8 @@ from socialmind.learning.training.course import TrainingCourse
 from socialmind.learning.training.finalists import arrays_of
 from socialmind.learning.training.teaching import Result, Teaching
 from socialmind.mind.functions.neat.graph import NeatGraph
-from socialmind.runs.record import (
-    NUMBER,
-    TEXT,
-    Each,
-    Fields,
-    Kind,
-    Many,
-    check_record,
-    optional,
-    whole,
-)
+from socialmind.runs import record as kinds
+from socialmind.runs.record import check_record
 from socialmind.work.workers import Stop
 
 CHECKPOINT = "checkpoint.npz"
@@ -113,7 +104,7 @@ class Attempt:
         evaluators: Evaluators,
         stop: Stop,
         on_generation: Callable[[News], None],
-        on_lesson: Callable[[Lesson, Result], None],
+        on_lesson: Callable[[Attempt, Lesson, Result], None],
     ) -> None:
         """Go on to the end of the curriculum.
 
@@ -140,7 +131,7 @@ class Attempt:
             result = teaching.result(evaluators, stop)
             self.seconds += max(0.0, time.perf_counter() - begun)
             self._conclude(teaching, result)
-            on_lesson(teaching.lesson, result)
+            on_lesson(self, teaching.lesson, result)
 
     @property
     def _cycle_over(self) -> bool:
@@ -238,33 +229,31 @@ class Attempt:
         )  # fmt: skip
 
 
-_CHECKPOINT = Fields(
-    {
-        "position": Kind(
-            "a position in the curriculum, or null", lambda one: one is None or _at(one)
-        ),
-        "done": whole(0, 10**6),
-        "item_ticks": whole(),
-        "seconds": NUMBER,
-        "in_hand": optional(TEXT),
-        "graphs": Each(Many(TEXT)),
-    },
-    {"last": Kind("a position in the curriculum, or null", lambda one: one is None or _at(one))},
-)
-_RESULT = Fields(
-    {
-        "lesson": TEXT,
-        "cycle": whole(),
-        "skills": Many(TEXT),
-        "ticks": whole(),
-    },
-    {},
-)
-
-
 def _at(value: Any) -> bool:
     length = len(Position._fields)
-    return isinstance(value, list) and len(value) == length and all(map(whole().holds, value))
+    return isinstance(value, list) and len(value) == length and all(map(kinds.whole().holds, value))
+
+
+_POSITION = kinds.optional(kinds.Kind("a position in the curriculum", _at))
+_CHECKPOINT = kinds.Fields(
+    {
+        "position": _POSITION,
+        "done": kinds.whole(0, 10**6),
+        "item_ticks": kinds.whole(),
+        "seconds": kinds.NUMBER,
+        "in_hand": kinds.optional(kinds.TEXT),
+        "graphs": kinds.Each(kinds.Many(kinds.TEXT)),
+    },
+    {"last": _POSITION},
+)
+_RESULT = kinds.Fields(
+    {
+        "lesson": kinds.TEXT,
+        "cycle": kinds.whole(),
+        "skills": kinds.Many(kinds.TEXT),
+        "ticks": kinds.whole(),
+    }
+)
 
 
 def load_checkpoint(folder: Path) -> tuple[dict[str, Any], dict[str, Any]]:

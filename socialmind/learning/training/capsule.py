@@ -8,78 +8,30 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 from socialmind.errors import SocialmindError
-from socialmind.runs.folders import (
-    FAILED,
-    FINISHED,
-    FORMAT,
-    INTERRUPTED,
-    MANIFEST,
-    RUNNING,
-    FolderManifest,
-    ManifestFolder,
-    make_folder,
-)
-from socialmind.runs.record import (
-    NUMBER,
-    PATH,
-    SETTING,
-    SHA256,
-    SOURCES,
-    TEXT,
-    Each,
-    Fields,
-    Kind,
-    Many,
-    one_of,
-    optional,
-    whole,
-    within,
-)
+from socialmind.runs import folders
+from socialmind.runs import record as kinds
+from socialmind.runs.record import within
 
 KIND = "training"
 HOME = "trainings"
 MIND = "mind"
-_CHANGES = Fields(
-    dict.fromkeys(("generations", "budget", "cycles"), optional(whole(1))),
-    {"optimiser": optional(TEXT), "settings": Each(SETTING)},
+_CHANGES = kinds.Fields(
+    dict.fromkeys(("generations", "budget", "cycles"), kinds.optional(kinds.whole(1))),
+    {"optimiser": kinds.optional(kinds.TEXT), "settings": kinds.Each(kinds.SETTING)},
 )
-_FIELDS = Fields(
-    {
-        "model": Fields(
-            {"name": optional(TEXT), "path": optional(PATH), "source_sha256": optional(SHA256)},
-            {"sources": SOURCES},
-        ),
-        "lessons": Many(Each(Kind("anything", lambda value: True))),
-        "changes": _CHANGES,
-        "mind": Fields({"name": TEXT, "sha256": SHA256}, {}),
-        "seed": whole(0, 2**64 - 1),
-        "engine": one_of("compiled", "pymunk"),
-        "attempts": whole(1, 2**31),
-    },
-    {
-        "chosen": Kind(
-            "a list of names, or null",
-            lambda value: (
-                value is None
-                or (isinstance(value, list) and all(isinstance(one, str) for one in value))
-            ),
-        ),
-        "finished": whole(),
-        "status": one_of(RUNNING, INTERRUPTED, FAILED, FINISHED),
-        "error": optional(TEXT),
-        "timings": Fields({}, {"created": TEXT, "seconds": NUMBER}),
-        "versions": Each(TEXT),
-        "platforms": Many(Each(TEXT)),
-    },
+_LESSONS = kinds.Many(kinds.Each(kinds.Kind("anything", lambda value: True)))
+_CHOSEN = kinds.Kind(
+    "a list of names, or null",
+    lambda value: value is None or (isinstance(value, list) and all(map(kinds.TEXT.holds, value))),
 )
-"""What a manifest holds; fields that came later may be missing."""
+_TIMINGS = kinds.Fields({}, {"created": kinds.TEXT, "seconds": kinds.NUMBER})
 
 
 @dataclass(frozen=True)
-class TrainingManifest(FolderManifest):
+class TrainingManifest(folders.FolderManifest):
     """What a training is and how far it came; the content of its ``manifest.json``.
 
     Args:
@@ -106,26 +58,27 @@ class TrainingManifest(FolderManifest):
         format: of this file.
     """
 
-    model: dict[str, Any]
-    lessons: list[dict[str, Any]]
-    chosen: list[str] | None
-    changes: dict[str, Any]
-    mind: dict[str, str]
-    seed: int
-    engine: str
-    attempts: int
-    finished: int = 0
-    status: str = RUNNING
-    error: str | None = None
+    model: Annotated[dict[str, Any], kinds.model_called(kinds.optional(kinds.TEXT))]
+    lessons: Annotated[list[dict[str, Any]], _LESSONS]
+    chosen: Annotated[list[str] | None, _CHOSEN]
+    changes: Annotated[dict[str, Any], _CHANGES]
+    mind: Annotated[dict[str, str], kinds.Fields({"name": kinds.TEXT, "sha256": kinds.SHA256})]
+    seed: Annotated[int, kinds.SEED]
+    engine: Annotated[str, kinds.ENGINE]
+    attempts: Annotated[int, kinds.whole(1, 2**31)]
+    finished: Annotated[int, kinds.whole()] = 0
+    status: Annotated[str, folders.STATUS] = folders.RUNNING
+    error: Annotated[str | None, kinds.optional(kinds.TEXT)] = None
     curve: dict[str, Any] = field(default_factory=dict)
-    timings: dict[str, Any] = field(default_factory=dict)
-    versions: dict[str, str] = field(default_factory=dict)
-    platforms: list[dict[str, str]] = field(default_factory=list)
+    timings: Annotated[dict[str, Any], _TIMINGS] = field(default_factory=dict)
+    versions: Annotated[dict[str, str], kinds.TEXTS] = field(default_factory=dict)
+    platforms: Annotated[list[dict[str, str]], kinds.Many(kinds.TEXTS)] = field(
+        default_factory=list
+    )
     kind: str = KIND
-    format: int = FORMAT
+    format: int = folders.FORMAT
 
     WHAT: ClassVar[str] = KIND
-    FIELDS: ClassVar[Fields] = _FIELDS
 
     @classmethod
     def _check_kind(cls, content: Mapping[str, Any], folder: Path) -> None:
@@ -135,7 +88,7 @@ class TrainingManifest(FolderManifest):
             )
 
 
-class TrainingCapsule(ManifestFolder[TrainingManifest]):
+class TrainingCapsule(folders.ManifestFolder[TrainingManifest]):
     """A training's folder on disk.
 
     Args:
@@ -144,10 +97,6 @@ class TrainingCapsule(ManifestFolder[TrainingManifest]):
     Raises:
         SocialmindError: the folder is no training's.
     """
-
-    def __init__(self, folder: str | Path) -> None:
-        self.folder = Path(folder).expanduser().absolute()
-        self.manifest = TrainingManifest.load(self.folder / MANIFEST)
 
     MANIFEST_CLASS = TrainingManifest
 
@@ -167,8 +116,8 @@ class TrainingCapsule(ManifestFolder[TrainingManifest]):
             SocialmindError: the folder holds something, or cannot be written.
         """
         files = {f"{MIND}/{name}": content for name, content in mind.items()}
-        files[MANIFEST] = manifest.content()
-        return cls(make_folder(out, HOME, manifest.model["name"] or KIND, files))
+        files[folders.MANIFEST] = manifest.content()
+        return cls(folders.make_folder(out, HOME, manifest.model["name"] or KIND, files))
 
     @property
     def mind(self) -> Path:

@@ -16,11 +16,11 @@ from socialmind.learning.training.attempt import Attempt, load_result
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
 from socialmind.learning.training.course import TrainingCourse, curriculum_of
 from socialmind.mind.description import MindDescription
+from socialmind.runs.folders import refuse_other_version
 from socialmind.runs.sources import files_in, what_was_edited
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, require
-from socialmind.version import __version__
 from socialmind.work.files import refuse_folder
 
 
@@ -75,12 +75,7 @@ def recorded_curriculum(capsule: TrainingCapsule, lessons: Any, trust: bool) -> 
         SocialmindError: they, the model or socialmind are others than they were.
     """
     manifest = capsule.manifest
-    then, today = manifest.versions.get("socialmind"), __version__
-    if then != today:
-        raise SocialmindError(
-            f"{capsule.folder}: made by socialmind {then}, this is {today}, whose trainings may "
-            f"differ; install {then}, or start another training"
-        )
+    refuse_other_version(capsule.folder, "training", manifest.versions)
     if manifest.chosen == [] and lessons is None:
         raise SocialmindError(
             f"{capsule.folder}: its lessons were given in Python; "

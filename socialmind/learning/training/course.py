@@ -17,7 +17,7 @@ from socialmind.learning.lessons.lesson_file import load_lesson
 from socialmind.learning.training.teaching import check_fits
 from socialmind.mind.description import MindDescription
 from socialmind.model import Model
-from socialmind.sources.folders import model_folder
+from socialmind.sources.folders import file_of_class, model_folder
 from socialmind.sources.loading import load_file
 
 LESSONS_FILE = "lessons.py"
@@ -96,10 +96,8 @@ def _folder_of(model: str | Path | type[Model] | None) -> Path | None:
     if model is None:
         return None
     if isinstance(model, type):
-        try:
-            return Path(inspect.getfile(model)).resolve().parent
-        except (OSError, TypeError):
-            return None
+        file = file_of_class(model)
+        return None if file is None else file.resolve().parent
     return model_folder(model)
 
 

@@ -117,27 +117,17 @@ def draw_curve(curve: pd.DataFrame) -> Figure:
     from socialmind.drawing import style as paper
 
     lessons = list(dict.fromkeys(curve["lesson"]))
-    across = min(3, max(1, len(lessons)))
-    down = max(1, -(-len(lessons) // across))
     attempts = sorted(set(curve["attempt"]))
     with paper.style():
-        figure = paper.figure(PANEL[0] * across, PANEL[1] * down)
-        panels = figure.subplots(down, across, squeeze=False)
-        for axes, lesson in zip(panels.flat, lessons, strict=False):
+        figure, panels = paper.grid(len(lessons), *PANEL)
+        for axes, lesson in zip(panels, lessons, strict=True):
             own = curve[curve["lesson"] == lesson]
-            for attempt in attempts:
+            for place, attempt in enumerate(attempts):
                 best = own.loc[own["attempt"] == attempt, "best"].to_numpy()
-                colour = paper.BLUE_TO_RED[_shade(attempts.index(attempt), len(attempts))]
+                colour = paper.BLUE_TO_RED[round(8 * place / max(len(attempts) - 1, 1))]
                 # Those of a lesson taught over and over follow upon each other.
                 axes.plot(np.arange(1, len(best) + 1), best, color=colour, linewidth=0.8)
             axes.set_title(lesson)
             axes.set_xlabel("generation")
             axes.set_ylabel("best score")
-        for axes in panels.flat[len(lessons) :]:
-            axes.set_visible(False)
     return figure
-
-
-def _shade(place: int, count: int) -> int:
-    """Return a place on the scale of nine colours for one of several lines."""
-    return 0 if count < 2 else round(8 * place / (count - 1))

@@ -16,15 +16,9 @@ from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK
 from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
+from socialmind.learning.training import continuing
 from socialmind.learning.training.attempt import Attempt, News
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
-from socialmind.learning.training.continuing import (
-    as_json,
-    check_folder,
-    hash_of,
-    recorded_curriculum,
-    with_changes,
-)
 from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curriculum_of, mind_of
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
@@ -131,16 +125,16 @@ def learn(
         "optimiser": optimiser, "settings": dict(settings or {}), "generations": generations,
         "budget": budget, "cycles": cycles,
     }  # fmt: skip
-    curriculum = with_changes(curriculum, changes)
+    curriculum = continuing.with_changes(curriculum, changes)
     TrainingCourse(curriculum, begun, seed, engine)  # which refuses what does not fit together
     files = files_of(begun)
     remember({path: content for path, content in files.items() if path.endswith(".py")})
     manifest = TrainingManifest(
         model=_source(model),
-        lessons=as_json(curriculum.record()),
+        lessons=continuing.as_json(curriculum.record()),
         chosen=_chosen(lessons),
         changes=changes,
-        mind={"name": begun.name, "sha256": hash_of(files)},
+        mind={"name": begun.name, "sha256": continuing.hash_of(files)},
         seed=seed,
         engine=engine,
         attempts=attempts,
@@ -198,19 +192,17 @@ def resume(
                 f"{attempts} now; attempts can be added, not taken away"
             )
         require(programs_in(capsule.mind), trust, f"{capsule.folder}: its copy of a mind")
-        curriculum = recorded_curriculum(capsule, lessons, trust)
+        curriculum = continuing.recorded_curriculum(capsule, lessons, trust)
         changes = dict(manifest.changes)
         if cycles is not None:
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
-        check_folder(capsule, curriculum)
-        machine = folders.fingerprint()
-        known = manifest.platforms
+        continuing.check_folder(capsule, curriculum)
         capsule.update(
             attempts=attempts or manifest.attempts,
-            lessons=as_json(curriculum.record()),
+            lessons=continuing.as_json(curriculum.record()),
             changes=changes,
-            platforms=known if machine in known else [*known, machine],
+            platforms=folders.with_this_machine(manifest.platforms),
         )
         _go(capsule, curriculum, workers, cluster, on_generation, on_lesson)
     return capsule.folder
@@ -250,6 +242,17 @@ def _go(
             timings={**manifest.timings, "seconds": seconds},
         )
 
+    def report(news: News) -> None:
+        left = forecast.seconds_left(news)
+        if on_generation is not None:
+            on_generation(news, left)
+
+    def conclude(attempt: Attempt, lesson: Lesson, result: Result) -> None:
+        _save_mind(capsule, attempt)
+        so_far(folders.RUNNING)
+        if on_lesson is not None:
+            on_lesson(attempt.number, lesson, result)
+
     finished = 0
     attempt: Attempt | None = None
     compiled = manifest.engine == COMPILED
@@ -258,12 +261,7 @@ def _go(
             for number in range(1, manifest.attempts + 1):
                 attempt = Attempt(capsule.attempt(number), number, course)
                 _save_mind(capsule, attempt)
-                attempt.go(
-                    Evaluators(team),
-                    lambda: bool(arrived),
-                    _reporting(forecast, on_generation),
-                    _concluding(capsule, attempt, so_far, on_lesson),
-                )
+                attempt.go(Evaluators(team), lambda: bool(arrived), report, conclude)
                 finished += 1
         except Stopped:
             so_far(folders.INTERRUPTED)
@@ -280,30 +278,6 @@ def _go(
                 raise no_room(error, capsule.folder, f"attempt {finished + 1}") from error
             raise
         so_far(folders.FINISHED)
-
-
-def _reporting(forecast: Forecast, report: OnGeneration | None) -> Callable[[News], None]:
-    def report_generation(news: News) -> None:
-        left = forecast.seconds_left(news)
-        if report is not None:
-            report(news, left)
-
-    return report_generation
-
-
-def _concluding(
-    capsule: TrainingCapsule,
-    attempt: Attempt,
-    so_far: Callable[[str], None],
-    report: OnLesson | None,
-) -> Callable[[Lesson, Result], None]:
-    def conclude(lesson: Lesson, result: Result) -> None:
-        _save_mind(capsule, attempt)
-        so_far(folders.RUNNING)
-        if report is not None:
-            report(attempt.number, lesson, result)
-
-    return conclude
 
 
 def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from socialmind.learning.training import archive
 from socialmind.mind.functions.neat.graph import NeatGraph
 from socialmind.mind.modules import Skill
 
@@ -92,7 +93,7 @@ class Finalists:
         for name, some in (("highest", self.highest), ("last", self.last)):
             arrays[f"{name}/count"] = np.array(len(some))
             for number, one in enumerate(some):
-                arrays |= {f"{name}/{number}/{key}": value for key, value in arrays_of(one).items()}
+                arrays |= archive.under(f"{name}/{number}/", arrays_of(one))
         return arrays
 
     def restore(self, arrays: Mapping[str, Any]) -> None:
@@ -100,9 +101,7 @@ class Finalists:
         for name, some in (("highest", self.highest), ("last", self.last)):
             some.clear()
             for number in range(int(arrays[f"{name}/count"])):
-                prefix = f"{name}/{number}/"
-                own = {key: arrays[prefix + key] for key in ("genome", "graph", "place")}
-                some.append(individual_of(own))
+                some.append(individual_of(archive.part(arrays, f"{name}/{number}/")))
 
 
 def arrays_of(individual: Individual) -> dict[str, Any]:

@@ -13,15 +13,7 @@ from numpy.typing import NDArray
 from socialmind.errors import ModelError
 from socialmind.learning.episodes.evaluation import Evaluation
 from socialmind.learning.episodes.evaluators import Evaluators
-from socialmind.learning.lessons.keys import (
-    BEGINNING,
-    FINAL,
-    OPTIMISER,
-    VALIDATION,
-    WORLD,
-    seed_for,
-    seeds_for,
-)
+from socialmind.learning.lessons import keys
 from socialmind.learning.lessons.lesson import FIXED, KNOWN, Lesson
 from socialmind.learning.optimisers.contract import Optimiser
 from socialmind.learning.training import archive
@@ -94,7 +86,7 @@ class Teaching:
         self._best: Individual | None = None
 
     def _optimiser(self, resumed: bool) -> Optimiser:
-        lesson, seed = self.lesson, seed_for(OPTIMISER, *self._key)
+        lesson, seed = self.lesson, keys.seed_for(keys.OPTIMISER, *self._key)
         if getattr(lesson.kind, "graphs", False):
             # Topologies grow from what the skill reads and commands, not from a number of weights.
             kind: Any = lesson.kind
@@ -106,7 +98,7 @@ class Teaching:
 
     def _first(self, size: int) -> NDArray[np.float64] | None:
         """Return the individuals that it begins from, if there are any."""
-        lesson, seed = self.lesson, seed_for(BEGINNING, *self._key)
+        lesson, seed = self.lesson, keys.seed_for(keys.BEGINNING, *self._key)
         if lesson.first is not None:
             given = lesson.first
             return np.asarray(given(self._skills[0], seed) if callable(given) else given)
@@ -174,7 +166,7 @@ class Teaching:
         """Return the score of an individual on the worlds of validation, if there are any."""
         if not self.lesson.validation:
             return ()
-        worlds = seeds_for(self.lesson.validation, VALIDATION, *self._key)
+        worlds = keys.seeds_for(self.lesson.validation, keys.VALIDATION, *self._key)
         outcome = evaluators.evaluate(self.evaluation, self._asked([best]), worlds, stop)
         return (float(outcome.score.mean()),)
 
@@ -186,7 +178,7 @@ class Teaching:
 
     def _worlds(self, generation: int) -> list[int]:
         which = 0 if self.lesson.worlds == FIXED else generation
-        return seeds_for(self.lesson.repetitions, WORLD, *self._key, which)
+        return keys.seeds_for(self.lesson.repetitions, keys.WORLD, *self._key, which)
 
     def result(self, evaluators: Evaluators, stop: Stop) -> Result:
         """Judge the finalists on common worlds and return what the lesson has given.
@@ -203,7 +195,7 @@ class Teaching:
             before = Individual(known, None, float("nan"), 0)
             if not any(one.same(before) for one in chosen):
                 chosen.insert(0, before)
-        worlds = seeds_for(self.lesson.finals, FINAL, *self._key)
+        worlds = keys.seeds_for(self.lesson.finals, keys.FINAL, *self._key)
         outcome = evaluators.evaluate(self.evaluation, self._asked(chosen), worlds, stop)
         means = outcome.score.mean(axis=1)
         place = int(means.argmax())
