@@ -71,7 +71,7 @@ def test_each_is_what_its_world_comes_to_alone(genomes, outcome):
                     used = rows["_slot"] == np.arange(len(rows))
                     robots.update((int(row["_id"]), row.copy()) for row in rows[used])
             assert len(lived["scouts"]) == alone.scouts.counters[NEXT_ID]
-            alone.arena.settle()
+            alone.ground.settle()
             for robot in alone.collectors:
                 lived["collectors"][robot.id]["score"] = robot.score
             scores = [row["score"] for robots in lived.values() for row in robots.values()]
@@ -96,6 +96,15 @@ def test_worlds_differ_and_so_do_individuals(outcome):
 @pytest.mark.parametrize("lanes", [1, 2, 7, 64])
 def test_the_number_of_lanes_does_not_matter(lanes, genomes, outcome):
     assert same(episodes(lanes=lanes).run(genomes, SEEDS), outcome)
+
+
+@pytest.mark.parametrize("room", [(1, 4096), (4096, 1)])
+def test_births_may_lack_slots_or_identities_alone(room, genomes, outcome):
+    one = episodes()
+    one._room = dict.fromkeys(["balls", "scouts"], room)
+    assert same(one.run(genomes, SEEDS), outcome)
+    found = {name: one._batch.models[0].tables[name].room for name in ("balls", "scouts")}
+    assert found == dict.fromkeys(found, (max(room[0], 256), max(room[1], 256)))
 
 
 def test_order_and_company_do_not_matter(genomes, outcome):
