@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError
 from socialmind.worlds.plane.actuators import emit
+from socialmind.worlds.plane.arena import Arena
 from socialmind.worlds.plane.bodies import Body, Obstacle, Robot, Zone
 from socialmind.worlds.plane.devices import Act, Sense
 from socialmind.worlds.plane.sensors import RangeFinder
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
-    from socialmind.worlds.plane.arena import Arena
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
