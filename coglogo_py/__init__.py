@@ -6,13 +6,13 @@ A name is imported when it is first used, so that what needs none of them starts
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from coglogo_py.border.errors import CogLogoError as CogLogoError
+    from coglogo_py.border.errors import MindError as MindError
+    from coglogo_py.border.errors import SchemeError as SchemeError
     from coglogo_py.decision import BiasedWeightedStochastic as BiasedWeightedStochastic
     from coglogo_py.decision import DecisionMaker as DecisionMaker
     from coglogo_py.decision import MaximumWeight as MaximumWeight
     from coglogo_py.decision import WeightedStochastic as WeightedStochastic
-    from coglogo_py.errors import CogLogoError as CogLogoError
-    from coglogo_py.errors import MindError as MindError
-    from coglogo_py.errors import SchemeError as SchemeError
     from coglogo_py.lint import Finding as Finding
     from coglogo_py.mind import Mind as Mind
     from coglogo_py.parts import Cogniton as Cogniton
@@ -30,7 +30,7 @@ else:
         {
             "coglogo_py.decision": "BiasedWeightedStochastic DecisionMaker"
             " MaximumWeight WeightedStochastic",
-            "coglogo_py.errors": "CogLogoError MindError SchemeError",
+            "coglogo_py.border.errors": "CogLogoError MindError SchemeError",
             "coglogo_py.lint": "Finding",
             "coglogo_py.mind": "Mind",
             "coglogo_py.receipts.receipt": "Receipt",

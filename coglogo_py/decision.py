@@ -22,8 +22,8 @@ import numpy as np
 from numba.extending import register_jitable
 from numpy.typing import NDArray
 
-from coglogo_py.errors import SchemeError, nearest, shown
-from coglogo_py.numbers import is_number
+from coglogo_py.border.errors import SchemeError, nearest, shown
+from coglogo_py.border.numbers import is_number
 
 Weights = NDArray[np.float64]
 
@@ -104,6 +104,11 @@ class DecisionMaker:
     bias: float = 1.0
 
     name: ClassVar[str] = ""
+    biased: ClassVar[bool] = True
+    """Whether its bias plays a part."""
+    ranking: ClassVar[str] = "unknown"
+    """By what its most probable plan is found: `weights`, `shares`, `ranks` (shares and the bias),
+    or `unknown`, by its probabilities alone."""
 
     @staticmethod
     def choose(weights: Weights, bias: float, u: float) -> int:
@@ -135,6 +140,9 @@ class DecisionMaker:
     def __init_subclass__(cls) -> None:
         """Refuse a maker that lacks its name or one of its functions."""
         super().__init_subclass__()
+        for known in ("biased", "ranking"):  # of a maker itself, not of one that it is made from
+            if known not in vars(cls):
+                setattr(cls, known, getattr(DecisionMaker, known))
         name = cls.name
         if not isinstance(name, str) or not name or name.split() != [name]:
             raise SchemeError(
@@ -179,6 +187,8 @@ class MaximumWeight(DecisionMaker):
     """
 
     name = "MaximumWeight"
+    biased = False
+    ranking = "weights"
 
     @staticmethod
     def choose(weights: Weights, bias: float, u: float) -> int:
@@ -209,6 +219,8 @@ class WeightedStochastic(DecisionMaker):
     """
 
     name = "WeightedStochastic"
+    biased = False
+    ranking = "shares"
 
     @staticmethod
     def choose(weights: Weights, bias: float, u: float) -> int:
@@ -240,6 +252,7 @@ class BiasedWeightedStochastic(DecisionMaker):
     """
 
     name = "BiasedWeightedStochastic"
+    ranking = "ranks"
 
     @staticmethod
     def choose(weights: Weights, bias: float, u: float) -> int:

@@ -5,8 +5,8 @@ a slot of `MindArrays`; cogniton, plan, group, role and culturon are positions i
 and culturons counted over all groups). Callers have checked these; what only the running model can
 know is checked here, before any state changes: finite values, the plan fed back from, group ids.
 
-All of it, constants too, stands in this one file: with two others it is the key that its compiled
-code is kept under. Sums run in the scheme's order, so both speeds give the same bits.
+All of it, constants too, stands in this one file: with what it imports it is the key that its
+compiled code is kept under. Sums run in the scheme's order, so both speeds give the same bits.
 """
 
 from __future__ import annotations
@@ -16,10 +16,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coglogo_py import streams
-from coglogo_py.compiled import borrow
 from coglogo_py.compiled.borrow import borrowed
-from coglogo_py.compiled.machine_code import kept, key_of_files
+from coglogo_py.compiled.machine_code import kept, key_of_file
 from coglogo_py.streams import LOW_32, MIND_STREAMS, uniforms
 
 if TYPE_CHECKING:
@@ -30,6 +28,12 @@ WEIGHTED_STOCHASTIC = 1
 BIASED_WEIGHTED_STOCHASTIC = 2
 MODELLERS_OWN = 3
 """Codes of the decision makers, as `SchemeArrays.maker[0]` holds them."""
+CODES = {
+    "MaximumWeight": MAXIMUM_WEIGHT,
+    "WeightedStochastic": WEIGHTED_STOCHASTIC,
+    "BiasedWeightedStochastic": BIASED_WEIGHTED_STOCHASTIC,
+}
+"""Those of the built-in ones, by their names."""
 
 NEXT_MIND = 0
 NEXT_GROUP = 1
@@ -41,7 +45,7 @@ SEED_HIGH = 6
 STREAM = 7
 """Positions in `MindArrays.counters`."""
 
-_KEY = key_of_files("coglogo", __file__, borrow.__file__, streams.__file__)
+_KEY = key_of_file("coglogo", __file__)
 _operation = kept(_KEY, no_cfunc_wrapper=True)
 _inlined = kept(_KEY, no_cfunc_wrapper=True, forceinline=True)
 _inner = kept(_KEY, no_cfunc_wrapper=True, no_cpython_wrapper=True, forceinline=True)

@@ -5,17 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from coglogo_py.arrays import Floats, MindArrays, SchemeArrays
-from coglogo_py.decision import BiasedWeightedStochastic, MaximumWeight, WeightedStochastic
+from coglogo_py.decision import BUILT_IN
 from coglogo_py.kernel import (
-    BIASED_WEIGHTED_STOCHASTIC,
+    CODES,
     FREE_INSTANCES,
     FREE_MINDS,
-    MAXIMUM_WEIGHT,
     MODELLERS_OWN,
     SEED_HIGH,
     SEED_LOW,
     STREAM,
-    WEIGHTED_STOCHASTIC,
 )
 from coglogo_py.parts import Cogniton, Culturon, Group
 from coglogo_py.scheme import CognitiveScheme
@@ -98,13 +96,8 @@ def scheme_arrays(scheme: CognitiveScheme) -> SchemeArrays:
 def maker_code(scheme: CognitiveScheme) -> Floats:
     """Return the code of the scheme's decision maker, and its bias (1 where it has none)."""
     maker = scheme.decision_maker
-    if type(maker) is BiasedWeightedStochastic:
-        return np.array([BIASED_WEIGHTED_STOCHASTIC, maker.bias], np.float64)
-    codes: dict[type, int] = {
-        MaximumWeight: MAXIMUM_WEIGHT,
-        WeightedStochastic: WEIGHTED_STOCHASTIC,
-    }
-    return np.array([codes.get(type(maker), MODELLERS_OWN), maker.bias], np.float64)
+    code = CODES[maker.name] if type(maker) in BUILT_IN else MODELLERS_OWN
+    return np.array([code, maker.bias], np.float64)
 
 
 def mind_arrays(scheme: SchemeArrays, capacity: int, seed: int, stream: int = 0) -> MindArrays:

@@ -27,8 +27,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 
+from coglogo_py.border.errors import nearest
 from coglogo_py.decision import MaximumWeight
-from coglogo_py.errors import nearest
 from coglogo_py.parts import Cogniton, Culturon, Scheme
 
 

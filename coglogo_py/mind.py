@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py import kernel
+from coglogo_py.border.errors import MindError
+from coglogo_py.border.numbers import number, whole_number
 from coglogo_py.compiled.own_maker import checked_choice, checked_probabilities
-from coglogo_py.errors import MindError
-from coglogo_py.names import finite, whole
 from coglogo_py.receipts.receipt import Receipt, receipt_of
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # a circle for types alone: a mind knows its society, which makes minds
     from coglogo_py.society import Society
 
 
@@ -123,14 +123,14 @@ class Mind:
     def set_cogniton_value(self, cogniton: str, value: float) -> None:
         """Set the value of a cogniton; one that is inactive stays so."""
         position = self.society.names.cogniton(cogniton)
-        number = finite(value, f"set_cogniton_value of {cogniton!r}")
-        self._try(kernel.set_cogniton_value, position, number)
+        value = number(value, f"set_cogniton_value of {cogniton!r}", error=MindError)
+        self._try(kernel.set_cogniton_value, position, value)
 
     def add_to_cogniton_value(self, cogniton: str, value: float) -> None:
         """Add to the value of a cogniton; one that is inactive stays so."""
         position = self.society.names.cogniton(cogniton)
-        number = finite(value, f"add_to_cogniton_value of {cogniton!r}")
-        self._try(kernel.add_to_cogniton_value, position, number)
+        value = number(value, f"add_to_cogniton_value of {cogniton!r}", error=MindError)
+        self._try(kernel.add_to_cogniton_value, position, value)
 
     def get_cogniton_value(self, cogniton: str) -> float:
         """Return the value of a cogniton, 0.0 when it is inactive."""
@@ -238,8 +238,8 @@ class Mind:
                 and to every culturon, of all roles, of the groups this mind is in.
         """
         position = self.society.names.plan(plan)
-        number = finite(value, f"feed_back_from_plan of {plan!r}")
-        self._try_with_scheme(kernel.feed_back_from_plan, position, number)
+        value = number(value, f"feed_back_from_plan of {plan!r}", error=MindError)
+        self._try_with_scheme(kernel.feed_back_from_plan, position, value)
 
     # ------------------------------------------------------------------- groups
 
@@ -267,7 +267,7 @@ class Mind:
             MindError: no living group of this type has that identity.
         """
         positions = self.society.names.role(group, role)
-        identity = whole(id, f"join_group {group!r}, id")
+        identity = whole_number(id, f"join_group {group!r}, id", error=MindError)
         minds = self.society.minds
         if kernel.find_group(minds, positions[0], identity) < 0:
             living = minds.instance_id[minds.instance_group == positions[0]]
@@ -295,14 +295,14 @@ class Mind:
     def set_participation(self, group: str, value: float) -> None:
         """Set the degree of participation in a group; without effect outside it."""
         position = self.society.names.group(group)
-        number = finite(value, f"set_participation in {group!r}")
-        self._try(kernel.set_participation, position, number)
+        value = number(value, f"set_participation in {group!r}", error=MindError)
+        self._try(kernel.set_participation, position, value)
 
     def add_to_participation(self, group: str, value: float) -> None:
         """Add to the degree of participation in a group; without effect outside it."""
         position = self.society.names.group(group)
-        number = finite(value, f"add_to_participation in {group!r}")
-        self._try(kernel.add_to_participation, position, number)
+        value = number(value, f"add_to_participation in {group!r}", error=MindError)
+        self._try(kernel.add_to_participation, position, value)
 
     def get_participation(self, group: str) -> float:
         """Return the degree of participation in a group, 0.0 outside it."""
@@ -311,14 +311,14 @@ class Mind:
     def set_culturon_value(self, group: str, culturon: str, value: float) -> None:
         """Set a culturon of the group that the mind is in, of any role, for all its members."""
         positions = self.society.names.culturon(group, culturon)
-        number = finite(value, f"set_culturon_value of {culturon!r}")
-        self._try(kernel.set_culturon_value, *positions, number)
+        value = number(value, f"set_culturon_value of {culturon!r}", error=MindError)
+        self._try(kernel.set_culturon_value, *positions, value)
 
     def add_to_culturon_value(self, group: str, culturon: str, value: float) -> None:
         """Add to a culturon of the group that the mind is in, of any role, for all its members."""
         positions = self.society.names.culturon(group, culturon)
-        number = finite(value, f"add_to_culturon_value of {culturon!r}")
-        self._try(kernel.add_to_culturon_value, *positions, number)
+        value = number(value, f"add_to_culturon_value of {culturon!r}", error=MindError)
+        self._try(kernel.add_to_culturon_value, *positions, value)
 
     def get_culturon_value(self, group: str, culturon: str) -> float:
         """Return a culturon of the group that the mind is in, of any role; 0.0 outside it."""

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from coglogo_py.errors import MindError, nearest, shown
+from coglogo_py.border.errors import MindError, nearest
 from coglogo_py.laying_out import culturons_of
-from coglogo_py.numbers import is_number, is_whole
 from coglogo_py.scheme import CognitiveScheme
 
 
@@ -22,9 +21,9 @@ class Names:
     >>> names = Names(CognitiveScheme("herd", (Cogniton("Hunger", influence={"eat": 1.0}),)))
     >>> names.cogniton("Hunger")
     0
-    >>> names.plan("Eat")
+    >>> names.plan("Eat")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    coglogo_py.errors.MindError: no plan 'Eat' in scheme 'herd'; did you mean 'eat'? there are: eat
+    coglogo_py.border.errors.MindError: no plan 'Eat' in scheme 'herd'; did you mean 'eat'? …
     """
 
     def __init__(self, scheme: CognitiveScheme) -> None:
@@ -71,32 +70,3 @@ class Names:
         advice = nearest(name, known) if isinstance(name, str) else "names are strings"
         there = f"there are: {', '.join(known)}" if known else f"there are no {kind}s"
         raise MindError(f"no {kind} {name!r} in {where}; {f'{advice} ' if advice else ''}{there}")
-
-
-def finite(value: object, what: str) -> float:
-    """Return a number that a command was given as a float.
-
-    Args:
-        value: what was given.
-        what: what the command does with it, for the error.
-
-    Raises:
-        MindError: it is no number, NaN or infinite.
-
-    >>> finite(3, "the value of 'Hunger'")
-    3.0
-    """
-    if is_number(value):
-        return float(value)  # type: ignore[arg-type]  # a Real
-    raise MindError(f"{what}: expected a finite number, found {shown(value)}")
-
-
-def whole(value: object, what: str) -> int:
-    """Return a whole number that a command was given as an int.
-
-    Raises:
-        MindError: it is no whole number.
-    """
-    if is_whole(value):
-        return int(value)  # type: ignore[call-overload]  # an Integral
-    raise MindError(f"{what}: expected a whole number, found {shown(value)}")

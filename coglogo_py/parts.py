@@ -7,8 +7,9 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
+from coglogo_py.border.errors import SchemeError, shown
+from coglogo_py.border.numbers import is_truth
 from coglogo_py.decision import DecisionMaker
-from coglogo_py.errors import SchemeError, shown
 from coglogo_py.files.checks import (
     checked_colour,
     checked_name,
@@ -17,7 +18,6 @@ from coglogo_py.files.checks import (
     checked_position,
     checked_weights,
 )
-from coglogo_py.numbers import is_truth
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance

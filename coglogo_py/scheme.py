@@ -17,8 +17,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from coglogo_py.border.errors import SchemeError
 from coglogo_py.decision import DecisionMaker, MaximumWeight
-from coglogo_py.errors import SchemeError
 from coglogo_py.files.checks import (
     checked_name,
     checked_names,

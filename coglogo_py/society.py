@@ -8,13 +8,13 @@ import numpy as np
 
 from coglogo_py import kernel
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from coglogo_py.closed import Closed
-from coglogo_py.errors import CogLogoError
+from coglogo_py.border.closed import Closed
+from coglogo_py.border.errors import CogLogoError
+from coglogo_py.border.memory import check_memory
+from coglogo_py.border.numbers import whole_number
 from coglogo_py.laying_out import grown, mind_arrays, scheme_arrays
-from coglogo_py.memory import check_memory
 from coglogo_py.mind import Mind
-from coglogo_py.names import Names, whole
-from coglogo_py.numbers import whole_number
+from coglogo_py.names import Names
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.state_check import oddity
 
@@ -52,8 +52,8 @@ class Society(Closed):
                 "load one with CognitiveScheme.load(path)"
             )
         self.scheme = scheme
-        self.seed = _within(seed, 2**64, "seed")
-        self.stream = _within(stream, 2**16, "stream")
+        self.seed = whole_number(seed, "seed of a society", 0, 2**64 - 1)
+        self.stream = whole_number(stream, "stream of a society", 0, 2**16 - 1)
         self.names = Names(scheme)
         self.arrays: SchemeArrays = scheme_arrays(scheme)
         self.weights_scratch = np.empty(len(scheme.plans))
@@ -187,10 +187,3 @@ class Society(Closed):
         low, high = self.minds.counters[[kernel.SEED_LOW, kernel.SEED_HIGH]].tolist()
         self.seed = high << 32 | low
         self.stream = int(self.minds.counters[kernel.STREAM])
-
-
-def _within(value: int, end: int, what: str) -> int:
-    number = whole(value, f"{what} of a society")
-    if not 0 <= number < end:
-        raise CogLogoError(f"{what} of a society: expected 0 … {end - 1}, found {number}")
-    return number

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
+from coglogo_py.border.errors import shown
 from socialmind.errors import UnknownNameError, ValueRefusedError, nearest
 
 

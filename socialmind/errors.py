@@ -8,8 +8,8 @@ import traceback
 from collections.abc import Iterable
 from pathlib import Path
 
-from coglogo_py.errors import nearest as close
-from coglogo_py.errors import one_line
+from coglogo_py.border.errors import PlacedError, one_line
+from coglogo_py.border.errors import nearest as close
 
 
 class SocialmindError(Exception):
@@ -71,52 +71,12 @@ class ValueRefusedError(SocialmindError, ValueError):
     """A value that a field cannot hold; nothing was written."""
 
 
-class ModelError(SocialmindError):
-    """Something in a model's own files is wrong: says where, what, and what to do.
-
-    Args:
-        found: what stands in the file.
-        expected: what should stand there.
-        remedy: what to write or do instead.
-        file: the file at fault.
-        line: its line, counted from 1.
+class ModelError(PlacedError, SocialmindError):
+    """Something in a model's own files is wrong; arguments as of `border.errors.PlacedError`.
 
     >>> print(ModelError("a dictionary", "a number", "use an array field", "model.py", 12))
     model.py:12: found a dictionary; expected a number; use an array field
     """
-
-    def __init__(
-        self,
-        found: str,
-        expected: str | None = None,
-        remedy: str | None = None,
-        file: str | Path | None = None,
-        line: int | None = None,
-    ) -> None:
-        self.file = None if file is None else str(file)
-        self.line = line
-        self.found = found
-        self.expected = expected
-        self.remedy = remedy
-        super().__init__(self._message())
-
-    def _message(self) -> str:
-        where = "" if self.file is None else self.file
-        if self.line is not None:
-            where += f":{self.line}" if where else f"line {self.line}"
-        # Without an expectation the finding is a sentence of its own.
-        what = self.found if self.expected is None else f"found {self.found}"
-        parts = [what]
-        if self.expected is not None:
-            parts.append(f"expected {self.expected}")
-        if self.remedy is not None:
-            parts.append(self.remedy)
-        message = "; ".join(parts)
-        return f"{where}: {message}" if where else message
-
-    def __reduce__(self) -> tuple[type[ModelError], tuple[object, ...]]:
-        """Keep the fields when the error crosses a process boundary."""
-        return type(self), (self.found, self.expected, self.remedy, self.file, self.line)
 
 
 class RuleError(SocialmindError):

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number, is_truth, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError
 
 Value = float | int | bool | None

@@ -10,17 +10,7 @@ instance is a running society:
 
 from __future__ import annotations
 
-import copy
-import copyreg
-import inspect
-import re
-import sys
-import warnings
-from abc import ABCMeta
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
@@ -28,66 +18,32 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
-from coglogo_py.numbers import whole_number
-from socialmind.agents.agent_columns import agent_columns
+from coglogo_py.border.numbers import whole_number
+from socialmind.agents import idleness
+from socialmind.agents.agent_columns import agent_columns, default_series
 from socialmind.compiling.layout import model_dtype
 from socialmind.engine.engine import Engine
 from socialmind.engine.explaining import explained
-from socialmind.engine.ticks import taken
-from socialmind.errors import IdleWarning, SocialmindError, nearest
-from socialmind.fields import Field, place_of_field
+from socialmind.errors import SocialmindError
+from socialmind.fields import Field
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
-from socialmind.language.source import hold_text
+from socialmind.society import copying, making
 from socialmind.society.admitting import admitted
-from socialmind.society.connection import connect, names_of_minds
-from socialmind.society.declaration import declaration_of, kept_names
-from socialmind.society.making import ignored, schemes_of, set_values, size_of, tables_of
+from socialmind.society.declaration import kept_names
+from socialmind.society.kind import ModelKind
 from socialmind.society.parameter import Parameter
 from socialmind.society.phases import PhaseDeclaration
 from socialmind.society.population import Population
 from socialmind.society.state import restore, state_of
 from socialmind.society.table import Table
-from socialmind.sources.provenance import note_definition
-from socialmind.streams import STREAM
-from socialmind.work.packing import is_private, packed, reference, unpacked
-from socialmind.worlds.contract import Ground, World
+from socialmind.worlds.contract import World
 
 if TYPE_CHECKING:
     from coglogo_py.receipts.receipt import Receipt
     from socialmind.mind.steering import Steering
 
 Loaded = TypeVar("Loaded", bound="Model")
-
-
-@dataclass(frozen=True)
-class Idle:
-    """Decisions that found no plan available: how many, and the first agent and tick of them."""
-
-    count: int
-    first_agent: int | None
-    first_tick: int | None
-
-
-class ModelKind(ABCMeta):
-    """The class of model classes.
-
-    They go to other processes wherever they were loaded from, and a society that is made takes no
-    further attributes.
-    """
-
-    def __call__(cls, *arguments: Any, **settings: Any) -> Any:
-        """Return a society, finished."""
-        made = super().__call__(*arguments, **settings)
-        made._made = True
-        return made
-
-
-def _reduced(kind: ModelKind) -> Any:
-    return reference(kind) if is_private(kind) else kind.__qualname__
-
-
-copyreg.pickle(ModelKind, _reduced)
 
 
 class Model(metaclass=ModelKind):
@@ -104,8 +60,7 @@ class Model(metaclass=ModelKind):
     - `world = Torus("world_size", Land)`;
     - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`.
 
-    And two methods that say what a run records: `series()` and `agents()`; and one that says
-    whether it stops before its time, `stop_when()`.
+    And methods: `series()` and `agents()` say what a run records, `stop_when()` when it stops.
 
     Args:
         seed: the key of all random draws, 0 … 2⁶⁴ − 1.
@@ -139,26 +94,7 @@ class Model(metaclass=ModelKind):
     shape: ClassVar[ModelShape]
     _programs: ClassVar[dict[bool, Program]] = {}
 
-    # What an instance keeps; `socialmind.agents.running` says what it is.
-    seed: int
-    compiled: bool
-    physics: str
-    without: tuple[str, ...]
-    program: Program
-    contexts: NDArray[Any]
-    context: Any
-    stream: NDArray[Any]
-    ground: Ground
-    schemes: dict[str, CognitiveScheme]
-    assemblies: dict[str, Any]
-    names: dict[str, NDArray[Any]]
-    tables: dict[str, Table]
-    engine: Engine
-    connected: list[NDArray[Any]]
-    watch: tuple[str, int] | None
-    watched: Receipt | None
-    _scheme: Any
-    _hierarchy: Any
+    _given: tuple[Any, Any]  # `socialmind.agents.running` names what else an instance keeps
     _steerings: dict[str, Steering]
     _sets_up: bool = True
     _made: bool = False
@@ -166,62 +102,7 @@ class Model(metaclass=ModelKind):
 
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
-        hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
-        note_definition(cls.__module__)
-        found = declaration_of(cls, Model)
-        cls.parameters, cls.variables, cls.populations, cls.declared_world = found[:4]
-        cls.rewards, cls.interruptions, cls.measures = found[4:]
-        cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
-        world = cls.declared_world.shape(cls, partial(place_of_field, cls))
-        cls.shape = ModelShape(
-            name=cls.name,
-            parameters={name: one.field for name, one in cls.parameters.items()},
-            variables=cls.variables,
-            populations={n: world.inhabited(one.shape) for n, one in cls.populations.items()},
-            world=world,
-            setup=tuple(phase.shape for phase in cls.setup),
-            schedule=tuple(phase.shape for phase in cls.schedule),
-        )
-        cls._programs = {}
-
-    @classmethod
-    def typed(cls, compiled: bool = True) -> Program:
-        """Return the typed rules of the model; typed anew once a constant or helper is another.
-
-        Raises:
-            ModelError: a rule outside the language.
-        """
-        known = cls._programs.get(compiled)
-        if known is None or known.outdated:
-            known = cls._programs[compiled] = Program(cls.shape, compiled)
-        return known
-
-    @classmethod
-    def steerings(cls, given: Any = None) -> dict[str, Steering]:
-        """Return the hierarchies of skills of the populations that have some.
-
-        Args:
-            given: what `hierarchy` of the model is.
-        """
-        if given is None and all(one.hierarchy is None for one in cls.populations.values()):
-            return {}
-        from socialmind.mind.steering import steerings_of
-
-        return steerings_of(cls.populations, cls.folder(), given, cls.name)
-
-    @classmethod
-    def before_setup(cls: type[Loaded], **arguments: Any) -> Loaded:
-        """Return a society whose setup has not run; arguments as of the class."""
-        model = cls.__new__(cls)
-        model._sets_up = False
-        model.__init__(**arguments)  # type: ignore[misc]  # what __new__ left out
-        model._made = True
-        return model
-
-    @classmethod
-    def folder(cls) -> Path:
-        """Return the folder in which the model's class stands."""
-        return Path(inspect.getfile(cls)).parent
+        cls.declare(Model)
 
     def __init__(
         self,
@@ -233,49 +114,28 @@ class Model(metaclass=ModelKind):
         without: Sequence[str] = (),
         **parameters: Any,
     ) -> None:
+        kind = type(self)
         self.seed = whole_number(seed, "seed", 0, 2**64 - 1, SocialmindError)
         self.compiled = compiled
-        self._scheme = scheme
-        self._hierarchy = hierarchy
-        self.physics = physics
-        engines = self.shape.world.engines
-        if physics not in engines:
-            why = nearest(physics, engines) if len(engines) > 1 else "it has no plane"
-            raise SocialmindError(f"physics={physics!r} for {self.name}; {why}")
+        self.physics = making.engine_named(physics, kind.shape.world.engines, kind.name)
         self.without = (without,) if isinstance(without, str) else tuple(without)
-        self.watch = self.watched = None
-        self._steerings = self.steerings(hierarchy)
+        self._given = scheme, hierarchy
+        self.watch: Any = None
+        self.watched: Any = None
+        self._steerings = kind.steerings(hierarchy)
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
-        self.program = self.typed(compiled)
-        self.contexts = np.zeros(1, model_dtype(self.shape))
-        self.context = self.contexts[0]
-        set_values(self.context, self.parameters, self.variables, parameters, self.name)
-        bits = ignored(self.interruptions, self.without, self.name)
-        if bits:
-            self.context["_ignored"] = bits
-        size = type(self).declared_world.size
-        self.ground = type(self).declared_world.ground(
-            self, None if size is None else size_of(self.context, size, 1)
-        )
-        self.schemes, files = schemes_of(self.populations, self.folder(), scheme, self.name)
-        self.tables = tables_of(self, self._steerings)
+        self.program = kind.typed(compiled)
+        self.contexts: NDArray[Any] = np.zeros(1, model_dtype(self.shape))
+        self.context: Any = self.contexts[0]
+        making.set_values(self.context, kind.parameters, kind.variables, parameters, kind.name)
+        making.ignore(self.context, kind.interruptions, self.without, kind.name)
+        self.ground = making.ground_of(self, kind.declared_world)
+        self.schemes, files = making.schemes_of(self.populations, kind.folder(), scheme, kind.name)
+        self.tables: dict[str, Table] = making.tables_of(self, self._steerings)
         self.ground.settle_in()
-        self.stream = np.zeros(1, STREAM)
-        self.stream["key_0"], self.stream["key_1"] = self.seed & 0xFFFFFFFF, self.seed >> 32
-        self.connected = []
-        self.names = {
-            name: np.array(
-                names_of_minds(
-                    self.program,
-                    name,
-                    self.schemes.get(name),
-                    self.assemblies.get(name),
-                    files.get(name),
-                ),
-                np.int64,
-            )
-            for name in self.populations
-        }
+        self.stream = making.new_stream(self.seed)
+        self.connected: list[NDArray[Any]] = []
+        self.names = making.names_in_minds(self, files)
         self.engine = Engine(self, compiled)
         if self._sets_up:
             self.engine.set_up()
@@ -285,28 +145,6 @@ class Model(metaclass=ModelKind):
         if self._made and name not in self.variables and not name.startswith("_"):
             value = admitted(self, kept_names(Model), name, value)
         object.__setattr__(self, name, value)
-
-    def connect(self) -> None:
-        """Write into the society's record where its arrays are."""
-        connect(self)
-
-    # Running ----------------------------------------------------------------------------------
-
-    @contextmanager
-    def following_rules(self) -> Iterator[None]:
-        """Hand out agents and patches as rules hold them, bare, while interpreted rules run."""
-        within = self._in_rules
-        self._hand_out(True)
-        try:
-            yield
-        finally:
-            self._hand_out(within)
-
-    def _hand_out(self, bare: bool) -> None:
-        self._in_rules = bare
-        for table in self.tables.values():
-            table.hand_out(bare)
-        self.ground.hand_out(bare)
 
     @property
     def tick(self) -> int:
@@ -327,22 +165,14 @@ class Model(metaclass=ModelKind):
             IdleWarning: for the first decision of the society that found no plan available.
         """
         ticks = whole_number(ticks, "ticks", 0, error=SocialmindError)
-        known = self.idle.count
+        known = int(self.context["_idle"])
         if type(self).stop_when is Model.stop_when:
             self.engine.advance(ticks)
         else:
             end = self.tick + ticks
             while self.tick < end and not self.stopped:
                 self.engine.advance(1)
-        idle = self.idle
-        if idle.count > known == 0 and idle.first_tick is not None:
-            warnings.warn(
-                f"agent {idle.first_agent} of {self.name} found no available plan in tick "
-                f"{idle.first_tick} and did nothing; `idle` counts such decisions, "
-                f"`explain({idle.first_agent}, {idle.first_tick + 1})` shows why",
-                IdleWarning,
-                stacklevel=2,
-            )
+        idleness.warn_of_first(self.context, known, self.name)
 
     def step(self) -> None:
         """Run one tick."""
@@ -364,12 +194,6 @@ class Model(metaclass=ModelKind):
         """Whether the society has stopped: `advance` runs no further tick."""
         return bool(self.stop_when())
 
-    def run_plan(self, population: str, plan: int, agent: Any, rng: Any) -> None:
-        """Carry out a plan, by its number in the population's scheme, in an interpreted run."""
-        name = self.schemes[population].plans[plan]
-        symbol, takes = self.program.plans[population][name]
-        self.engine.functions[symbol](*taken(takes, agent, self, rng).values())
-
     @property
     def over(self) -> str | None:
         """The interruption that ended it, or what `stop_when` said; None while it goes on."""
@@ -381,7 +205,7 @@ class Model(metaclass=ModelKind):
     @property
     def minded(self) -> bool:
         """Whether robots have minds: not in a model made with `hierarchy=False`."""
-        return self._hierarchy is not False
+        return self._given[1] is not False
 
     def steer(self, population: str, commands: ArrayLike | None) -> None:
         """Steer robots from outside, in place of their minds.
@@ -398,22 +222,14 @@ class Model(metaclass=ModelKind):
         """
         self.ground.steer(population, commands)
 
-    # Observing --------------------------------------------------------------------------------
-
     def series(self) -> dict[str, Any]:
         """Return what a run records of the society at a tick: a name and a number for each column.
 
         A model overrides it. Unless it does: the size of each population, and the variables; on a
         plane also the mean score of the robots, the dead included, and what ended it, if any.
         """
-        sizes: dict[str, Any] = {name: len(table) for name, table in self.tables.items()}
-        plain = {
-            name: getattr(self, name) for name, one in self.variables.items() if one.size is None
-        }
-        stops = (
-            type(self).declared_world.has_episodes or type(self).stop_when is not Model.stop_when
-        )
-        return sizes | self.ground.series() | plain | ({"over": self.over} if stops else {})
+        stops = type(self).stop_when is not Model.stop_when
+        return default_series(self, stops or type(self).declared_world.has_episodes)
 
     def agents(self) -> dict[str, Any]:
         """Return what a run records of each agent at a tick: a name and a sequence for each column.
@@ -437,31 +253,13 @@ class Model(metaclass=ModelKind):
         return {name: getattr(self, name) for name in self.parameters}
 
     @property
-    def idle(self) -> Idle:
+    def idle(self) -> idleness.Idle:
         """The decisions that found no plan available."""
-        count = int(self.context["_idle"])
-        if count == 0:
-            return Idle(0, None, None)
-        return Idle(count, int(self.context["_idle_agent"]), int(self.context["_idle_tick"]))
-
-    def count_idle(self, agent: int) -> None:
-        """Count a decision that found no plan available."""
-        if self.context["_idle"] == 0:
-            self.context["_idle_agent"] = agent
-            self.context["_idle_tick"] = self.tick
-        self.context["_idle"] += 1
+        return idleness.idle_in(self.context)
 
     def fresh(self: Loaded) -> Loaded:
         """Return the same society before its first tick."""
-        return type(self)(
-            self.seed,
-            self.compiled,
-            self._scheme,
-            self._hierarchy,
-            self.physics,
-            self.without,
-            **self.parameter_values(),
-        )
+        return copying.fresh(self)
 
     def explain(self, agent: int, tick: int) -> Receipt:
         """Explain the decision that was in force at a tick: the agent's last one up to it.
@@ -477,8 +275,6 @@ class Model(metaclass=ModelKind):
         """
         return explained(self, agent, tick)
 
-    # State ------------------------------------------------------------------------------------
-
     def state(self) -> dict[str, NDArray[Any]]:
         """Return copies of all arrays that change in a run, by name; `restore` takes them back."""
         return state_of(self)
@@ -488,62 +284,16 @@ class Model(metaclass=ModelKind):
         restore(self, state)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _unpacked_model, (packed(self._parts()),), self._own() or None
+        return copying.reduced(self, Model)
 
     def __copy__(self: Loaded) -> Loaded:
-        return _remade(*self._parts(), self._own())
+        return copying.copied(self, Model)
 
     def __deepcopy__(self: Loaded, memo: dict[int, Any]) -> Loaded:
-        made = _remade(*self._parts(), {})
-        memo[id(self)] = made
-        vars(made).update(copy.deepcopy(self._own(), memo))
-        return made
-
-    def _parts(self: Loaded) -> tuple[type[Loaded], dict[str, Any], dict[str, NDArray[Any]]]:
-        """Return what the society is made of anew: its class, its settings and its state."""
-        settings: dict[str, Any] = {
-            "seed": self.seed,
-            "compiled": self.compiled,
-            "scheme": self.schemes or None,
-            "hierarchy": False if not self.minded else self._steerings or None,
-            "physics": self.physics,
-            "without": self.without,
-        }
-        return type(self), settings | self.parameter_values(), self.state()
-
-    def _own(self) -> dict[str, Any]:
-        """Return the attributes that a modeller's methods gave the society."""
-        return {name: one for name, one in vars(self).items() if name not in kept_names(Model)}
+        return copying.copied(self, Model, memo)
 
     def mesa(self) -> Any:
         """Return a real `mesa.Model` over this society; see docs/mesa.md."""
         from socialmind.mesa.model import mesa_model
 
         return mesa_model(self)
-
-
-def _unpacked_model(content: bytes) -> Model:
-    kind, settings, state = unpacked(content)
-    made: Model = _remade(kind, settings, state, {})
-    return made
-
-
-def _remade(
-    kind: type[Loaded],
-    settings: Mapping[str, Any],
-    state: Mapping[str, NDArray[Any]],
-    own: Mapping[str, Any],
-) -> Loaded:
-    """Return a society in a state, with attributes that a modeller's methods gave it."""
-    made = kind.__new__(kind)
-    made._sets_up = False  # until it has its state
-    Model.__init__(made, **settings)
-    del made._sets_up
-    made.restore(state)
-    vars(made).update(own)
-    made._made = True
-    return made
-
-
-def _snake_case(name: str) -> str:
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()

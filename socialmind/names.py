@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from coglogo_py.errors import shown
+from coglogo_py.border.errors import shown
 from socialmind.errors import ModelError, called_at
 
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numba.extending import register_jitable
 
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.numbers import is_whole
 from coglogo_py.streams import LOW_32, philox, uniforms
 
 STREAM = np.dtype(

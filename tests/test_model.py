@@ -66,7 +66,7 @@ def test_the_parts_of_a_class():
     assert list(Meadow.parameters) == ["grass", "n_cows"]
     assert list(Meadow.variables) == ["days"]
     assert list(Meadow.populations) == ["cows"]
-    assert isinstance(Meadow.torus, Torus)
+    assert isinstance(Meadow.world, Torus)
     assert [str(phase) for phase in Meadow.schedule] == [
         "once: dawn",
         "each of cows, random order: graze",

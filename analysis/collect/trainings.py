@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.experiments.trainings.plans import Plan, Plans, most_ticks
+from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans, most_ticks
 from socialmind.learning import Curriculum, Lesson, Training
 from socialmind.mind import MindDescription
 
@@ -133,10 +133,10 @@ def power_mind(variant: str, folder: str) -> MindDescription:
     return mind
 
 
-def power_plan(variant: str, folder: str) -> Plan:
+def power_plan(variant: str, folder: str) -> TrainingPlan:
     """Return the training of one variant on one Avoid."""
     avoid = {"collect": "original", "collect_retrained": "retrained"}[folder]
-    return Plan(
+    return TrainingPlan(
         f"power management, {variant}, on the {avoid} Avoid (6.3)",
         5,
         partial(power_mind, variant, folder),
@@ -154,12 +154,12 @@ def plan(
     attempts: int,
     mind: Callable[[], MindDescription],
     curriculum: Callable[[], Curriculum],
-) -> Plan:
-    """Return a training in the world of `collect`; the arguments are those of `Plan`."""
-    return Plan(about, attempts, mind, curriculum, "collect", SEED)
+) -> TrainingPlan:
+    """Return a training in the world of `collect`; the arguments are those of `TrainingPlan`."""
+    return TrainingPlan(about, attempts, mind, curriculum, "collect", SEED)
 
 
-PLANS = Plans(
+PLANS = TrainingPlans(
     TOPIC,
     {
         "hierarchy": plan(

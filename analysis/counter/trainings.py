@@ -16,7 +16,7 @@ from functools import partial
 from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.experiments.trainings.plans import Plan, Plans
+from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
 from socialmind.learning import Curriculum, Training
 from socialmind.mind import Perceptron, Simple
 
@@ -38,7 +38,7 @@ def plan(about, wanted=2, **options):
         wanted: how many objects a sequence has; 0 for a number drawn anew for each.
         options: of the hierarchy.
     """
-    return Plan(
+    return TrainingPlan(
         about,
         ATTEMPTS,
         partial(LESSONS.hierarchy, **options),
@@ -48,7 +48,7 @@ def plan(about, wanted=2, **options):
     )
 
 
-PLANS = Plans(
+PLANS = TrainingPlans(
     Path(__file__).parent,
     {
         "counter": plan("a variable that counts, a network without hidden layers"),

@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.experiments.trainings.plans import Plan, Plans
+from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
 from socialmind.learning import Curriculum, Lesson, Training
 from socialmind.mind import MindDescription
 
@@ -68,12 +68,14 @@ def walker() -> MindDescription:
     return mind
 
 
-def plan(about: str, change: Change, mind: Callable[[], MindDescription] = MINDS.forager) -> Plan:
+def plan(
+    about: str, change: Change, mind: Callable[[], MindDescription] = MINDS.forager
+) -> TrainingPlan:
     """Return a training of all lessons, changed."""
-    return Plan(about, ATTEMPTS, mind, lambda: curriculum(change), "foraging", SEED)
+    return TrainingPlan(about, ATTEMPTS, mind, lambda: curriculum(change), "foraging", SEED)
 
 
-PLANS = Plans(
+PLANS = TrainingPlans(
     Path(__file__).parent,
     {
         SHIPPED: plan("all lessons, with signals and in sight of each other", same),

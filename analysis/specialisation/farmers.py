@@ -30,34 +30,26 @@ MEASURED = {
         Measured(
             "prosperity", "Wheat of a person", "comfortable stocks",
             "The mean stock of wheat at the end, over the one that leaves no need.",
-            "wheat of a person", "has more wheat", "has less wheat",
         ),
         Measured(
             "specialised", "Specialised agents", "share of agents",
             "As for robots; a piece of work is what an agent is seen doing at a record.",
-            "share of specialised agents", "has more agents specialised",
-            "has fewer agents specialised",
         ),
         Measured(
             "agents_to_tasks", "Division of labour", "I / H(tasks)", "As for robots.",
-            "division of labour", "divides its work more", "divides its work less",
         ),
         Measured(
             "role_changes", "Role changes", "an agent and 10,000 ticks",
             "While settled: within one agent of 20 farmers and 5 artisans, which is what the "
             "thesis found.",
-            "number of role changes", "changes roles more often", "changes roles less often",
         ),
         Measured(
             "last_distance", "Distance to 20 : 5", "agents, last quarter",
             "As for robots, to 20 farmers and 5 artisans.",
-            "distance to 20 farmers and 5 artisans", "is farther from 20 farmers and 5 artisans",
-            "is nearer to 20 farmers and 5 artisans",
         ),
         Measured(
             "delivered", "Tools to others", "tools",
-            "Tools that an agent sold less those that it bought, of agents that sold more.",
-            "number of tools that went to others", "hands on more tools", "hands on fewer tools", 0,
+            "Tools that an agent sold less those that it bought, of agents that sold more.", 0,
         ),
     )
 }  # fmt: skip

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import platform
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import matplotlib
@@ -14,10 +15,9 @@ import pandas as pd
 
 import socialmind
 from socialmind.catalogue import model_folder
-from socialmind.experiments import report
 from socialmind.mind import MindDescription
 
-from . import farmers, findings
+from . import farmers, html
 from .societies import CONDITIONS, FULL, REFERENCE, SEED, SOCIETIES, Size
 from .tables import MEASURED, beyond_both, mixed_of
 from .words import capital, number, one_of, spread
@@ -28,6 +28,15 @@ if TYPE_CHECKING:
 
 
 TITLE = "Programmed and learned specialisation"
+FINDINGS = Path(__file__).with_name("findings.md")
+"""What was found in the full study, written by hand: a section for each part of the page."""
+
+
+def findings(section: str) -> str:
+    """Return what is written about a part of the page, as a list."""
+    text = FINDINGS.read_text(encoding="utf-8")
+    own = text.split(f"\n## {section}\n", 1)[1].split("\n## ", 1)[0]
+    return html.bullets(line.removeprefix("- ") for line in own.splitlines() if line)
 
 
 def page_of(
@@ -35,11 +44,9 @@ def page_of(
     size: Size, command: str,
 ) -> str:  # fmt: skip
     """Return the page."""
-    table, differ = tables["means"], tables["differences"]
-    agreement = village.distillation.agreement
     seeds = f"{SEED} … {SEED + size.worlds - 1}"
     top = [
-        report.paragraph(
+        html.paragraph(
             "Nine robots forage objects of two kinds, of which twice as many B are wanted as A. "
             "Who fetches which? A programmed mind, a learned one, and others that fall short of "
             "both decide about it in the same worlds, with the same market and the same decay; the "
@@ -47,26 +54,27 @@ def page_of(
             "the farmers and artisans, with a learned mind in the place of their scheme.",
             lead=True,
         ),
-        report.bullets(findings.summary(table, differ, tables["farmers-means"], agreement.overlap)),
+        findings("summary"),
     ]
     if size != FULL:
         top.append(
-            report.paragraph(
+            html.paragraph(
                 f"This is a small version: {size.worlds} worlds of {number(size.ticks, 0)} ticks, "
-                f"not {FULL.worlds} of {number(FULL.ticks, 0)}. What it finds is uncertain."
+                f"not {FULL.worlds} of {number(FULL.ticks, 0)}. What is said in words "
+                "is of the full one."
             )
         )
     sections = [
-        report.section("Who is compared", _compared(figures, size), "societies"),
-        report.section("Left alone", _calm(tables, figures), "left-alone"),
-        report.section("After shocks", _shocked(tables, figures, size), "shocks"),
-        report.section("Both minds in one society", _mixed(tables, figures), "mixed"),
-        report.section("The other way round: farmers and artisans",
+        html.section("Who is compared", _compared(figures, size), "societies"),
+        html.section("Left alone", _calm(tables, figures), "left-alone"),
+        html.section("After shocks", _shocked(tables, figures, size), "shocks"),
+        html.section("Both minds in one society", _mixed(tables, figures), "mixed"),
+        html.section("The other way round: farmers and artisans",
                        _farmers(tables, figures, village, size), "farmers"),
-        report.section("What is measured", _definitions(), "measures"),
-        report.section("How it was made", _made(size, command, seeds), "method"),
+        html.section("What is measured", _definitions(), "measures"),
+        html.section("How it was made", _made(size, command, seeds), "method"),
     ]  # fmt: skip
-    return report.page(TITLE, top, sections)
+    return html.page(TITLE, top, sections)
 
 
 def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
@@ -77,15 +85,15 @@ def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
         {"condition": one.title, f"at tick {half}": one.about} for one in CONDITIONS.values()
     ]
     return [
-        report.table(societies),
-        report.table(conditions),
-        report.paragraph(
+        html.table(societies),
+        html.table(conditions),
+        html.paragraph(
             f"Each society meets the same {size.worlds} worlds under each condition, for "
             f"{number(size.ticks, 0)} ticks. How its robots begin is drawn for each world: all in "
             "A, all in B, undecided, or at random; fixed roles begin in the wanted split. After "
             "each delivery a robot is told what the object was worth to all, and nothing else."
         ),
-        report.picture(
+        html.picture(
             figures["programmed"],
             "Figure 1. The scheme of the programmed robots: cognitons at the left, plans at the "
             "right. Numbers are the links’ weights.",
@@ -96,8 +104,8 @@ def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
 
 def _calm(tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure]) -> list[str]:
     return [
-        report.bullets(findings.calm(tables["means"], tables["differences"])),
-        report.picture(
+        findings("undisturbed"),
+        html.picture(
             figures["course"],
             "Figure 2. Distance to the wanted split; the share of robots that are specialised; "
             "both as means of all worlds with intervals of 95 %, the dashed line being the shock. "
@@ -114,21 +122,20 @@ def _shocked(
 ) -> list[str]:
     parts = []
     for place, condition in enumerate((o for o in CONDITIONS.values() if o.parameter), 2):
-        found = findings.shocked(tables["means"], tables["differences"], condition.name)
         parts += [
             f"<h3>{capital(condition.title)}</h3>",
-            report.bullets(found),
+            findings(condition.name),
             _comparison(tables, condition.name, f"Table {place}. {condition.when}."),
         ]
     return [
         *parts,
-        report.picture(
+        html.picture(
             figures["robots"],
             f"Figure 3. The role of each robot in the first world ({SEED}), in which the wanted "
             "ratio A : B is 1 : 2, and 2 : 1 after the dashed line.",
             "The roles of nine robots over time in six societies.",
         ),
-        report.picture(
+        html.picture(
             figures["measures"],
             "Figure 4. Every measure, with intervals of 95 %. Grey strokes in g: what luck alone "
             "gives.",
@@ -151,7 +158,7 @@ def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str
             else:
                 row[one.title] = cell
         rows.append(row)
-    return report.table(
+    return html.table(
         rows,
         f"{caption} Means with intervals of 95 %; g and δ compare with the learned society.",
         numbers=True,
@@ -166,15 +173,10 @@ def _effect(differences: pd.DataFrame, name: str, where: Mapping[str, object]) -
 
 
 def _mixed(tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure]) -> list[str]:
-    mixed = mixed_of(tables["worlds"])
     return [
-        report.bullets(
-            [
-                *findings.mixture(tables["mixed-slopes"], beyond_both(mixed)),
-                *findings.kinds(tables["mixed-kinds-differences"]),
-            ]
-        ),
-        report.picture(
+        findings("mixed"),
+        beyond_table(beyond_both(mixed_of(tables["worlds"]))),
+        html.picture(
             figures["mixed"],
             "Figure 5. Over the share of programmed robots. Above: societies. Below: what becomes "
             "of either kind of robots. Means with intervals of 95 %.",
@@ -183,17 +185,27 @@ def _mixed(tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure]) ->
     ]
 
 
+def beyond_table(beyond: Mapping[tuple[str, str], Sequence[tuple[float, int]]]) -> str:
+    """A table of the mixtures that lie beyond both kinds alone, by condition and measure."""
+    rows = [
+        {
+            "condition": CONDITIONS[condition].title,
+            "measure": MEASURED[name].title,
+            "programmed robots": ", ".join(f"{round(9 * share)}" for share, _ in several),
+            "than either kind alone": ", ".join(
+                "more" if side > 0 else "less" for _, side in several
+            ),
+        }
+        for (condition, name), several in beyond.items()
+        if several
+    ]
+    return html.table(rows, "Mixtures beyond both kinds alone, of nine robots.") if rows else ""
+
+
 def _farmers(
     tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], village: farmers.Found,
     size: Size,
 ) -> list[str]:  # fmt: skip
-    distilled = village.distillation
-    links = [
-        (one.name, plan, weight)
-        for one in distilled.scheme.cognitons
-        for plan, weight in one.influence.items()
-        if weight
-    ]
     rows = []
     for name, measured in farmers.MEASURED.items():
         cells = {
@@ -202,27 +214,22 @@ def _farmers(
         }
         rows.append({"measure": f"{measured.title} ({measured.unit})", **cells})
     return [
-        report.paragraph(
+        html.paragraph(
             "Where trade confirms callings, farmers and artisans specialise by the scheme that "
             "somebody wrote. Here a mind that was taught for wheat alone weighs the same plans, "
             "from the same cognitons; and from what it does a scheme of few links is distilled. "
             f"{size.farmers} seeds, {number(size.farmers_ticks, 0)} ticks."
         ),
-        report.bullets(
-            findings.villagers(
-                tables["farmers-means"], tables["farmers-differences"], links, village.plans,
-                distilled.agreement.overlap, distilled.agreement.same,
-            )
-        ),
-        report.picture(
+        findings("farmers"),
+        html.picture(
             figures["farmers"],
             "Figure 6. Three societies on the same seeds: over time, and measure by measure, with "
             "intervals of 95 %. Grey strokes: what luck alone gives.",
             "Measures of three societies of farmers and artisans.",
         ),
-        report.table(rows, "Table 5. Means with intervals of 95 %; unknown where none settled.",
+        html.table(rows, "Table 5. Means with intervals of 95 %; unknown where none settled.",
                      numbers=True),
-        report.picture(
+        html.picture(
             figures["schemes"],
             "Figure 7. The scheme that was written, and the one distilled from the learned mind: "
             "cognitons at the left, plans at the right. Numbers are the links’ weights; a line is "
@@ -234,27 +241,27 @@ def _farmers(
 
 def _definitions() -> list[str]:
     return [
-        report.table(
+        html.table(
             [
                 {"measure": one.title, "unit": one.unit, "definition": one.definition}
                 for one in MEASURED.values()
             ]
         ),
-        report.paragraph("Of farmers and artisans:"),
-        report.table(
+        html.paragraph("Of farmers and artisans:"),
+        html.table(
             [
                 {"measure": one.title, "unit": one.unit, "definition": one.definition}
                 for one in farmers.MEASURED.values()
             ]
         ),
-        report.paragraph(
+        html.paragraph(
             "Intervals are of 95 %, by the bias-corrected and accelerated bootstrap over worlds "
             "(Efron, 1987). Societies that met the same worlds are compared in pairs: the interval "
             "is that of the mean difference; g is Hedges’ g for pairs, by the mean standard "
             "deviation of the two; δ is Cliff’s delta for pairs, the share of worlds in which the "
-            "number is larger less that in which it is smaller. A finding speaks of a difference "
-            "where its interval holds no 0; nothing is corrected for the number of comparisons, so "
-            "the effects are what to read."
+            "number is larger less that in which it is smaller. An interval that holds 0 does "
+            "not show that there is no difference; nothing is corrected for the number of "
+            "comparisons, so the effects are what to read."
         ),
     ]
 
@@ -270,14 +277,14 @@ def _made(size: Size, command: str, seeds: str) -> list[str]:
     }
     told = ", ".join(f"{name} {version}" for name, version in versions.items())
     return [
-        report.code(command),
-        report.paragraph(
+        html.code(command),
+        html.paragraph(
             f"Worlds of robots: seeds {seeds}, `foraging_roles` with its mind of "
             f"{len(mind.skills)} skills; roles and deliveries are recorded every {EVERY} ticks. "
             f"Farmers and artisans: seeds 0 … {size.farmers - 1}, recorded every {farmers.EVERY} "
             f"ticks. The same command gives the same file, with the same versions: {told}."
         ),
-        report.paragraph(
+        html.paragraph(
             "The tables stand beside this page as CSV, the figures as PDF, in the folder "
             "`specialisation`; `worlds.csv` holds a row for each society, condition and world."
         ),

@@ -11,8 +11,6 @@ from socialmind.drawing import style as paper
 
 WANTED_B = 2 / 3
 """The share of objects B that is wanted, until the ratio is turned round."""
-SHIFT = 3
-"""Robots that are taken away, or added."""
 
 
 @dataclass(frozen=True)

@@ -25,8 +25,6 @@ class Measured:
         title: of a panel.
         unit: of its axis.
         definition: in a sentence.
-        noun: what sentences call it.
-        more: what a society with a larger number does, and `less` one with a smaller.
         digits: behind the point.
     """
 
@@ -34,9 +32,6 @@ class Measured:
     title: str
     unit: str
     definition: str
-    noun: str
-    more: str
-    less: str
     digits: int = 2
 
 
@@ -47,40 +42,30 @@ MEASURED = {
             "last_distance", "Distance", "robots, last quarter",
             "Robots that would have to change roles for the wanted split, Σ |n_r − w_r · n| / 2 "
             "over the roles r; the mean over the records of the last quarter.",
-            "distance to the wanted split",
-            "stays farther from the wanted split", "stays nearer to the wanted split",
         ),
         Measured(
             "within", "Within one robot", "share of worlds",
             "Whether the split stays within one robot of the wanted one all through the last "
             "quarter; the share of worlds in which it does.",
-            "share of worlds within one robot",
-            "is within one robot in more worlds", "is within one robot in fewer worlds",
         ),
         Measured(
             "settled_after", "Time to settle", "ticks",
             "Ticks from the start, or from the shock, to the first record from which the split "
             "stays within one robot of the wanted one for 5,000 ticks. A world that never settles "
-            "counts with all ticks that were left.",
-            "time to settle", "takes longer to settle", "settles sooner", 0,
+            "counts with all ticks that were left.", 0,
         ),
         Measured(
             "changes", "Role changes", "a robot and 10,000 ticks",
             "Changes of role for each robot and 10,000 ticks, in the whole run.",
-            "number of role changes", "changes roles more often", "changes roles less often",
         ),
         Measured(
             "late_changes", "Late role changes", "the same, last quarter",
             "Changes of role for each robot and 10,000 ticks in the last quarter.",
-            "number of late role changes", "changes roles more often in the end",
-            "changes roles less often in the end",
         ),
         Measured(
             "specialised", "Specialised robots", "share of robots",
             "The share of robots of whose deliveries in the last 10,000 ticks (three or more) 80 % "
             "are of one kind; the mean over the last quarter.",
-            "share of specialised robots", "has more robots specialised",
-            "has fewer robots specialised",
         ),
         Measured(
             "agents_to_tasks", "Division of labour", "I / H(tasks)",
@@ -88,19 +73,15 @@ MEASURED = {
             "quarter: how much knowing the agent says about the task, 0 … 1 (Gorelick, Bertram, "
             "Killeen & Fewell, 2004). Compared with what dealing out the same pieces of work at "
             "random gives.",
-            "division of labour", "divides its work more", "divides its work less",
         ),
         Measured(
             "delivered", "Objects delivered", "objects",
-            "All objects brought home in the whole run.",
-            "number of objects delivered", "delivers more objects", "delivers fewer objects", 0,
+            "All objects brought home in the whole run.", 0,
         ),
         Measured(
             "in_ratio", "In the wanted ratio", "objects",
             "Of the objects delivered in each half, the largest part with that half's wanted "
-            "ratio.",
-            "number of objects in the wanted ratio", "delivers more objects in the wanted ratio",
-            "delivers fewer objects in the wanted ratio", 0,
+            "ratio.", 0,
         ),
     )
 }  # fmt: skip

@@ -1,9 +1,9 @@
-"""Numbers and lists in sentences, and the rows of tables that they speak of."""
+"""Numbers as a text has them, and the rows of tables that they come from."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import pandas as pd
@@ -34,25 +34,6 @@ def spread(row: Mapping[str, Any], digits: int = 2) -> str:
     return f"{mean} ({number(row['low'], digits)} to {number(row['high'], digits)})"
 
 
-def percent(share: float) -> str:
-    """A share in percent.
-
-    >>> percent(0.964)
-    '96 %'
-    """
-    return f"{100 * share:.0f} %"
-
-
-def listed(words: Iterable[str]) -> str:
-    """A list in a sentence.
-
-    >>> listed(["one"]), listed(["one", "two", "three"])
-    ('one', 'one, two and three')
-    """
-    several = list(words)
-    return " and ".join([", ".join(several[:-1]), several[-1]] if several[1:] else several)
-
-
 def capital(text: str) -> str:
     """The text with a capital letter at its beginning."""
     return text[:1].upper() + text[1:]
@@ -74,9 +55,3 @@ def one_of(table: pd.DataFrame, measure: str, **where: Any) -> dict[str, Any]:
     for name, value in where.items():
         found = found[found[name] == value]
     return {str(name): value for name, value in found.iloc[0].items()}
-
-
-def away(row: Mapping[str, Any], digits: int = 2) -> str:
-    """A difference with its interval."""
-    named = {"mean": "difference", "low": "difference_low", "high": "difference_high"}
-    return spread({name: row[column] for name, column in named.items()}, digits)

@@ -16,7 +16,7 @@ from functools import partial
 from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.experiments.trainings.plans import Plan, Plans
+from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
 from socialmind.learning import Curriculum
 from socialmind.mind import InfluenceNetwork, InternalFunction, MindDescription, Perceptron
 
@@ -49,10 +49,12 @@ def curriculum() -> Curriculum:
     return Curriculum((lesson.changed(generations=40),))
 
 
-PLANS = Plans(
+PLANS = TrainingPlans(
     Path(__file__).parent,
     {
-        name: Plan(about, ATTEMPTS, partial(known, function), curriculum, "target_variable", SEED)
+        name: TrainingPlan(
+            about, ATTEMPTS, partial(known, function), curriculum, "target_variable", SEED
+        )
         for name, (about, function) in FUNCTIONS.items()
     },
 )

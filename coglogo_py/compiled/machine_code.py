@@ -24,6 +24,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from coglogo_py.compiled import code_folder
+from coglogo_py.compiled.reached import reached_files
 
 ADDRESSES = 600
 """Megabytes of addresses that numba, its compiler and linear algebra take, measured."""
@@ -65,16 +66,17 @@ def kept_callback(key: str, signature: str, **options: Any) -> Callable[[Callabl
     return compiled
 
 
-def key_of_files(name: str, *files: str) -> str:
-    """Return a key that changes with files and with the versions of what compiles them.
+def key_of_file(name: str, file: str) -> str:
+    """Return a key that changes with a file, what it imports, and the versions of what compiles it.
 
     Args:
         name: what the key begins with.
-        files: the files that the code is made from.
+        file: the file that the code is made from.
     """
-    digest = hashlib.sha256(repr(versions()).encode())
-    for file in files:
-        digest.update(Path(file).read_bytes())
+    text = Path(file).read_bytes()
+    digest = hashlib.sha256(repr(versions()).encode() + text)
+    for reached in reached_files(text.decode("utf-8")):
+        digest.update(reached.read_bytes())
     return f"{name}_{digest.hexdigest()[:24]}"
 
 

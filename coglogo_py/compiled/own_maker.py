@@ -20,8 +20,8 @@ from numba import types
 from numba.core.dispatcher import Dispatcher
 from numba.extending import overload, register_jitable
 
-from coglogo_py.errors import ChoiceError, SchemeError, shortened, shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import ChoiceError, SchemeError, shortened, shown
+from coglogo_py.border.numbers import is_whole
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
-from coglogo_py.errors import SchemeError, shown
-from coglogo_py.numbers import is_number, is_whole
+from coglogo_py.border.errors import SchemeError, shown
+from coglogo_py.border.numbers import is_number, is_whole
 
 
 def checked_name(name: object, what: str) -> str:

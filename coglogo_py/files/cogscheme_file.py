@@ -22,8 +22,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from coglogo_py.border.errors import SchemeError, shown
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
-from coglogo_py.errors import SchemeError, shown
 from coglogo_py.parts import AScheme, Cogniton, Culturon, Group, Role, Scheme, one_culturon
 
 SECTIONS = ("INFLUENCE", "DEPENDENCY", "REINFORCEMENT")

@@ -6,7 +6,7 @@ import codecs
 import stat
 from pathlib import Path
 
-from coglogo_py.errors import SchemeError
+from coglogo_py.border.errors import SchemeError
 
 MOST_BYTES = 4_000_000
 """Length of a file; beyond this it is none that anybody wrote."""

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import yaml
 
+from coglogo_py.border.errors import SchemeError
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
-from coglogo_py.errors import SchemeError
 from coglogo_py.files.yaml_nodes import NOTHING, TRUTH, Nodes, composed
 from coglogo_py.parts import GREY, AScheme, Cogniton, Culturon, Group, Role, Scheme
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import yaml
 
-from coglogo_py.errors import SchemeError, nearest, shortened, shown
+from coglogo_py.border.errors import SchemeError, nearest, shortened, shown
 
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 WHOLE_NUMBER = re.compile(r"[+-]?[0-9]{1,15}")

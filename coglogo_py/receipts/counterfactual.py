@@ -25,10 +25,7 @@ import numpy as np
 
 from coglogo_py.arrays import Floats
 from coglogo_py.decision import (
-    BiasedWeightedStochastic,
     DecisionMaker,
-    MaximumWeight,
-    WeightedStochastic,
     weight_shares,
 )
 
@@ -91,7 +88,7 @@ def most_probable(maker: DecisionMaker, weights: Floats) -> int:
     >>> most_probable(BiasedWeightedStochastic(2.6), np.array([9.0, 12.0, 12.0]))
     1
     """
-    if type(maker) is MaximumWeight:
+    if maker.ranking == "weights":
         return int(np.argmax(weights))
     if _is_largest_weight(maker):
         return int(np.argmax(weight_shares(weights)))
@@ -100,14 +97,12 @@ def most_probable(maker: DecisionMaker, weights: Floats) -> int:
 
 def _is_largest_weight(maker: DecisionMaker) -> bool:
     """Whether the most probable plan is always the one of the largest weight."""
-    return type(maker) in (MaximumWeight, WeightedStochastic) or (
-        type(maker) is BiasedWeightedStochastic and maker.bias >= 1
-    )
+    return maker.ranking in ("weights", "shares") or (maker.ranking == "ranks" and maker.bias >= 1)
 
 
 def _has_crossings(maker: DecisionMaker) -> bool:
     """Whether the places of change can be computed: not for a modeller's own maker."""
-    return _is_largest_weight(maker) or type(maker) is BiasedWeightedStochastic
+    return maker.ranking != "unknown"
 
 
 def smallest_change(

@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py.arrays import Floats
-from coglogo_py.decision import MaximumWeight, WeightedStochastic
 from coglogo_py.receipts.counterfactual import Change, Line, smallest_change
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # a circle for types alone: a mind gives its receipt
     from coglogo_py.mind import Mind
 
 WIDTH = 100
@@ -146,7 +145,7 @@ def receipt_of(mind: Mind, within: Mapping[str, tuple[float, float]] | None = No
         mind=mind.id,
         decision=int(society.minds.draws[mind.slot]) + 1,
         decision_maker=maker.name,
-        bias=None if type(maker) in (MaximumWeight, WeightedStochastic) else maker.bias,
+        bias=maker.bias if maker.biased else None,
         plans=tuple(
             PlanPart(
                 name=plan,

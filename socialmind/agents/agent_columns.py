@@ -21,6 +21,18 @@ OWN = ("tick", POPULATION, "agent", "plan")
 """The table's own columns, in their order; a field of such a name goes by its population's too."""
 
 
+def default_series(model: Any, stops: bool) -> dict[str, Any]:
+    """Return the size of each population, what the world records, and the variables.
+
+    Args:
+        model: a running model.
+        stops: whether to say what ended it.
+    """
+    sizes: dict[str, Any] = {name: len(table) for name, table in model.tables.items()}
+    plain = {n: getattr(model, n) for n, one in model.variables.items() if one.size is None}
+    return sizes | model.ground.series() | plain | ({"over": model.over} if stops else {})
+
+
 def agent_columns(model: Running) -> dict[str, Any]:
     """Return identity, plan and fields of the agents of all populations at a tick.
 

@@ -13,6 +13,7 @@ from typing import Any
 from coglogo_py.mind import Mind
 from coglogo_py.receipts.receipt import Receipt
 from socialmind.agents.attributes import field_property, held_array, unknown
+from socialmind.agents.idleness import count_idle
 from socialmind.errors import UnknownNameError
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
@@ -94,7 +95,7 @@ class AgentMind(Mind):
         plan = self._choose_weighed() if weighed else super().choose_next_plan()
         row._table.columns["_decided"][row._slot] = model.tick
         if plan is None:
-            model.count_idle(row.id)
+            count_idle(model.context, row.id)
         return plan
 
     def _choose_weighed(self) -> str | None:
@@ -156,7 +157,7 @@ def _run_plan(row: Row, model: Any, rng: Any) -> None:
     """Carry out the agent's plan."""
     plan = row._table.columns["_plan"].item(row._slot)
     if plan >= 0:
-        model.run_plan(row._table.shape.name, plan, row, rng)
+        model.engine.run_plan(row._table.shape.name, plan, row, rng)
 
 
 def _hierarchy(row: Row) -> Any:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from contextlib import AbstractContextManager
 from typing import Any, Protocol
 
 from numpy.typing import NDArray
@@ -76,12 +75,6 @@ class Running(Protocol):
     @property
     def minded(self) -> bool:
         """Whether robots have minds."""
-
-    def connect(self) -> None:
-        """Write into the record where the arrays are."""
-
-    def following_rules(self) -> AbstractContextManager[None]:
-        """Hand out agents and patches as rules hold them."""
 
     def plans(self, table: Any) -> list[str | None]:
         """Return the names of the plans of a population's living."""

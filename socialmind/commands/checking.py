@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from coglogo_py import CognitiveScheme, SchemeError
-from coglogo_py.errors import shown
+from coglogo_py.border.errors import shown
 from socialmind.catalogue import load_model
 from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
 from socialmind.errors import ModelError, SocialmindError

@@ -2,43 +2,104 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from socialmind.commands.terminal import quoted
+from socialmind.commands.console.options import (
+    FROM_1,
+    ModelUnlessResumed,
+    Quiet,
+    Seed,
+    Trust,
+    Workers,
+    refuse_with_resume,
+)
+from socialmind.commands.console.progress import progress_line
+from socialmind.commands.console.terminal import quoted
 from socialmind.errors import SocialmindError
-from socialmind.learning.lessons.lesson import Lesson
-from socialmind.learning.training.attempt import News
-from socialmind.learning.training.execution import OnGeneration, TrainingInterrupted, learn, resume
-from socialmind.learning.training.result import Training
-from socialmind.learning.training.teaching import Result
+
+if TYPE_CHECKING:
+    from socialmind.learning.lessons.lesson import Lesson
+    from socialmind.learning.training.attempt import News
+    from socialmind.learning.training.teaching import Result
+
+RESUMED_WITH = ("attempts", "cycles", "workers", "cluster", "resume", "trust", "quiet")
 
 
-def start(model: str, settings: Sequence[str], quiet: bool, **options: Any) -> Path:
-    """Teach a model's mind; the options of `socialmind learn`."""
-    with _told(quiet, f"learn {model}") as (on_generation, on_lesson):
-        folder = learn(
-            model,
-            settings=read_settings(settings),
-            on_generation=on_generation,
-            on_lesson=on_lesson,
-            **options,
-        )
+def learn(
+    context: typer.Context,
+    model: ModelUnlessResumed = None,
+    lesson: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME|FILE", help="A lesson, or a .simbatch file (the curriculum)."),
+    ] = None,
+    attempts: Annotated[
+        int | None, typer.Option(**FROM_1, help="Independent attempts (1).")
+    ] = None,
+    mind: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Mind to begin from (the model's).")
+    ] = None,
+    optimiser: Annotated[
+        str | None, typer.Option(metavar="NAME", help="GENETIC, NEAT, ANNEALING or CMAES.")
+    ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=NUMBER", help="Setting of optimisers; may repeat."),
+    ] = None,
+    generations: Annotated[
+        int | None, typer.Option(**FROM_1, help="Generations of each lesson (the lesson's).")
+    ] = None,
+    ticks_budget: Annotated[
+        int | None, typer.Option(**FROM_1, help="Ticks after which no generation begins.")
+    ] = None,
+    cycles: Annotated[
+        int | None, typer.Option(**FROM_1, help="How often lessons in a cycle are taught.")
+    ] = None,
+    seed: Seed = None,
+    engine: Annotated[
+        str | None, typer.Option(metavar="ENGINE", help="compiled (as by default) or pymunk.")
+    ] = None,
+    workers: Workers = None,
+    cluster: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Work on a Dask cluster: tcp://HOST:8786.")
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Folder to make (a fresh one under trainings/)."),
+    ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Go on with a training; --attempts adds attempts."),
+    ] = None,
+    trust: Trust = False,
+    quiet: Quiet = False,
+) -> None:
+    """Teach the mind of a model its lessons, or go on with a training."""
+    from socialmind.learning.training import execution
+
+    if resume is None:
+        if model is None:
+            raise SocialmindError("which model? give a name or a folder with a lessons.py")
+        with _told(quiet, f"learn {model}") as told:
+            folder = execution.learn(
+                model, settings=read_settings(settings or []), lessons=lesson, mind=mind,
+                attempts=attempts or 1, seed=seed or 0, out=out, engine=engine or "compiled",
+                optimiser=optimiser, generations=generations, budget=ticks_budget, cycles=cycles,
+                workers=workers, cluster=cluster, **told,
+            )  # fmt: skip
+    else:
+        refuse_with_resume(context, "training", RESUMED_WITH)
+        with _told(quiet) as told:
+            folder = execution.resume(
+                resume, attempts=attempts, cycles=cycles, workers=workers, cluster=cluster,
+                trust=trust, **told,
+            )  # fmt: skip
     conclude(folder, quiet)
-    return folder
-
-
-def go_on(folder: Path, quiet: bool, **options: Any) -> Path:
-    """Go on with a training; `socialmind learn --resume`."""
-    with _told(quiet) as (on_generation, on_lesson):
-        resume(folder, on_generation=on_generation, on_lesson=on_lesson, **options)
-    conclude(folder, quiet)
-    return Training(folder).folder
+    typer.echo(folder)
 
 
 def read_settings(settings: Sequence[str]) -> dict[str, float]:
@@ -63,11 +124,21 @@ def read_settings(settings: Sequence[str]) -> dict[str, float]:
 
 
 @contextmanager
-def _told(quiet: bool, kind: str = "learn") -> Iterator[tuple[OnGeneration | None, Any]]:
+def _told(quiet: bool, kind: str = "learn") -> Iterator[dict[str, Any]]:
     """Say what happens: a line that changes on a terminal, and a line for each lesson."""
+    from socialmind.learning.training.execution import TrainingInterrupted
+
     try:
-        with _progress_line(quiet, kind) as on_generation:
-            yield on_generation, None if quiet else _say_result
+        with progress_line(quiet, kind, "learning") as tell:
+
+            def on_generation(news: News, left: float | None) -> None:
+                if tell is not None:
+                    tell(line_of(news, left))
+
+            yield {
+                "on_generation": None if tell is None else on_generation,
+                "on_lesson": None if quiet else _say_result,
+            }
     except TrainingInterrupted as stop:
         typer.echo(
             f"socialmind: stopped in attempt {stop.attempt}, {stop.lesson}, after generation "
@@ -84,37 +155,6 @@ def _say_result(attempt: int, lesson: Lesson, result: Result) -> None:
         f"{len(result.rows):,}, {result.ticks:,} ticks",
         err=True,
     )
-
-
-@contextmanager
-def _progress_line(quiet: bool, kind: str) -> Iterator[OnGeneration | None]:
-    """A line on stderr with scores, ticks a second and the time left, on a terminal."""
-    if quiet or not sys.stderr.isatty():
-        yield None
-        return
-    from rich import progress
-    from rich.console import Console
-    from rich.table import Column
-
-    from socialmind.commands.compiling import told_of_compiling
-
-    with progress.Progress(
-        # It wraps where the terminal is narrow: the time left stands at its end.
-        progress.TextColumn("{task.description}", markup=False, table_column=Column()),
-        console=Console(stderr=True),
-        transient=True,
-        auto_refresh=False,
-    ) as bar:
-        task = bar.add_task("")
-
-        def on_generation(news: News, left: float | None) -> None:
-            bar.update(task, description=line_of(news, left), refresh=True)
-
-        def say(what: str) -> None:
-            bar.update(task, description=what or "learning", refresh=True)
-
-        with told_of_compiling(kind, say):
-            yield on_generation
 
 
 def line_of(news: News, left: float | None) -> str:
@@ -151,6 +191,8 @@ def conclude(folder: Path, quiet: bool) -> None:
     """Say what was learned, and where the minds are."""
     if quiet:
         return
+    from socialmind.learning.training.result import Training
+
     training = Training(folder)
     results = training.lessons
     for lesson in dict.fromkeys(results["lesson"]):

@@ -2,41 +2,84 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
-from socialmind.commands.running import progress_bar
-from socialmind.drawing.look import LOOKS
+import typer
+
+from socialmind.commands.console.options import (
+    FROM_0,
+    FROM_1,
+    Folder,
+    Quiet,
+    Source,
+    Trust,
+    is_kept,
+)
+from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError
-from socialmind.experiments.pictures.film import SUFFIXES
-from socialmind.experiments.pictures.picture_page import Style
-from socialmind.experiments.pictures.rendering import STILLS, draw_moments, film_run
-from socialmind.experiments.pictures.repeating import Name
+
+if TYPE_CHECKING:
+    from socialmind.experiments.pictures.repeating import Name
 
 
 def render(
-    folder: Path,
-    out: Path,
-    ticks: Sequence[int],
-    begin: int | None,
-    end: int | None,
-    every: int | None,
-    fps: float | None,
-    look: str | None,
-    mind: bool,
-    agent: str | None,
-    around: float | None,
-    trail: int | None,
-    width: int | None,
-    quiet: bool,
-    trust: bool = False,
-    kept: bool = False,
-) -> Path:
-    """Draw moments of a run, or film a stretch of it; the options of `socialmind render`.
+    folder: Folder,
+    out: Annotated[
+        Path,
+        typer.Option(
+            metavar="FILE", help="Film (.mp4, .gif) or picture (.svg, .pdf, .png) to write."
+        ),
+    ],
+    tick: Annotated[
+        list[int] | None,
+        typer.Option(**FROM_0, help="Moment of a picture (the last); may be repeated, for rows."),
+    ] = None,
+    begin: Annotated[
+        int | None, typer.Option("--from", **FROM_0, help="First tick of a film (0).")
+    ] = None,
+    end: Annotated[
+        int | None, typer.Option("--to", **FROM_0, help="Last tick of a film (the run's).")
+    ] = None,
+    every: Annotated[
+        int | None,
+        typer.Option(**FROM_1, help="Ticks between two frames (for 900 frames, 300 of a GIF)."),
+    ] = None,
+    fps: Annotated[float | None, typer.Option(help="Frames a second (30, 20 for a GIF).")] = None,
+    mind: Annotated[
+        bool, typer.Option("--mind", help="Draw the robot's hierarchy of skills beside it.")
+    ] = False,
+    agent: Annotated[
+        str | None,
+        typer.Option(metavar="[POPULATION=]ID", help="Robot for --mind and --around (the first)."),
+    ] = None,
+    around: Annotated[
+        float | None,
+        typer.Option(metavar="DISTANCE", help="Show only what is so near to the robot."),
+    ] = None,
+    trail: Annotated[
+        int | None,
+        typer.Option(**FROM_0 | {"metavar": "TICKS"}, help="Length of the path drawn (all)."),
+    ] = None,
+    look: Annotated[
+        str | None,
+        typer.Option(
+            metavar="thesis|paper", help="Dark, or on white (films dark, pictures white)."
+        ),
+    ] = None,
+    width: Annotated[
+        int | None, typer.Option(**FROM_1, help="Width in pixels; of SVG and PDF in millimetres.")
+    ] = None,
+    source: Source = None,
+    trust: Trust = False,
+    quiet: Quiet = False,
+) -> None:
+    """Draw a run on a plane: robots, what they see, where they go; on request their minds."""
+    from socialmind.drawing.look import LOOKS
+    from socialmind.experiments.pictures.film import SUFFIXES
+    from socialmind.experiments.pictures.picture_page import Style
+    from socialmind.experiments.pictures.rendering import STILLS, draw_moments, film_run
 
-    Raises:
-        SocialmindError: an option that the kind of file does not take, or a wrong value.
-    """
     suffix = out.suffix.lower()
     if suffix not in (*STILLS, *SUFFIXES):
         raise SocialmindError(
@@ -50,7 +93,7 @@ def render(
     if width is not None and not 20 <= width <= 8192:
         raise SocialmindError(f"--width {width}; expected 20 … 8192")
     filmed = {"--from": begin, "--to": end, "--every": every, "--fps": fps}
-    unfit = {"--tick": ticks or None} if suffix in SUFFIXES else filmed
+    unfit = {"--tick": tick or None} if suffix in SUFFIXES else filmed
     given = [name for name, value in unfit.items() if value is not None]
     if given:
         other = "a picture (.svg, .pdf, .png)" if suffix in SUFFIXES else "a film (.mp4, .gif)"
@@ -58,8 +101,15 @@ def render(
     style = Style(look, mind, None if agent is None else robot_named(agent), around, trail, width)
     with progress_bar(quiet) as on_progress:
         if suffix in STILLS:
-            return draw_moments(folder, out, ticks, style, on_progress, trust=trust, kept=kept)
-        return film_run(folder, out, begin or 0, end, every, fps, style, on_progress, trust, kept)
+            path = draw_moments(
+                folder, out, tick or [], style, on_progress, trust=trust, kept=is_kept(source)
+            )
+        else:
+            path = film_run(
+                folder, out, begin or 0, end, every, fps, style, on_progress, trust,
+                is_kept(source),
+            )  # fmt: skip
+    typer.echo(path)
 
 
 def robot_named(text: str) -> Name:

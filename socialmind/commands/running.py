@@ -3,52 +3,143 @@
 from __future__ import annotations
 
 import os
-import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from socialmind.catalogue import load_model
+from socialmind.commands.console.options import (
+    FROM_0,
+    FROM_1,
+    Folder,
+    Minds,
+    ModelUnlessResumed,
+    Parameters,
+    Quiet,
+    Seed,
+    Source,
+    Trust,
+    is_kept,
+    refuse_with_resume,
+)
+from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError, nearest
-from socialmind.runs import execution
-from socialmind.runs.capsule import Capsule
 
 if TYPE_CHECKING:
     from socialmind.model import Model
-    from socialmind.runs.execution import Progress
 
 Value = float | int | bool | str
 
+RESUMED_WITH = ("ticks", "figures", "interpreted", "resume", "source", "trust", "quiet")
 
-def start(
-    model: str,
-    ticks: int | None,
-    seed: int,
-    settings: Sequence[str],
-    schemes: Sequence[str],
-    minds: Sequence[str],
-    every: int | None,
-    agents_every: int | None,
-    out: Path | None,
-    compiled: bool,
-    quiet: bool,
-    engine: str = "compiled",
-) -> Path:
-    """Run a model into a folder; the options of `socialmind run`."""
-    _save_memory()
-    model_class = load_model(model)
-    parameters = read_settings(model_class, settings)
-    scheme, mind = by_population(schemes, "--scheme"), by_population(minds, "--mind")
-    with progress_bar(quiet, f"run {model}") as on_progress:
-        folder = execution.run(
-            model_class, ticks, seed, parameters, scheme, mind, every, agents_every, out, compiled,
-            on_progress, engine=engine,
-        )  # fmt: skip
+
+def run(
+    context: typer.Context,
+    model: ModelUnlessResumed = None,
+    ticks: Annotated[int | None, typer.Option(**FROM_0, help="Length of the run.")] = None,
+    seed: Seed = None,
+    settings: Parameters = None,
+    scheme: Annotated[
+        list[str] | None,
+        typer.Option(metavar="[POPULATION=]FILE", help="Cognitive scheme in place of the model's."),
+    ] = None,
+    mind: Minds = None,
+    every: Annotated[
+        int | None, typer.Option(**FROM_1, help="Ticks between two rows of the series (500 rows).")
+    ] = None,
+    agents_every: Annotated[
+        int | None, typer.Option(**FROM_1, help="Ticks between two records of the agents.")
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Folder to make (a fresh one under runs/).")
+    ] = None,
+    figures: Annotated[bool, typer.Option("--figures", help="Draw the figures as well.")] = False,
+    interpreted: Annotated[
+        bool, typer.Option("--interpreted", help="Run in plain Python; slow, for debugging.")
+    ] = False,
+    engine: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME", help="What moves bodies on a plane: compiled or pymunk (compiled)."
+        ),
+    ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Go on with a run; --ticks makes a finished one longer."),
+    ] = None,
+    source: Source = None,
+    trust: Trust = False,
+    quiet: Quiet = False,
+) -> None:
+    """Run a model into a folder, or go on with a run."""
+    from socialmind.runs import execution
+
+    # Let Arrow give memory back, rather than keep it for the next table of a large society.
+    os.environ.setdefault("ARROW_DEFAULT_MEMORY_POOL", "system")
+    if resume is None:
+        from socialmind.catalogue import load_model
+
+        if model is None:
+            raise SocialmindError(
+                "which model? give a name (`socialmind list` shows them) or a folder"
+            )
+        if source is not None:
+            raise SocialmindError("--source is for --resume: a new run has no copies yet")
+        model_class = load_model(model)
+        parameters = read_settings(model_class, settings or [])
+        schemes = by_population(scheme or [], "--scheme")
+        minds = by_population(mind or [], "--mind")
+        with progress_bar(quiet, f"run {model}") as on_progress:
+            folder = execution.run(
+                model_class, ticks, seed or 0, parameters, schemes, minds, every, agents_every,
+                out, not interpreted, on_progress, engine=engine or "compiled",
+            )  # fmt: skip
+    else:
+        refuse_with_resume(context, "run", RESUMED_WITH)
+        with progress_bar(quiet) as on_progress:
+            folder = execution.resume(
+                resume, ticks, False if interpreted else None, on_progress=on_progress,
+                kept=is_kept(source), trust=trust,
+            )  # fmt: skip
     _conclude(folder, quiet)
-    return folder
+    if figures:
+        draw(folder, trust)
+    typer.echo(folder)
+
+
+def plot(folder: Folder, trust: Trust = False) -> None:
+    """Draw a run's figures, as PDF and PNG, under figures/ in its folder."""
+    for path in draw(folder, trust):
+        typer.echo(path)
+
+
+def replay(
+    folder: Folder, source: Source = None, trust: Trust = False, quiet: Quiet = False
+) -> None:
+    """Run a run again and compare: exit code 0 when it comes out equal, 1 when not."""
+    from socialmind.runs import verification
+
+    with progress_bar(quiet) as on_progress:
+        found = verification.replay(
+            folder, on_progress=on_progress, kept=is_kept(source), trust=trust
+        )
+    for note in found.notes:
+        typer.echo(f"note: {note}", err=True)
+    for difference in found.differences:
+        typer.echo(f"different: {difference}")
+    if not found.equal:
+        raise typer.Exit(1)
+    typer.echo("equal" if found.exact else "equal within 1e-6 (another platform)")
+
+
+def draw(folder: Path, trust: bool = False) -> list[Path]:
+    """Draw a run's figures without a window; gives the files."""
+    # A model's figures.py may use pyplot, which looks for a screen unless told not to.
+    os.environ["MPLBACKEND"] = "Agg"
+    from socialmind.runs.figures import draw_figures
+
+    return draw_figures(folder, trust)
 
 
 def by_population(values: Sequence[str], option: str) -> Path | dict[str, Path] | None:
@@ -78,48 +169,6 @@ def by_population(values: Sequence[str], option: str) -> Path | dict[str, Path] 
     return named or None
 
 
-def go_on(
-    folder: Path,
-    ticks: int | None,
-    compiled: bool | None,
-    quiet: bool,
-    kept: bool = False,
-    trust: bool = False,
-) -> Path:
-    """Go on with a run; `socialmind run --resume`."""
-    _save_memory()
-    with progress_bar(quiet) as on_progress:
-        folder = execution.resume(
-            folder, ticks, compiled, on_progress=on_progress, kept=kept, trust=trust
-        )
-    _conclude(folder, quiet)
-    return folder
-
-
-def draw(folder: Path, trust: bool = False) -> list[Path]:
-    """Draw a run's figures without a window; gives the files."""
-    # A model's figures.py may use pyplot, which looks for a screen unless told not to.
-    os.environ["MPLBACKEND"] = "Agg"
-    from socialmind.runs.figures import draw_figures
-
-    return draw_figures(folder, trust)
-
-
-def again(folder: Path, quiet: bool, kept: bool = False, trust: bool = False) -> bool:
-    """Replay a run and say what comes out; True when it is equal."""
-    from socialmind.runs.verification import replay
-
-    with progress_bar(quiet) as on_progress:
-        found = replay(folder, on_progress=on_progress, kept=kept, trust=trust)
-    for note in found.notes:
-        typer.echo(f"note: {note}", err=True)
-    for difference in found.differences:
-        typer.echo(f"different: {difference}")
-    if found.equal:
-        typer.echo("equal" if found.exact else "equal within 1e-6 (another platform)")
-    return found.equal
-
-
 def read_settings(model_class: type[Model], settings: Sequence[str]) -> dict[str, Value]:
     """Parameters from the command line.
 
@@ -143,57 +192,10 @@ def read_settings(model_class: type[Model], settings: Sequence[str]) -> dict[str
     return values
 
 
-@contextmanager
-def progress_bar(quiet: bool, kind: str = "run") -> Iterator[Progress | None]:
-    """A bar on stderr with ticks a second and the time left, where stderr is a terminal.
-
-    Args:
-        quiet: show none.
-        kind: what runs, by which the time that compiling takes is remembered.
-    """
-    if quiet or not sys.stderr.isatty():
-        yield None
-        return
-    from rich import progress
-    from rich.console import Console
-
-    from socialmind.commands.compiling import told_of_compiling
-
-    with progress.Progress(
-        progress.TextColumn("{task.completed:,.0f} of {task.total:,.0f} ticks"),
-        progress.BarColumn(),
-        progress.TaskProgressColumn(),
-        progress.TextColumn("{task.fields[pace]}"),
-        progress.TimeRemainingColumn(),
-        progress.TextColumn("{task.description}"),
-        console=Console(stderr=True),
-        transient=True,
-        auto_refresh=False,
-    ) as bar:
-        task = bar.add_task("", total=1, pace="", start=False)
-
-        def say(what: str) -> None:
-            bar.update(task, description=what, refresh=True)
-
-        def on_progress(done: int, length: int) -> None:
-            if not bar.tasks[task].started:
-                bar.start_task(task)
-                bar.update(task, completed=done)
-            speed = bar.tasks[task].finished_speed or bar.tasks[task].speed
-            pace = f"{speed:,.0f} ticks/s" if speed else ""
-            bar.update(task, total=length, completed=done, pace=pace, refresh=True)
-
-        with told_of_compiling(kind, say):
-            yield on_progress
-
-
-def _save_memory() -> None:
-    """Let Arrow give memory back, rather than keep it for the next table of a large society."""
-    os.environ.setdefault("ARROW_DEFAULT_MEMORY_POOL", "system")
-
-
 def _conclude(folder: Path, quiet: bool) -> None:
     """Say how long the run took, and warn of agents that found nothing to do."""
+    from socialmind.runs.capsule import Capsule
+
     manifest = Capsule(folder).manifest
     if not quiet:
         seconds = manifest.timings["seconds"]

@@ -4,40 +4,58 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from socialmind.catalogue import load_model
+from socialmind.commands.console.options import (
+    FROM_1,
+    SEED,
+    Minds,
+    Model,
+    Parameters,
+    Quiet,
+    Workers,
+)
+from socialmind.commands.console.progress import progress_bar
 from socialmind.commands.running import by_population, read_settings
-from socialmind.experiments.scoring import Progress, Score, score
+
+if TYPE_CHECKING:
+    from socialmind.experiments.scoring import Score
 
 
-def print_score(
-    model: str,
-    minds: Sequence[str],
-    settings: Sequence[str],
-    as_json: bool,
-    quiet: bool,
-    **options: Any,
+def score(
+    model: Model,
+    mind: Minds = None,
+    episodes: Annotated[int, typer.Option(**FROM_1, help="How many, each in its own world.")] = 100,
+    seed: Annotated[int, typer.Option(**SEED, help="Seed of the worlds.")] = 0,
+    engine: Annotated[
+        str, typer.Option(metavar="ENGINE", help="compiled or pymunk, the reference.")
+    ] = "compiled",
+    on_collision: Annotated[
+        str | None,
+        typer.Option(metavar="end|continue", help="Whether a collision ends a run (the model's)."),
+    ] = None,
+    ticks: Annotated[
+        int | None, typer.Option(**FROM_1, help="Limit of an episode (the model's).")
+    ] = None,
+    settings: Parameters = None,
+    workers: Workers = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
+    quiet: Quiet = False,
 ) -> None:
-    """Score a model and print it; the options of `socialmind score`.
+    """Measure a model's minds in worlds that no training has seen, with intervals of 95 %."""
+    from socialmind.catalogue import load_model
+    from socialmind.experiments import scoring
 
-    Args:
-        model: its name or folder.
-        minds: minds in place of the model's own, as `--mind` gives them.
-        settings: values of parameters, as `--set` gives them.
-        as_json: print JSON, and nothing else, in place of a table.
-        quiet: show no progress.
-        options: of `socialmind.experiments.score`.
-    """
     model_class = load_model(model)
-    parameters = read_settings(model_class, settings)
-    mind = by_population(minds, "--mind")
-    with _progress_bar(quiet, f"score {model}") as on_progress:
-        found = score(model_class, mind, parameters=parameters, on_progress=on_progress, **options)
+    parameters = read_settings(model_class, settings or [])
+    minds = by_population(mind or [], "--mind")
+    with progress_bar(quiet, f"score {model}", "episodes") as on_progress:
+        found = scoring.score(
+            model_class, minds, episodes, seed, engine, on_collision, ticks, parameters, workers,
+            on_progress,
+        )  # fmt: skip
     if as_json:
         typer.echo(json.dumps(found.record()))
     else:
@@ -71,31 +89,3 @@ def _number(value: float) -> str:
     ('8.26', '0.90', '1,234.50', '–')
     """
     return f"{value:,.2f}" if value == value else "–"
-
-
-@contextmanager
-def _progress_bar(quiet: bool, kind: str) -> Iterator[Progress | None]:
-    """A bar on stderr, where that is a terminal."""
-    if quiet or not sys.stderr.isatty():
-        yield None
-        return
-    from rich import progress
-    from rich.console import Console
-
-    from socialmind.commands.compiling import told_of_compiling
-
-    with progress.Progress(
-        progress.TextColumn("{task.completed:,.0f} of {task.total:,.0f} episodes"),
-        progress.BarColumn(),
-        progress.TimeRemainingColumn(),
-        progress.TextColumn("{task.description}"),
-        console=Console(stderr=True),
-        transient=True,
-    ) as bar:
-        task = bar.add_task("", total=None)
-
-        def say(what: str) -> None:
-            bar.update(task, description=what, refresh=True)
-
-        with told_of_compiling(kind, say):
-            yield lambda done, count: bar.update(task, completed=done, total=count)

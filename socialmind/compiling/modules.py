@@ -18,10 +18,13 @@ import numba
 import numpy as np
 
 from coglogo_py.compiled.own_maker import compiled_maker
-from socialmind.compiling.reached import fingerprint, reached_files
+from coglogo_py.compiled.reached import reached_files
+from socialmind.compiling.reached import fingerprint
 
 _LOADING = RLock()
-_MAKERS = "from coglogo_py.compiled.own_maker import compiled_maker"
+_MAKERS = """from coglogo_py.compiled.own_maker import compiled_maker
+from coglogo_py.decision import weight_shares"""
+"""What a decision maker of the modeller's own stands on."""
 
 
 def compiled_module(text: str, own_makers: Mapping[str, Callable[..., Any]]) -> ModuleType:

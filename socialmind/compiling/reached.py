@@ -6,60 +6,15 @@ numba writes both into machine code, and its cache on disk notices neither when 
 from __future__ import annotations
 
 import hashlib
-import re
 import sys
 import sysconfig
 from collections.abc import Callable, Iterator
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
-
-_ROOT = Path(__file__).resolve().parent.parent.parent
-_OURS = ("socialmind", "coglogo_py")
-# Syntax trees would say the same, ten times as slowly, in each start of a run.
-_IMPORT = re.compile(
-    r"^(?:from|import)\s+([\w.]+)(?:\s+import\s+(\([^)]*\)|[^\n#]*))?", re.MULTILINE
-)
-
-
-def reached_files(text: str) -> tuple[Path, ...]:
-    """Return the files of this program that a module's text imports, and those that these import.
-
-    Imports within functions, and those for annotations alone, are left out: compiled code has none.
-
-    >>> [one.name for one in reached_files("from socialmind import bookkeeping")]
-    ['bookkeeping.py']
-    """
-    found: dict[Path, None] = {}
-    waiting = list(_imported(text))
-    while waiting:
-        file = waiting.pop()
-        if file not in found:
-            found[file] = None
-            waiting += _imported_by(file, file.stat().st_mtime_ns)
-    return tuple(sorted(found))
-
-
-@lru_cache(maxsize=256)
-def _imported_by(file: Path, changed: int) -> tuple[Path, ...]:
-    return tuple(_imported(file.read_text(encoding="utf-8")))
-
-
-def _imported(text: str) -> Iterator[Path]:
-    """Yield the files of modules that the statements at the left margin of a text import."""
-    for module, names in _IMPORT.findall(text):
-        for name in names.strip("()").split(",") or [""]:
-            words = name.split()
-            yield from (_files_of(f"{module}.{words[0]}") if words else []) or _files_of(module)
-
-
-def _files_of(module: str) -> list[Path]:
-    """Return the file of a module of ours; none for a package, whose names come from elsewhere."""
-    file = _ROOT.joinpath(*module.split(".")).with_suffix(".py")
-    return [file] if module.split(".")[0] in _OURS and file.is_file() else []
 
 
 def fingerprint(function: Callable[..., Any]) -> str:
@@ -125,13 +80,19 @@ def _names(code: CodeType) -> set[str]:
     return set(code.co_names).union(*(_names(one) for one in inner))
 
 
-@lru_cache(maxsize=1024)
+@cache  # one for each file that is loaded
 def is_of_a_package(file: str) -> bool:
     """Return whether a file is Python's or of an installed package; their versions stand for it."""
-    homes = {sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")}
     return file.startswith("<frozen") or any(
-        Path(file).is_relative_to(home) for home in [*homes, *_shared_homes()] if home
+        Path(file).is_relative_to(home) for home in [*_homes(), *_shared_homes()]
     )
+
+
+@lru_cache(maxsize=1)
+def _homes() -> tuple[str, ...]:
+    """Return where Python and its packages lie; asking takes longer than all the rest."""
+    names = ("stdlib", "platstdlib", "purelib", "platlib")
+    return tuple(dict.fromkeys(one for one in map(sysconfig.get_path, names) if one))
 
 
 def _shared_homes() -> list[str]:

@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
-from socialmind.runs.capsule import replace_file
+from socialmind.work.files import replace_file
 
 COLUMN = 90.0
 """Width of a one-column figure, in mm."""

@@ -13,7 +13,7 @@ from coglogo_py.compiled.own_maker import refusal_of
 from coglogo_py.decision import BUILT_IN
 from socialmind.compiling.modules import compiled_module
 from socialmind.engine.module_text import module_text
-from socialmind.engine.ticks import run_setup, run_tick
+from socialmind.engine.ticks import run_setup, run_tick, taken
 from socialmind.errors import SocialmindError
 from socialmind.society.connection import connect
 
@@ -120,6 +120,16 @@ class Engine:
             connect(model)
             self._guarded(one, run_tick)
             model.ground.after_compiled_tick()
+
+    def connect(self) -> None:
+        """Write into the society's record where its arrays are."""
+        connect(self.model)
+
+    def run_plan(self, population: str, plan: int, agent: Any, rng: Any) -> None:
+        """Carry out a plan, by its number in the population's scheme, in an interpreted run."""
+        model = self.model
+        symbol, takes = model.program.plans[population][model.schemes[population].plans[plan]]
+        self.functions[symbol](*taken(takes, agent, model, rng).values())
 
     def _make_room(self) -> None:
         for name in self.model.program.births:

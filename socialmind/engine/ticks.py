@@ -7,9 +7,11 @@ more.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.errors import ChoiceError
+from coglogo_py.border.errors import ChoiceError
 from socialmind.errors import RuleError, place_of
 from socialmind.society.phases import Rule
 from socialmind.streams import ORDER_TAG, Stream, shuffle
@@ -19,9 +21,27 @@ if TYPE_CHECKING:
     from socialmind.language.program import Phase
 
 
+@contextmanager
+def following_rules(model: Any) -> Iterator[None]:
+    """Hand out agents and patches as rules hold them, bare, while interpreted rules run."""
+    within = model._in_rules
+    _hand_out(model, True)
+    try:
+        yield
+    finally:
+        _hand_out(model, within)
+
+
+def _hand_out(model: Any, bare: bool) -> None:
+    model._in_rules = bare
+    for table in model.tables.values():
+        table.hand_out(bare)
+    model.ground.hand_out(bare)
+
+
 def run_setup(model: Running, functions: dict[str, Rule]) -> None:
     """Run the setup of a model in interpreted Python."""
-    with model.following_rules():
+    with following_rules(model):
         for phase in model.program.setup:
             _run(model, functions, phase)
     _settle(model)
@@ -29,7 +49,7 @@ def run_setup(model: Running, functions: dict[str, Rule]) -> None:
 
 def run_tick(model: Running, functions: dict[str, Rule]) -> None:
     """Run one tick of a model in interpreted Python."""
-    with model.following_rules():
+    with following_rules(model):
         model.ground.run_tick(functions, lambda: _run_schedule(model, functions))
     _settle(model)
     model.context["_tick"] += 1

@@ -12,7 +12,7 @@ import numpy as np
 from gymnasium.spaces import Box
 from numpy.typing import NDArray
 
-from socialmind.envs.steered_world import SteeredWorld, held, sizes_of
+from socialmind.envs.steered_world import SteeredWorld, commands_of, sizes_of
 from socialmind.errors import SocialmindError
 from socialmind.model import Model
 
@@ -112,7 +112,7 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
             SocialmindError: an action that is not a number for each actuator.
         """
         model = self._world.running
-        told = held(action, self._actuators)
+        told = commands_of(action, self._actuators)
         reward, self._pending = self._pending, 0.0
         if not self._ended:
             slots = model.tables[self._robots].slots
@@ -148,7 +148,7 @@ class PlaneEnv(gymnasium.Env[Numbers, Numbers]):
         return readings[: shape[0]].astype(np.float32)
 
     def _info(self) -> dict[str, Any]:
-        return {**self._world.told(), "score": self._column("score")}
+        return {**self._world.facts(), "score": self._column("score")}
 
 
 def robot_of(model_class: type[Model], parameters: Mapping[str, Any] | None = None) -> str:

@@ -13,8 +13,8 @@ from gymnasium.spaces import Box
 from gymnasium.utils.seeding import np_random
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
-from socialmind.envs.steered_world import SteeredWorld, held
+from coglogo_py.border.errors import shown
+from socialmind.envs.steered_world import SteeredWorld, commands_of
 from socialmind.errors import SocialmindError, nearest
 from socialmind.model import Model
 
@@ -180,7 +180,7 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         """
         model = self._world.running
         acting = list(self.agents)
-        told = self._told(actions)
+        told = self._commands(actions)
         rewards, self._pending = {agent: self._pending.pop(agent, 0.0) for agent in acting}, {}
         living = [agent for agent in acting if agent not in self._dead]
         if model.over is None and living:
@@ -206,7 +206,7 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         self._world.close()
         self.agents = []
 
-    def _told(self, actions: Mapping[str, Numbers]) -> dict[str, NDArray[np.float64]]:
+    def _commands(self, actions: Mapping[str, Numbers]) -> dict[str, NDArray[np.float64]]:
         """Return the actions of all agents as commands."""
         for agent in actions:
             if agent not in self._place:
@@ -216,7 +216,9 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
                     f"{', '.join(self.possible_agents)}; {hint}"
                 )
         return {
-            agent: held(action, list(self._world.bodies[self._place[agent][0]].actuators), agent)
+            agent: commands_of(
+                action, list(self._world.bodies[self._place[agent][0]].actuators), agent
+            )
             for agent, action in actions.items()
         }
 
@@ -250,5 +252,5 @@ class PlaneParallelEnv(ParallelEnv[str, Numbers, Numbers]):
         return found
 
     def _infos(self, agents: Sequence[str]) -> dict[str, dict[str, Any]]:
-        told = self._world.told()
+        told = self._world.facts()
         return {agent: {**told, "score": float(self._row(agent)["score"])} for agent in agents}

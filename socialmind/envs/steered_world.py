@@ -10,8 +10,8 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError, nearest
 from socialmind.learning.training.course import lessons_module
@@ -131,7 +131,7 @@ class SteeredWorld:
         slot = self.slot(population, identity)
         return rows[np.flatnonzero(rows["_id"] == identity)[0] if slot is None else slot]
 
-    def told(self) -> dict[str, Any]:
+    def facts(self) -> dict[str, Any]:
         """Return the seed of the world, the tick, and what has ended the episode, or None."""
         return {"world": self.seed, "tick": self.running.tick, "over": self.running.over}
 
@@ -146,7 +146,7 @@ class SteeredWorld:
         self.model = self._drawing = None
 
 
-def held(action: Any, actuators: Sequence[str], whose: str = "") -> NDArray[np.float64]:
+def commands_of(action: Any, actuators: Sequence[str], whose: str = "") -> NDArray[np.float64]:
     """Return an action as commands, 0 … 1.
 
     Args:

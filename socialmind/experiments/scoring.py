@@ -2,31 +2,22 @@
 
 from __future__ import annotations
 
-import os
-import pickle
-import shutil
-import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.experiments.measures.intervals import Interval, interval_of
-from socialmind.learning.episodes.evaluation import files_of
-from socialmind.learning.episodes.evaluators import LOST_AGAIN, cores
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.learning.lessons.keys import seeds_for
 from socialmind.mind.description import MindDescription
-from socialmind.work.importable import found, referred
-from socialmind.work.processes import dismiss, pool
-from socialmind.work.side_by_side import LOST
-from socialmind.worlds.plane.measures import Measure, survived, total
+from socialmind.mind.files.packing import files_of, mind_of
+from socialmind.work.workers import Alone, hired, workers_here
+from socialmind.worlds.plane.devices.measures import Measure, survived, total
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -72,18 +63,6 @@ class Score:
         """Return the score as JSON has it."""
         intervals = {name: one.record() for name, one in self.intervals.items()}
         return {"episodes": self.episodes, "ticks": self.ticks, **intervals}
-
-
-@dataclass(frozen=True)
-class _Task:
-    """What episodes are run with."""
-
-    model_class: type[Model]
-    mind: Any
-    options: Mapping[str, Any]
-
-    def episodes(self) -> Episodes:
-        return Episodes(self.model_class, hierarchy=self.mind, **self.options)
 
 
 def score(
@@ -134,11 +113,9 @@ def score(
     engines = model_class.shape.world.engines
     if engine not in engines:
         raise SocialmindError(f"engine {engine!r}; {nearest(engine, engines)}")
-    for name, number, least in (("episodes", episodes, 1), ("seed", seed, 0)):
-        if number < least:
-            raise SocialmindError(f"{name} {number}; expected a whole number, {least} or more")
-    if workers is not None and workers < 1:
-        raise SocialmindError(f"{workers} workers; expected 1 or more")
+    episodes = whole_number(episodes, "episodes", 1, None, SocialmindError)
+    seed = whole_number(seed, "seed", 0, None, SocialmindError)
+    count = workers_here(workers)
     measures = measures_of(model_class)
     options = {
         "parameters": dict(parameters or {}),
@@ -152,11 +129,11 @@ def score(
     runs: list[Columns] = []
     for one in (mind, *minds):
 
-        def count(done: int, _: int, before: int = len(runs) * episodes) -> None:
+        def report(done: int, _: int, before: int = len(runs) * episodes) -> None:
             if on_progress is not None:
                 on_progress(before + done, (1 + len(minds)) * episodes)
 
-        runs.append(_run(_Task(model_class, one, options), worlds, workers or cores(), count))
+        runs.append(_run(_Task(model_class, one, options), worlds, count, report))
     return _score(model_class, measures, worlds, runs, minds, options)
 
 
@@ -214,150 +191,65 @@ def _without(model_class: type[Model], on_collision: str | None) -> tuple[str, .
 Columns = dict[str, np.ndarray[Any, Any]]
 
 
-def _run(task: _Task, worlds: Sequence[int], workers: int, on_progress: Progress) -> Columns:
-    """Run the episodes of all worlds, some side by side."""
-    standing = task.episodes()  # also says here what is wrong with the mind
-    step = max(1, min(PIECES[standing.physics], -(-len(worlds) // workers)))
-    pieces = [worlds[begin : begin + step] for begin in range(0, len(worlds), step)]
-    done: list[Columns] = []
+@dataclass(frozen=True, eq=False)
+class _Task:
+    """What episodes are run with."""
 
-    def count(columns: Columns) -> None:
-        done.append(columns)
-        on_progress(sum(len(one["ticks"]) for one in done), len(worlds))
+    model_class: type[Model]
+    mind: Any
+    options: Mapping[str, Any]
 
-    if workers == 1 or len(pieces) == 1:
-        for piece in pieces:
-            count(_columns(standing, piece))
-        return _joined(done)
-    for _ in range(LOST_AGAIN + 1):
-        with _hired(task, standing, min(workers, len(pieces))) as (executor, run):
-            try:
-                futures: list[Future[Columns]] = [
-                    executor.submit(run, piece) for piece in pieces[len(done) :]
-                ]
-                for future in futures:
-                    count(future.result())
-                return _joined(done)
-            except BrokenExecutor:  # a worker was killed: what it had is done again
-                continue
-    raise SocialmindError(f"workers were lost {LOST_AGAIN + 1} times; is there memory enough?")
+    def worker(self) -> _Worker:
+        return _Worker(Episodes(self.model_class, hierarchy=self.mind, **self.options))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Minds travel as their files, which may stand elsewhere on another machine, or nowhere.
+        given = self.mind if isinstance(self.mind, Mapping) else {"": self.mind}
+        minds = {n: files_of(m) if isinstance(m, MindDescription) else m for n, m in given.items()}
+        return _unpacked, (self.model_class, minds, dict(self.options))
 
 
-def _joined(done: Sequence[Columns]) -> Columns:
-    return {name: np.concatenate([one[name] for one in done]) for name in done[0]}
+def _unpacked(
+    model_class: type[Model], minds: Mapping[str, Any], options: Mapping[str, Any]
+) -> _Task:
+    given = {name: mind_of(one) if isinstance(one, dict) else one for name, one in minds.items()}
+    return _Task(model_class, given.get("", given), options)
 
 
-def _columns(episodes: Episodes, worlds: Sequence[int]) -> Columns:
-    outcome = episodes.run(None, worlds)
-    columns = {"ticks": outcome.ticks[0], "ended": outcome.ended[0]}
-    for name, values in outcome.fields.items():
-        column = np.empty(len(worlds), object)
-        for place, value in enumerate(values[0]):
-            # Of robots there are as many as have lived, in one episode more than in another.
-            lived = outcome.lived.get(name)
-            column[place] = value if lived is None else value[: lived[0, place]]
-        columns[f"field {name}"] = column
-    return columns
+@dataclass(frozen=True, eq=False)
+class _Worker:
+    """Runs the episodes of some worlds after another."""
 
-
-@contextmanager
-def _hired(
-    task: _Task, standing: Episodes, workers: int
-) -> Iterator[tuple[Executor, Callable[[Sequence[int]], Columns]]]:
-    """Give workers, and what each of them calls: threads for compiled code, else processes."""
-    executor: Executor
-    run: Callable[[Sequence[int]], Columns]
-    crew = None
-    if standing.physics == "compiled":
-        crew = _Crew(task, standing, workers)
-        executor, run, folder = ThreadPoolExecutor(workers), crew.run, None
-    else:
-        packed, folder = _packed(task), tempfile.mkdtemp()
-        executor, run = pool(workers, _stand, (packed, folder), folder), _run_elsewhere
-    try:
-        yield executor, run
-    except BrokenExecutor:
-        raise SocialmindError(LOST) from None
-    finally:
-        if crew is not None:
-            crew.stop()
-            executor.shutdown(cancel_futures=True)
-        dismiss(executor)
-        if folder is not None:
-            shutil.rmtree(folder, ignore_errors=True)
-
-
-class _Crew:
-    """Episodes for threads, each of which needs its own."""
-
-    def __init__(self, task: _Task, standing: Episodes, count: int) -> None:
-        self._free: SimpleQueue[Episodes] = SimpleQueue()
-        self._all = [standing, *(task.episodes() for _ in range(count - 1))]
-        for one in self._all:
-            self._free.put(one)
+    episodes: Episodes
 
     def stop(self) -> None:
-        """Let all stop soon, whatever they are at."""
-        for one in self._all:
-            one.stopped = True
+        self.episodes.stopped = True
 
-    def run(self, worlds: Sequence[int]) -> Columns:
-        episodes = self._free.get()
-        try:
-            return _columns(episodes, worlds)
-        finally:
-            self._free.put(episodes)
-
-
-_standing: dict[str, Any] = {}
-"""What a worker in another process keeps from one piece to the next."""
-
-
-def _stand(packed: bytes, folder: str) -> None:
-    """Make the episodes of a worker in another process.
-
-    Args:
-        packed: what they are.
-        folder: where the files of minds may be written.
-    """
-    reference, minds, options = pickle.loads(packed)
-    own = Path(folder) / str(os.getpid())
-    mind = {}
-    for name, one in minds.items():
-        mind[name] = one
-        if isinstance(one, dict):
-            mind[name] = own / (name or "mind")
-            for place, content in one.items():
-                file = mind[name] / place
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_bytes(content)
-    _standing["episodes"] = _Task(found(reference), mind.get("", mind) or None, options).episodes()
+    def do(self, worlds: Sequence[int]) -> Columns:
+        outcome = self.episodes.run(None, worlds)
+        columns = {"ticks": outcome.ticks[0], "ended": outcome.ended[0]}
+        for name, values in outcome.fields.items():
+            column = np.empty(len(worlds), object)
+            for place, value in enumerate(values[0]):
+                # Of robots there are as many as have lived, in one episode more than in another.
+                lived = outcome.lived.get(name)
+                column[place] = value if lived is None else value[: lived[0, place]]
+            columns[f"field {name}"] = column
+        return columns
 
 
-def _run_elsewhere(worlds: Sequence[int]) -> Columns:
-    return _columns(_standing["episodes"], worlds)
-
-
-def _packed(task: _Task) -> bytes:
-    """Return a task as it goes to another process.
-
-    Raises:
-        ModelError: another process cannot find the model.
-    """
-    given = task.mind if isinstance(task.mind, Mapping) else {"": task.mind}
-    minds = {
-        name: files_of(one) if isinstance(one, MindDescription) else one
-        for name, one in given.items()
-        if one is not None
-    }
-    try:
-        return pickle.dumps((referred(task.model_class), minds, dict(task.options)))
-    except (pickle.PicklingError, AttributeError, TypeError) as error:
-        raise ModelError(
-            f"a model that other processes cannot load ({error})",
-            "a model in a folder, or a class in a file",
-            "write it into a model.py, or use one worker",
-        ) from None
+def _run(task: _Task, worlds: Sequence[int], workers: int, on_progress: Progress) -> Columns:
+    """Run the episodes of all worlds, some side by side."""
+    physics = task.worker().episodes.physics  # also says here what is wrong with the mind
+    step = max(1, min(PIECES[physics], -(-len(worlds) // workers)))
+    pieces = [worlds[begin : begin + step] for begin in range(0, len(worlds), step)]
+    count = min(workers, len(pieces))
+    done: list[Columns] = []
+    with Alone() if count == 1 else hired(count, threads=physics == "compiled") as some:
+        for columns in some.results(task, pieces):
+            done.append(columns)
+            on_progress(sum(len(one["ticks"]) for one in done), len(worlds))
+    return {name: np.concatenate([one[name] for one in done]) for name in done[0]}
 
 
 # Measuring ----------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ from socialmind.language.types import RowType
 from socialmind.language.typing.signatures import MATH, MATH_CONSTANTS
 
 if TYPE_CHECKING:
-    from socialmind.language.typing.expressions import ExpressionTyper
+    from socialmind.language.typer import Typer
 
 _LOOP = "write a for loop: `for other in model.{all}:`"
 _DRAW = "draw from the rule's stream: `rng.random()`, with the parameter `rng`"
@@ -119,7 +119,7 @@ WORLD = {
 """What worlds and grids have elsewhere."""
 
 
-def for_name(typer: ExpressionTyper, name: str) -> str:
+def for_name(typer: Typer, name: str) -> str:
     """Return what to write in place of an unknown name."""
     parameters = typer.source.parameters
     agent = _agent(typer)
@@ -142,7 +142,7 @@ def for_name(typer: ExpressionTyper, name: str) -> str:
     return _filled(NAMES, name, typer) or nearest(name, _usable(typer))
 
 
-def for_function(typer: ExpressionTyper, name: str, built_in: Iterable[str]) -> str:
+def for_function(typer: Typer, name: str, built_in: Iterable[str]) -> str:
     """Return what to write in place of an unknown function."""
     functions = [one for one in typer.source.public_names if callable(typer.source.names.get(one))]
     misspelt = close(name, [*built_in, *functions]) if name not in NAMES else None
@@ -154,7 +154,7 @@ def for_function(typer: ExpressionTyper, name: str, built_in: Iterable[str]) -> 
     return advice
 
 
-def for_agent(typer: ExpressionTyper, node: ast.Attribute, population: str) -> str:
+def for_agent(typer: Typer, node: ast.Attribute, population: str) -> str:
     """Return what to write in place of a field that the agents of a population lack."""
     fields = typer.shape.populations[population].fields
     holder = ast.unparse(node.value)
@@ -173,7 +173,7 @@ def for_agent(typer: ExpressionTyper, node: ast.Attribute, population: str) -> s
     )
 
 
-def for_agents_method(typer: ExpressionTyper, holder: str, name: str) -> str:
+def for_agents_method(typer: Typer, holder: str, name: str) -> str:
     """Return what to write in place of something that agents cannot be told to do."""
     if name in typer.shape.world.commands:
         return f"write model.world.{name}({holder}, …)"
@@ -181,7 +181,7 @@ def for_agents_method(typer: ExpressionTyper, holder: str, name: str) -> str:
     return known or f"{nearest(name, ('die', 'hatch', 'run_plan'))}; or call a function"
 
 
-def for_model(typer: ExpressionTyper, name: str) -> str:
+def for_model(typer: Typer, name: str) -> str:
     """Return what to write in place of something that the model does not declare."""
     shape = typer.shape
     known = [*shape.parameters, *shape.variables, *shape.populations, "tick"]
@@ -189,7 +189,7 @@ def for_model(typer: ExpressionTyper, name: str) -> str:
     return _filled(MODEL, name, typer) or declaring(name, known, "the class of the model", typer)
 
 
-def for_population(typer: ExpressionTyper, population: str, name: str) -> str:
+def for_population(typer: Typer, population: str, name: str) -> str:
     """Return what to write in place of something that a population does not have."""
     advice = POPULATION.get(name)
     if advice is None:
@@ -197,12 +197,12 @@ def for_population(typer: ExpressionTyper, population: str, name: str) -> str:
     return advice.replace("{all}", population).replace("{agent}", _agent(typer) or "agent")
 
 
-def for_world(typer: ExpressionTyper, name: str, known: Iterable[str]) -> str:
+def for_world(typer: Typer, name: str, known: Iterable[str]) -> str:
     """Return what to write in place of something that the world does not have."""
     return _filled(WORLD, name, typer) or nearest(name, known)
 
 
-def declaring(name: str, known: Iterable[str], where: str, typer: ExpressionTyper) -> str:
+def declaring(name: str, known: Iterable[str], where: str, typer: Typer) -> str:
     """Return the advice to declare a field, after the known one that it may be meant for."""
     given = _constant_given(typer, name)
     if isinstance(given, str):
@@ -213,7 +213,7 @@ def declaring(name: str, known: Iterable[str], where: str, typer: ExpressionType
     return advice if misspelt is None else f"{misspelt} If not, {advice}"
 
 
-def _constant_given(typer: ExpressionTyper, name: str) -> object:
+def _constant_given(typer: Typer, name: str) -> object:
     """Return a constant that the function assigns to a field, or None."""
     for node in ast.walk(typer.source.tree):
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
@@ -223,7 +223,7 @@ def _constant_given(typer: ExpressionTyper, name: str) -> object:
     return None
 
 
-def _parameter_to_add(typer: ExpressionTyper, name: str) -> str:
+def _parameter_to_add(typer: Typer, name: str) -> str:
     """Return how a function asks for `model` or `rng`."""
     source = typer.source
     used = {node.id for node in ast.walk(source.tree) if isinstance(node, ast.Name)}
@@ -240,14 +240,14 @@ def _parameter_to_add(typer: ExpressionTyper, name: str) -> str:
     return advice
 
 
-def _usable(typer: ExpressionTyper) -> list[str]:
+def _usable(typer: Typer) -> list[str]:
     """Return the names that a rule can use: its variables, and what its file has for it."""
     names: dict[str, Any] = {one: typer.source.names.get(one) for one in typer.source.public_names}
     kinds = (bool, int, float, str, tuple, FunctionType)
     return [*typer.variables, *(one for one, value in names.items() if isinstance(value, kinds))]
 
 
-def _agent(typer: ExpressionTyper) -> str | None:
+def _agent(typer: Typer) -> str | None:
     """Return what the function calls its agent, or None without one."""
     for name in typer.source.parameters:
         if isinstance(typer.variables.get(name), RowType):
@@ -256,7 +256,7 @@ def _agent(typer: ExpressionTyper) -> str | None:
 
 
 def _filled(
-    table: dict[str, str], name: str, typer: ExpressionTyper, holder: str | None = None
+    table: dict[str, str], name: str, typer: Typer, holder: str | None = None
 ) -> str | None:
     advice = table.get(name)
     if advice is None:

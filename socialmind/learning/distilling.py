@@ -236,18 +236,18 @@ def distilled(
     squares, product = _normal_equations(states[fitted], weights[fitted], is_open[fitted])
     aim = choices(weights[judged], is_open[judged], scheme)
 
-    def made(links: Floats, rounded: bool) -> tuple[CognitiveScheme, Agreement]:
+    def scheme_of(links: Floats, rounded: bool) -> tuple[CognitiveScheme, Agreement]:
         one = _with_links(scheme, name, _rounded(links, digits) if rounded else links)
         chosen = choices(weights_by_links(states[judged], one), is_open[judged], one)
         return one, agreement(aim, chosen)
 
     size = (states.shape[1] + 1, len(plans))
     kept = list(range(size[0] * size[1]))
-    unpruned = made(_solved(squares, product, kept).reshape(size), rounded=False)[1]
+    unpruned = scheme_of(_solved(squares, product, kept).reshape(size), rounded=False)[1]
     best: Distillation | None = None
     while kept:
         links = _solved(squares, product, kept)
-        one, found = made(links.reshape(size), rounded=True)
+        one, found = scheme_of(links.reshape(size), rounded=True)
         if best is None or found.overlap >= unpruned.overlap - tolerance:
             best = Distillation(one, len(kept), found, unpruned)
         kept.remove(_least_missed(squares, product, kept, links))

@@ -5,14 +5,11 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from socialmind.errors import ModelError, nearest
 from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 from socialmind.names import several
-
-if TYPE_CHECKING:
-    from socialmind.mind.lint import Finding
 
 Module = Sensor | Actuator | Variable | Skill
 
@@ -71,20 +68,13 @@ class MindDescription:
         """Read a mind's folder or YAML file; see `socialmind.mind.files`."""
         from socialmind.mind.files.folder import load_description
 
-        return load_description(path)
+        return load_description(path, cls)
 
     def save(self, path: str | Path) -> None:
         """Write a mind's folder, or a YAML file where the path ends in .yaml."""
         from socialmind.mind.files.folder import save_description
 
         save_description(self, path)
-
-    def lint(self, master: str | None = None) -> list[Finding]:
-        """Return what is odd about the mind; nothing that keeps it from running."""
-        from socialmind.mind.code.mind_code import check_program
-        from socialmind.mind.lint import findings
-
-        return findings(self, master, check_program)
 
     def __reduce__(self) -> tuple[Any, ...]:
         from socialmind.work.packing import packed

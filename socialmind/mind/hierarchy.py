@@ -9,15 +9,23 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.closed import Closed
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.closed import Closed
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind import variants
 from socialmind.mind.code.drive import AgentHierarchy
 from socialmind.mind.description import MindDescription
+from socialmind.mind.evaluation.agent_state import Readings
 from socialmind.mind.evaluation.arrays import assemble, master_of
 from socialmind.mind.evaluation.running_skill import RunningSkill
-from socialmind.mind.evaluation.state import Record, copied, new_state, restored, societies_of
+from socialmind.mind.evaluation.state import (
+    Record,
+    State,
+    copied,
+    new_state,
+    restored,
+    societies_of,
+)
 from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.reach import ROUNDING
 from socialmind.mind.links import Input
@@ -31,7 +39,7 @@ if TYPE_CHECKING:
     from socialmind.mind.views.explanation import Explanation
 
 
-class Hierarchy(Closed):
+class Hierarchy(Closed, Readings):
     """A mind that runs: the skills below a master, for one agent.
 
     Args:
@@ -120,7 +128,7 @@ class Hierarchy(Closed):
             self._steps.evaluate(0)
         except ValueError as error:
             raise ModelError(f"the mind {self.description.name!r}: {error}") from error
-        self.tick += 1
+        self._tick += 1
         return self.actuators()
 
     def _checked(self, name: str, value: Any) -> float:
@@ -148,7 +156,7 @@ class Hierarchy(Closed):
 
     def reset(self) -> None:
         """Put the mind back to before its first evaluation; genomes stay."""
-        self.tick = 0
+        self._tick = 0
         self._state = new_state(self.assembly, 1, 1, False, 0)
         self._societies = societies_of(self.assembly, self.seed, 1)
         self._record.connect(1, self._state, self._societies)
@@ -164,47 +172,13 @@ class Hierarchy(Closed):
     # Looking ----------------------------------------------------------------------------------
 
     @property
-    def skills(self) -> tuple[str, ...]:
-        """The names of the skills that are evaluated, from the master down."""
-        return self.assembly.skills
+    def _read(self) -> State:
+        return self._state
 
-    def influences(self) -> dict[str, float]:
-        """Return the sum of the influence that each skill received in the last evaluation."""
-        return dict(zip(self.skills, self._state.totals[0, :, 0].tolist(), strict=True))
-
-    def links(self) -> dict[tuple[str, str], float]:
-        """Return what each output of a skill transmitted: its value times the influence (eq. 4.2).
-
-        Returns:
-            By the skill and the output's text, as in `("Collect", "SK:Avoid")`.
-        """
-        return dict(zip(self._entries(), self._state.sent[0, :, 0].tolist(), strict=True))
-
-    def outputs(self) -> dict[tuple[str, str], float]:
-        """Return what each skill's function gave by itself, V_O of equation 4.1."""
-        return dict(zip(self._entries(), self._state.output[0, :, 0].tolist(), strict=True))
-
-    def _entries(self) -> list[tuple[str, str]]:
-        skills = self.description.skills
-        return [(name, str(output)) for name in self.skills for output in skills[name].outputs]
-
-    def sensors(self) -> dict[str, float]:
-        """Return the sensors' values of the last evaluation."""
-        return dict(
-            zip(self.description.sensors, self._state.sensors[0, :, 0].tolist(), strict=True)
-        )
-
-    def variables(self) -> dict[str, float]:
-        """Return the variables' values."""
-        return dict(
-            zip(self.description.variables, self._state.values[0, :, 0].tolist(), strict=True)
-        )
-
-    def actuators(self) -> dict[str, float]:
-        """Return the actuators' commands of the last evaluation."""
-        return dict(
-            zip(self.description.actuators, self._state.actuators[0, :, 0].tolist(), strict=True)
-        )
+    @property
+    def tick(self) -> int:
+        """How many evaluations there were since the last reset."""
+        return self._tick
 
     def set_variable(self, name: str, value: float) -> None:
         """Set a variable, 0 … 1; skills see it in the next evaluation.
@@ -300,7 +274,7 @@ class Hierarchy(Closed):
         return {"tick": self.tick, "state": copied(self._state), "schemes": schemes}
 
     def _restore(self, state: Mapping[str, Any]) -> None:
-        self.tick = state["tick"]
+        self._tick = state["tick"]
         self._state = restored(self._state, state["state"])
         for society, one in zip(self._societies, state["schemes"], strict=True):
             society.restore(one)
@@ -387,7 +361,7 @@ class Hierarchy(Closed):
         """Print who influenced what in the last evaluation, and how much it counted in each motor.
 
         Returns:
-            The same as tables.
+            The same, as data.
         """
         from socialmind.mind.views.explanation import explanation_of
 

@@ -8,15 +8,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.closed import Closed
-from coglogo_py.memory import check_memory
-from coglogo_py.numbers import is_whole, whole_number
+from coglogo_py.border.closed import Closed
+from coglogo_py.border.memory import check_memory
+from coglogo_py.border.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind.code.mind_code import MindCode
 from socialmind.mind.description import MindDescription
 from socialmind.mind.evaluation.arrays import Assembly, assemble, master_of
 from socialmind.mind.evaluation.failures import failure_of, failure_of_drive, failure_of_regulation
-from socialmind.mind.evaluation.state import Record, copied, new_state, restored, societies_of
+from socialmind.mind.evaluation.state import (
+    Record,
+    kept,
+    new_state,
+    restore_societies,
+    restored,
+    societies_of,
+)
 from socialmind.mind.kernel.layout import LIVES, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.regulation import Counter
@@ -351,10 +358,7 @@ class Minds(Closed):
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return copies of all arrays that change, by name; `restore` takes them back."""
-        arrays = copied(self.state_arrays)
-        for number, society in enumerate(self.societies):
-            arrays |= {f"scheme_{number}.{k}": v for k, v in society.state().items()}
-        return arrays
+        return kept(self.state_arrays, self.societies)
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take back what `state` returned.
@@ -372,11 +376,7 @@ class Minds(Closed):
                     "restore a state of as many agents and lanes with the same hierarchy",
                 )  # fmt: skip
         self.state_arrays = restored(self.state_arrays, state)
-        for number, society in enumerate(self.societies):
-            begin = f"scheme_{number}."
-            society.restore(
-                {k.removeprefix(begin): v for k, v in state.items() if k.startswith(begin)}
-            )
+        restore_societies(self.societies, state)
         self._record.connect(self.agents, self.state_arrays, self.societies)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -7,9 +7,9 @@ and `hierarchy.Hierarchy` runs it. Inputs and outputs are written as in the file
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -249,3 +249,16 @@ class Skill:
             for one in self.outputs
         )
         return self.changed(outputs=outputs)
+
+
+class Modules(Protocol):
+    """What a file takes of a mind; `MindDescription` has it."""
+
+    name: str
+    sensors: Mapping[str, Sensor]
+    actuators: Mapping[str, Actuator]
+    variables: Mapping[str, Variable]
+    skills: Mapping[str, Skill]
+
+
+AMind = TypeVar("AMind", bound=Modules)

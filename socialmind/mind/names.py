@@ -6,8 +6,8 @@ import re
 import unicodedata
 from typing import Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number
 from socialmind.errors import ModelError
 
 _NAME = re.compile(r"[^\s:#/\\]([^:#/\\\n\r]*[^\s:#/\\])?")

@@ -12,7 +12,14 @@ from socialmind.errors import ModelError
 from socialmind.mind.code.drive import AgentHierarchy
 from socialmind.mind.code.mind_code import MindCode
 from socialmind.mind.evaluation.arrays import Assembly
-from socialmind.mind.evaluation.state import Record, copied, new_state, restored, societies_of
+from socialmind.mind.evaluation.state import (
+    Record,
+    kept,
+    new_state,
+    restore_societies,
+    restored,
+    societies_of,
+)
 from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.layout import LIVES
 
@@ -183,10 +190,7 @@ class PopulationMinds:
 
     def snapshot(self) -> dict[str, NDArray[Any]]:
         """Return copies of the arrays that a checkpoint keeps."""
-        arrays = copied(self.state)
-        for number, society in enumerate(self.societies):
-            arrays |= {f"scheme_{number}.{k}": v for k, v in society.state().items()}
-        return arrays
+        return kept(self.state, self.societies)
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Take the arrays of a checkpoint."""
@@ -199,9 +203,5 @@ class PopulationMinds:
             if len(minds) < len(state.fresh):
                 raise ModelError(f"a state with {len(minds)} minds", f"{len(state.fresh)} or more")
         self.state = state
-        for number, society in enumerate(self.societies):
-            begin = f"scheme_{number}."
-            society.restore(
-                {k.removeprefix(begin): v for k, v in arrays.items() if k.startswith(begin)}
-            )
+        restore_societies(self.societies, arrays)
         self._connect()

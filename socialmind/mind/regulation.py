@@ -11,11 +11,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
 from socialmind.errors import ModelError
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # a circle for types alone: a variable has a regulation, which checks it
     from socialmind.mind.modules import Variable
 
 SIMPLE, WAVE, COUNTER, REGULATED = range(4)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from socialmind.errors import SocialmindError
 from socialmind.mind.description import MindDescription
@@ -13,8 +13,15 @@ from socialmind.mind.evaluation.arrays import Assembly, assemble, master_of
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.modules import Skill
 
-if TYPE_CHECKING:
-    from socialmind.society.population import Population
+
+class Steered(Protocol):
+    """What is asked of a population; `socialmind.Population` has it."""
+
+    body: Any
+    actuators: Any
+    hierarchy: Any
+    master: Any
+    drive: Any
 
 
 @dataclass(frozen=True)
@@ -46,7 +53,7 @@ class Steering:
         return assemble(self.mind, master_of(self.mind, self.master), self.drive is not None)
 
 
-def _idle(name: str, population: Population) -> MindDescription:
+def _idle(name: str, population: Steered) -> MindDescription:
     """Return a mind that reads nothing and commands 0.5."""
     if population.body is None:
         raise SocialmindError(
@@ -60,7 +67,7 @@ def _idle(name: str, population: Population) -> MindDescription:
 
 
 def steerings_of(
-    populations: Mapping[str, Population], folder: Path, given: Any, name: str
+    populations: Mapping[str, Steered], folder: Path, given: Any, name: str
 ) -> dict[str, Steering]:
     """Read the hierarchies of a model's populations.
 

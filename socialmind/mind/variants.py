@@ -7,22 +7,28 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from socialmind.errors import ModelError
 from socialmind.mind.description import MindDescription
 from socialmind.mind.links import Input, Output
 from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 
-if TYPE_CHECKING:
-    from socialmind.mind.hierarchy import Hierarchy
+
+class Trained(Protocol):
+    """What is asked of a hierarchy; `Hierarchy` has it."""
+
+    master: str
+
+    def trained(self) -> MindDescription:
+        """Return its description, with its genomes as they are set."""
 
 
 def replaced(
     description: MindDescription,
     master: str,
     name: str,
-    other: Skill | Hierarchy,
+    other: Skill | Trained,
     sensors: Iterable[Sensor | str] = (),
     actuators: Iterable[Actuator | str] = (),
     variables: Iterable[Variable | str] = (),
@@ -78,7 +84,7 @@ def encapsulated(
 
 def grafted(
     description: MindDescription,
-    skill: Skill | Hierarchy,
+    skill: Skill | Trained,
     under: str,
     inputs: Iterable[Input | str] = (),
     skills: Iterable[Skill] = (),
@@ -169,7 +175,7 @@ def duplicates(
     return found
 
 
-def _parts(other: Skill | Hierarchy) -> tuple[str, list[Skill], dict[str, Any]]:
+def _parts(other: Skill | Trained) -> tuple[str, list[Skill], dict[str, Any]]:
     """Return the name of a skill or of a hierarchy's master, its skills and its other modules."""
     if isinstance(other, Skill):
         return other.name, [other], {}

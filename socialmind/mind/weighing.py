@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number
 from socialmind.errors import ModelError, nearest
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.modules import Skill

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
 import zipfile
 import zlib
 from collections.abc import Mapping
@@ -17,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from socialmind.errors import SocialmindError
 from socialmind.runs.record import within
+from socialmind.work.files import replacing
 
 MOST = 1000
 """How many times its own size a compressed file may hold (deflate's limit is 1032)."""
@@ -26,35 +25,6 @@ FREE = 1 << 26
 """Bytes that any file may hold."""
 LONGEST_HEADER = 1_000_000
 """Characters that say of what fields an array consists."""
-
-
-def refuse_folder(path: Path) -> None:
-    """Raise when a folder is where a file is to be.
-
-    Raises:
-        SocialmindError: so it is.
-    """
-    if path.is_dir() and not path.is_symlink():
-        raise SocialmindError(f"{path}: is a folder, in the place of a file; remove it")
-
-
-def make_room(path: Path) -> Path:
-    """Return a path at which nothing is: a file or a link that was left there is taken away.
-
-    Raises:
-        SocialmindError: a folder is there.
-    """
-    refuse_folder(path)
-    path.unlink(missing_ok=True)
-    return path
-
-
-def remove(path: Path) -> None:
-    """Take away a folder with all that is in it, or a file or a link; links are not followed."""
-    if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)
 
 
 def save_arrays(
@@ -73,18 +43,11 @@ def save_arrays(
         arrays: by name; numbers and texts, no Python objects.
         compressed: smaller, and slower to write; it is read all the same.
     """
-    unfinished = make_room(path.with_name(path.name + ".partial"))
     whole: dict[str, Any] = {**arrays, name: np.array(json.dumps(record))}
-    try:
-        with unfinished.open("xb") as file:
-            (np.savez_compressed if compressed else np.savez)(file, **whole)
-            file.flush()
-            os.fsync(file.fileno())
-        unfinished.replace(path)
-    except OSError as error:
-        unfinished.unlink(missing_ok=True)  # on a full disk it would take the last room
-        error.filename = error.filename or str(path)  # what is written does not know where
-        raise
+    with replacing(path) as file:
+        (np.savez_compressed if compressed else np.savez)(file, **whole)
+        file.flush()
+        os.fsync(file.fileno())
 
 
 def load_arrays(path: Path, name: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

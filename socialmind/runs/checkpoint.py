@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.numbers import is_whole
 from socialmind.errors import SocialmindError
 from socialmind.runs.arrays_file import load_arrays, save_arrays
 from socialmind.runs.capsule import IDLE

@@ -14,19 +14,25 @@ import shutil
 import time
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import asdict, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.numbers import whole_number
 from socialmind.agents.agent_columns import as_before
 from socialmind.errors import SocialmindError
-from socialmind.runs import capsule as capsules
-from socialmind.runs.arrays_file import make_room, refuse_folder
+from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
+from socialmind.runs.continuing import (
+    checked_checkpoint,
+    finish,
+    progress_fields,
+    reopen,
+    restore,
+    ticks_done,
+)
 from socialmind.runs.record import LONGEST
 from socialmind.runs.sources import (
     mind_copies,
@@ -41,10 +47,6 @@ from socialmind.runs.tables import (
     SERIES,
     TABLES,
     GrowingTable,
-    check_content,
-    merge,
-    part_name,
-    seal,
 )
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
@@ -137,7 +139,7 @@ def run(
     seed = _whole("seed", seed, 0, 2**64 - 1)
     target = None if out is None else Path(out)
     if target is not None:
-        capsules.refuse_unless_free(target.expanduser())
+        folders.refuse_unless_free(target.expanduser())
 
     given = dict(parameters or {})
     model = model_class(
@@ -162,8 +164,8 @@ def run(
         every=step,
         agents_every=agents_step,
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds")},
-        versions=capsules.versions(),
-        platforms=[capsules.fingerprint()],
+        versions=folders.versions(),
+        platforms=[folders.fingerprint()],
     )
     copies = sources_of(model_class).copies()
     remember({path: content for path, content in copies.items() if path.endswith(".py")})
@@ -209,35 +211,35 @@ def resume(
     started = time.perf_counter()
     capsule = Capsule(folder)
     with capsule.locked():
-        checkpoint = _checked(capsule)
+        checkpoint = checked_checkpoint(capsule)
         # Killed between its last tick and its last file: only the files are missing.
         if (
             checkpoint is not None
-            and capsule.manifest.status != capsules.FINISHED
+            and capsule.manifest.status != folders.FINISHED
             and checkpoint.tick == capsule.manifest.ticks
             and all(tick == checkpoint.tick for tick in checkpoint.recorded.values())
         ):
-            _finish(capsule, checkpoint)
-        done = _ticks_done(capsule.manifest, checkpoint)
+            finish(capsule, checkpoint)
+        done = ticks_done(capsule.manifest, checkpoint)
         length = capsule.manifest.ticks if ticks is None else _whole("ticks", ticks, 0)
         if length < done:
             raise SocialmindError(
                 f"{capsule.folder}: {done} ticks are done, {length} asked for; "
                 "a run can be made longer, not shorter"
             )
-        if capsule.manifest.status == capsules.FINISHED:
+        if capsule.manifest.status == folders.FINISHED:
             shutil.rmtree(capsule.parts, ignore_errors=True)
             if length == done:
                 return capsule.folder
         model = model_of(capsule, model_class, compiled, kept, trust)
         if checkpoint is not None:
-            _restore(model, checkpoint, capsule.checkpoint)
-        if capsule.manifest.status == capsules.FINISHED:
-            checkpoint = _reopen(capsule, checkpoint, length)
-        machine = capsules.fingerprint()
+            restore(model, checkpoint, capsule.checkpoint)
+        if capsule.manifest.status == folders.FINISHED:
+            checkpoint = reopen(capsule, checkpoint, length)
+        machine = folders.fingerprint()
         known = capsule.manifest.platforms
         capsule.update(
-            status=capsules.RUNNING,
+            status=folders.RUNNING,
             ticks=length,
             error=None,
             compiled=capsule.manifest.compiled if compiled is None else compiled,
@@ -286,7 +288,7 @@ class _Execution:
         with deferred_signals() as arrived:
             try:
                 self._loop(length, on_progress, checkpoint_every, arrived)
-                _finish(self._capsule, self._checkpoint())
+                finish(self._capsule, self._checkpoint())
             except Interrupted:
                 raise
             except Exception as error:
@@ -294,7 +296,7 @@ class _Execution:
                 known = isinstance(error, SocialmindError | OSError)
                 failure = error if known else self._failure(error)
                 with suppress(OSError):  # there may be no room to say so
-                    self._capsule.update(status=capsules.FAILED, error=str(failure))
+                    self._capsule.update(status=folders.FAILED, error=str(failure))
                 if isinstance(error, OSError) and error.errno in NO_ROOM:
                     raise no_room(
                         error, self._capsule.folder, f"tick {self._model.tick}"
@@ -330,7 +332,7 @@ class _Execution:
             if tick >= length:
                 return
             if arrived:
-                self._checkpoint(status=capsules.INTERRUPTED)
+                self._checkpoint(status=folders.INTERRUPTED)
                 raise Interrupted(self._capsule.folder, tick, arrived[0])
             if checkpoint.over(now):
                 self._checkpoint()
@@ -358,7 +360,7 @@ class _Execution:
                 self._tables[name].add(tick, columns)
                 self._recorded[name] = tick
 
-    def _checkpoint(self, status: str = capsules.RUNNING) -> Checkpoint:
+    def _checkpoint(self, status: str = folders.RUNNING) -> Checkpoint:
         """Make everything up to now safe."""
         for table in self._tables.values():
             table.flush()
@@ -380,7 +382,7 @@ class _Execution:
         )
         checkpoint.save(self._capsule.checkpoint)
         model = with_late_reads(self._capsule.manifest.model, type(self._model))
-        changes = _so_far(self._capsule.manifest, checkpoint)
+        changes = progress_fields(self._capsule.manifest, checkpoint)
         self._capsule.update(status=status, model=model, **changes)
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
 
@@ -401,52 +403,6 @@ class _Timer:
         return not 0.0 <= now - self._begin < self._wait
 
 
-def _checked(capsule: Capsule) -> Checkpoint | None:
-    """A run's checkpoint, when all that it goes on from is as the run wrote it.
-
-    Raises:
-        SocialmindError: a part or a table is missing or was changed; nothing is written yet.
-    """
-    manifest = capsule.manifest
-    checkpoint = None
-    if capsule.checkpoint.exists() or capsule.checkpoint.is_symlink():
-        checkpoint = Checkpoint.load(capsule.checkpoint)
-        if checkpoint.run not in (None, manifest.identity()):
-            raise SocialmindError(
-                f"{capsule.folder / capsules.MANIFEST}: its seed, parameters or schemes are not "
-                f"those that {capsule.checkpoint.name} was written with; put them back"
-            )
-    if manifest.status == capsules.FINISHED:
-        for name in TABLES:
-            check_content(capsule.table(name), manifest.tables[name]["sha256"])
-        return checkpoint
-    for name in TABLES:
-        refuse_folder(capsule.table(name))
-    if checkpoint is not None:
-        checkpoint.check_parts(capsule.parts)
-    elif capsule.parts.exists() and not capsule.parts.is_dir():
-        raise SocialmindError(f"{capsule.parts}: is a file, in the place of a folder; remove it")
-    return checkpoint
-
-
-def _restore(model: Model, checkpoint: Checkpoint, path: Path) -> None:
-    """Put a model where a run's checkpoint says it was.
-
-    Raises:
-        SocialmindError: the checkpoint is not one of this model with these parameters.
-    """
-    try:
-        before = model.parameter_values()
-        model.restore(dict(checkpoint.state))
-        if model.parameter_values() != before or model.tick != checkpoint.tick:
-            raise ValueError("it holds other parameters or another tick than the run")
-    except (SocialmindError, ValueError, KeyError, TypeError, IndexError) as error:
-        raise SocialmindError(
-            f"{path}: {error if str(error) else type(error).__name__}; take the file from a copy "
-            "of the folder, or delete it and the run starts again from its first tick"
-        ) from error
-
-
 def _source_of(model: Model, name: str) -> str:
     """The method that gives a table's rows, with the file and line where it is written."""
     written = getattr(getattr(type(model), name), "__code__", None)
@@ -454,74 +410,6 @@ def _source_of(model: Model, name: str) -> str:
     return f"{place}{name}()"
 
 
-def _finish(capsule: Capsule, checkpoint: Checkpoint) -> None:
-    """Merge the parts and declare the run finished; killed anywhere in here, it can be repeated."""
-    contents = {}
-    for name in TABLES:
-        parts = [capsule.parts / part for part in checkpoint.parts[name]]
-        contents[name] = asdict(merge(parts, capsule.table(name), name))
-    capsule.update(
-        status=capsules.FINISHED, tables=contents, **_so_far(capsule.manifest, checkpoint)
-    )
-    shutil.rmtree(capsule.parts, ignore_errors=True)
-
-
-def _reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Checkpoint:
-    """Turn a finished run's tables into parts of a longer run.
-
-    A last row off the grid of recorded ticks was there because the run ended; the longer run
-    does not have it. Until the manifest says otherwise the old tables are the truth.
-    """
-    if checkpoint is None or checkpoint.tick != capsule.manifest.ticks_done:
-        raise SocialmindError(
-            f"{capsule.folder}: {capsule.checkpoint.name} is missing or of another run, so the "
-            f"run cannot be made longer; run anew with --ticks {length}"
-        )
-    every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
-    capsule.parts.mkdir(exist_ok=True)
-    parts, recorded, sums = {}, {}, {}
-    for name, step in every.items():
-        part = part_name(name, 0)
-        off_grid = checkpoint.tick % step
-        merge(
-            [capsule.table(name)],
-            make_room(capsule.parts / part),
-            name,
-            drop_tick=checkpoint.tick if off_grid else None,
-        )
-        parts[name] = [part]
-        sums[part] = seal(capsule.parts / part)
-        recorded[name] = checkpoint.tick - off_grid
-    reopened = replace(checkpoint, parts=parts, recorded=recorded, sums=sums)
-    reopened.save(capsule.checkpoint)
-    capsule.update(status=capsules.RUNNING, ticks=length, tables={})
-    for name in TABLES:
-        capsule.table(name).unlink(missing_ok=True)
-    return reopened
-
-
-def _so_far(manifest: Manifest, checkpoint: Checkpoint) -> dict[str, Any]:
-    """The manifest's fields that a checkpoint moves on."""
-    return {
-        "ticks_done": checkpoint.tick,
-        "idle": checkpoint.idle,
-        "timings": {
-            **manifest.timings,
-            "seconds": round(checkpoint.seconds, 3),
-            "loop_seconds": round(checkpoint.loop_seconds, 3),
-        },
-    }
-
-
-def _ticks_done(manifest: Manifest, checkpoint: Checkpoint | None) -> int:
-    if manifest.status == capsules.FINISHED:
-        return manifest.ticks_done
-    return checkpoint.tick if checkpoint else 0
-
-
-def _whole(name: str, value: Any, low: int, high: int | None = None) -> int:
+def _whole(name: str, value: Any, low: int, high: int = LONGEST) -> int:
     """Return a whole number as Python's, which a manifest can hold."""
-    if not is_whole(value) or value < low or value > (LONGEST if high is None else high):
-        bound = f"from {low} up" if high is None else f"from {low} to 2**64 - 1"
-        raise SocialmindError(f"{name} {shown(value)}; expected a whole number {bound}")
-    return int(value)
+    return whole_number(value, name, low, high, SocialmindError)

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, is_whole
 from socialmind.errors import SocialmindError
 
 LONGEST = 2**63 - 1

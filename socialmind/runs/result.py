@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import SocialmindError
-from socialmind.runs.capsule import FINISHED, Capsule, Manifest
+from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
+from socialmind.runs.folders import FINISHED
 from socialmind.runs.sources import recorded_class, require_minds
 from socialmind.runs.tables import AGENTS, SERIES, check_content, read
 

@@ -159,12 +159,12 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     for population, path in capsule.minds.items():
         if not path.is_dir():
             return f"{path}: the run's copy of its mind is missing"
-        if _hash_of(_files_in(path)) != capsule.manifest.minds[population]["sha256"]:
+        if _hash_of(files_in(path)) != capsule.manifest.minds[population]["sha256"]:
             return f"{path}: the run's copy of its mind was changed"
     return None
 
 
-def edited(record: Mapping[str, Any], place: Path) -> str | None:
+def what_was_edited(record: Mapping[str, Any], place: Path) -> str | None:
     """What differs between a record and the files of a model, found without running any of them.
 
     Args:
@@ -216,7 +216,9 @@ def model_of(
     cls = model_class
     # Said before anything is run, or asked about.
     place = recorded_folder(capsule) or _script(capsule)
-    changed = None if kept or cls is not None or place is None else edited(manifest.model, place)
+    changed = (
+        None if kept or cls is not None or place is None else what_was_edited(manifest.model, place)
+    )
     if cls is None and not changed:
         cls = recorded_class(capsule, kept, trust)
     changed = changed or (None if cls is None else changes_since(capsule, cls))
@@ -268,7 +270,7 @@ def scheme_copies(
         if source is None:
             source = model.populations[population].mind
             if isinstance(source, str | Path):
-                source = model.folder() / source
+                source = type(model).folder() / source
         if isinstance(source, str | Path):
             suffix, content = Path(source).suffix, Path(source).expanduser().read_bytes()
         else:
@@ -295,7 +297,7 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
     for population, assembly in model.assemblies.items():
         with tempfile.TemporaryDirectory() as place:
             assembly.description.save(Path(place) / "mind")
-            found = _files_in(Path(place) / "mind")
+            found = files_in(Path(place) / "mind")
         folder = f"minds/{population}"
         name, sha256 = assembly.description.name, _hash_of(found)
         remember({path: content for path, content in found.items() if path.endswith(".py")})
@@ -304,7 +306,7 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
     return records, files
 
 
-def _files_in(folder: Path) -> dict[str, bytes]:
+def files_in(folder: Path) -> dict[str, bytes]:
     """The files of a folder but what Python leaves there, by their paths in it."""
     paths = sorted(path for path in folder.rglob("*") if path.is_file())
     return {

@@ -13,18 +13,18 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coglogo_py.errors import shown
+from coglogo_py.border.errors import shown
 from socialmind.agents.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
-from socialmind.runs.arrays_file import make_room
 from socialmind.runs.columns import EXPECTED, from_arrow, to_arrow
+from socialmind.runs.digest import ContentDigest, TableContent
 from socialmind.runs.record import within
+from socialmind.work.files import make_room
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -40,22 +40,6 @@ WAITING_ROWS = 1 << 15
 """Rows that may wait in memory for the next checkpoint; more go to a part at once."""
 
 Columns = Mapping[str, Sequence[Any] | np.ndarray]
-
-
-@dataclass(frozen=True)
-class TableContent:
-    """What a table holds, apart from how its file is laid out.
-
-    Args:
-        rows: number of rows.
-        columns: name and type of every column, in order.
-        sha256: hash of names, types and values; two tables with equal values have equal hashes,
-            whatever the compression, the row groups or the version of the writer.
-    """
-
-    rows: int
-    columns: dict[str, str]
-    sha256: str
 
 
 class GrowingTable:
@@ -299,48 +283,6 @@ def _unreadable(path: Path) -> SocialmindError:
     # Arrow's own words, of messages and protocols, are not about what the user can do.
     found = "cannot be read as a table; it is missing, cut off or was changed"
     return SocialmindError(f"{path}: {found}; take it from a copy of the folder")
-
-
-class ContentDigest:
-    """A running hash of a table's content.
-
-    Every column has a hash of its own over its values and one over which are missing, so the
-    result does not depend on how the rows are cut into pieces. NaN has one bit pattern here: which
-    of them an operation yields is the processor's choice.
-
-    Args:
-        schema: names and types of the columns.
-    """
-
-    def __init__(self, schema: pa.Schema) -> None:
-        self.rows = 0
-        self._schema = schema
-        self._hashes = [[hashlib.sha256() for _ in range(3)] for _ in schema]
-
-    def update(self, rows: pa.Table) -> None:
-        """Add rows at the end."""
-        self.rows += rows.num_rows
-        for hashes, column in zip(self._hashes, rows.columns, strict=True):
-            for array in column.chunks:
-                for running, part in zip(hashes, _column_bytes(array), strict=True):
-                    running.update(part)
-
-    def content(self) -> TableContent:
-        """The result so far."""
-        total = hashlib.sha256()
-        columns = {field.name: str(field.type) for field in self._schema}
-        for (name, kind), hashes in zip(columns.items(), self._hashes, strict=True):
-            total.update("\0".join([name, kind, *(h.hexdigest() for h in hashes), ""]).encode())
-        return TableContent(self.rows, columns, total.hexdigest())
-
-
-def _column_bytes(array: pa.Array) -> tuple[bytes, bytes, bytes]:
-    """Which values are missing, the values' own bytes, and those of texts."""
-    found = from_arrow(array)
-    values = found.values
-    if values.dtype.kind == "f":
-        values = np.where(np.isnan(values), np.nan, values)
-    return found.missing.tobytes(), values.tobytes(), found.text
 
 
 def _arrow_table(records: Sequence[Columns], name: str) -> pa.Table:

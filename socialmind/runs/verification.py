@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coglogo_py.errors import one_line
+from coglogo_py.border.errors import one_line
 from socialmind.agents.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
-from socialmind.runs import capsule as capsules
+from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.columns import from_arrow
 from socialmind.runs.execution import Progress, run
@@ -90,7 +90,7 @@ def replay(
     """
     stored = Capsule(folder)
     manifest = stored.manifest
-    if manifest.status != capsules.FINISHED:
+    if manifest.status != folders.FINISHED:
         raise SocialmindError(
             f"{stored.folder}: the run is {manifest.status} at tick {manifest.ticks_done} of "
             f"{manifest.ticks}; finish it with --resume first"
@@ -98,13 +98,13 @@ def replay(
     require_minds(stored, trust)
     cls = recorded_class(stored, kept, trust) if model_class is None else model_class
     notes = [changed] if (changed := changes_since(stored, cls)) else []
-    here = capsules.versions()
+    here = folders.versions()
     notes += [
         f"{name} {here.get(name)} here, {version} in the run"
         for name, version in manifest.versions.items()
         if here.get(name) != version
     ]
-    exact = manifest.platforms == [capsules.fingerprint()]
+    exact = manifest.platforms == [folders.fingerprint()]
     differences = _tampering(stored)
     first = next(iter(getattr(cls, "populations", {})), None)
     with tempfile.TemporaryDirectory(prefix="socialmind-replay-") as place:

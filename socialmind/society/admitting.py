@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from typing import Any
 
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import SocialmindError, UnknownNameError, nearest
 from socialmind.society.declaration import SETTINGS
 from socialmind.society.parameter import Parameter

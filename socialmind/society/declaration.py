@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from types import FunctionType
 from typing import Any, NamedTuple
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
 from socialmind.agents.attributes import ArrayField, HeldArray
+from socialmind.agents.running import Running
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field, declared, place_of_field, presence
 from socialmind.society.parameter import Parameter
@@ -71,7 +72,7 @@ class Declaration(NamedTuple):
 def kept_names(model: type) -> frozenset[str]:
     """Return the names under which an instance keeps what is its own, and what it is made with."""
     made_with = list(inspect.signature(model).parameters)[:-1]
-    return frozenset((*model.__annotations__, *made_with, "world"))
+    return frozenset((*Running.__annotations__, *model.__annotations__, *made_with, "world"))
 
 
 def declaration_of(cls: type, model: type) -> Declaration:

@@ -7,17 +7,23 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from coglogo_py import CognitiveScheme
-from coglogo_py.errors import shown
-from coglogo_py.memory import check_memory
+from coglogo_py.border.errors import shown
+from coglogo_py.border.memory import check_memory
 from coglogo_py.society import Society
 from socialmind.agents.running import Running
 from socialmind.compiling.layout import row_dtype
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, presence
+from socialmind.society.connection import names_of_minds
 from socialmind.society.parameter import Parameter
 from socialmind.society.population import Population
 from socialmind.society.table import Table
+from socialmind.streams import STREAM
+from socialmind.worlds.contract import Ground, World
 
 if TYPE_CHECKING:
     from socialmind.mind.population_minds import PopulationMinds
@@ -55,20 +61,68 @@ def set_values(
         context[field.name] = 0 if default is None else default
 
 
-def ignored(interruptions: Mapping[str, Any], without: tuple[str, ...], model: str) -> int:
-    """Return which interruptions are not heeded, as bits.
+def engine_named(physics: str, engines: tuple[str, ...], model: str) -> str:
+    """Return what moves bodies in a model's world.
+
+    Raises:
+        SocialmindError: the world has no such engine.
+    """
+    if physics not in engines:
+        why = nearest(physics, engines) if len(engines) > 1 else "it has no plane"
+        raise SocialmindError(f"physics={physics!r} for {model}; {why}")
+    return physics
+
+
+def ignore(
+    context: Any, interruptions: Mapping[str, Any], without: tuple[str, ...], model: str
+) -> None:
+    """Note in the record of a society which interruptions are not heeded, as bits.
 
     Raises:
         SocialmindError: there is no such interruption.
     """
-    names, bits = list(interruptions), 0
+    names = list(interruptions)
     for name in without:
         if name not in names:
             raise SocialmindError(
                 f"no interruption called {name!r} in {model}; {nearest(name, names)}"
             )
-        bits |= 1 << names.index(name)
-    return bits
+        context["_ignored"] |= 1 << names.index(name)
+
+
+def new_stream(seed: int) -> NDArray[Any]:
+    """Return the state of a society's compiled draws, keyed by its seed."""
+    stream = np.zeros(1, STREAM)
+    stream["key_0"], stream["key_1"] = seed & 0xFFFFFFFF, seed >> 32
+    return stream
+
+
+def ground_of(society: Running, world: World) -> Ground:
+    """Return the world of a society whose record is filled.
+
+    Raises:
+        SocialmindError: the parameter that gives its size is less than 1.
+    """
+    size = None if world.size is None else size_of(society.context, world.size, 1)
+    return world.ground(society, size)
+
+
+def names_in_minds(society: Running, files: Mapping[str, Path]) -> dict[str, NDArray[np.int64]]:
+    """Return where in the minds of each population the names stand that its rules write.
+
+    Args:
+        society: with its schemes and assemblies.
+        files: where the schemes were read from, for errors.
+
+    Raises:
+        ModelError: a rule names what the minds do not have.
+    """
+    found = {}
+    for name in society.populations:
+        scheme, assembly = society.schemes.get(name), society.assemblies.get(name)
+        places = names_of_minds(society.program, name, scheme, assembly, files.get(name))
+        found[name] = np.array(places, np.int64)
+    return found
 
 
 def size_of(context: Any, size: int | str, least: int) -> int:

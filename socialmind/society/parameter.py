@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.errors import nearest, shown
-from coglogo_py.numbers import is_number, is_truth, is_whole
+from coglogo_py.border.errors import nearest, shown
+from coglogo_py.border.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError, SocialmindError, UnknownNameError
 
 if TYPE_CHECKING:

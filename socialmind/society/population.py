@@ -11,8 +11,8 @@ from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_truth, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_truth, is_whole
 from socialmind.agents.agent import Agent
 from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from socialmind.mind.description import MindDescription
     from socialmind.mind.weighing import Weighing
     from socialmind.worlds.plane.bodies import Disc
-    from socialmind.worlds.plane.devices import Act, Sense
-    from socialmind.worlds.plane.sensors import RangeFinder
+    from socialmind.worlds.plane.devices.device import Act, Sense
+    from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 
 TAKEN_NAMES = frozenset(

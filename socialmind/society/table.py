@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
 from socialmind.agents.attributes import unknown
 from socialmind.agents.bookkeeping import (
     ALIVE,

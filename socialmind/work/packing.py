@@ -70,10 +70,10 @@ def reference(something: Any) -> tuple[Any, tuple[str, str, str, str, str]]:
     for known, folder in catalogue().items():
         if file.is_relative_to(folder.resolve()):
             model = known
-    return _found, (name, str(file), model, inner, something.__qualname__)
+    return _in_file, (name, str(file), model, inner, something.__qualname__)
 
 
-def _found(name: str, file: str, model: str, inner: str, qualified: str) -> Any:
+def _in_file(name: str, file: str, model: str, inner: str, qualified: str) -> Any:
     """Return a class or function by its module's name and file.
 
     Args:

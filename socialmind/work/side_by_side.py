@@ -1,63 +1,61 @@
-"""A study's runs in other processes: one function, called with many arguments side by side.
-
-What comes out is the same for any number of processes.
-"""
+"""One function called with many arguments, in other processes, a few at a time."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import BrokenExecutor
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from itertools import chain, islice
 from typing import Any
 
-from socialmind.errors import SocialmindError
-from socialmind.learning.episodes.evaluators import cores
-from socialmind.work.importable import found, referred
-from socialmind.work.processes import dismiss, pool
+from socialmind.work.workers import Alone, Processes, workers_here
 
-LOST = "a worker's process was ended; is there memory enough? fewer workers need less"
-"""What is said when another process is gone without a word."""
-WAITING = 2
-"""Calls that each process has before it, so that none is ever idle."""
+
+@dataclass(frozen=True, eq=False)
+class _Calls:
+    """Calls of a function, several to a job; the task and its worker in one."""
+
+    function: Callable[..., Any]
+
+    def worker(self) -> _Calls:
+        return self
+
+    def do(self, job: list[tuple[Any, ...]]) -> list[Any]:
+        return [self.function(*arguments) for arguments in job]
+
+    def stop(self) -> None:
+        """A call that has begun comes to its end."""
 
 
 def side_by_side(
-    function: Callable[..., Any], calls: Sequence[tuple[Any, ...]], workers: int | None = None
+    function: Callable[..., Any],
+    calls: Iterable[tuple[Any, ...]],
+    workers: int | None = None,
+    together: int = 1,
 ) -> Iterator[Any]:
     """Call a function with each of many arguments, some at a time, and yield the results in order.
+
+    The results are the same for any number of processes. Calls are taken as results are, so there
+    may be more of them than memory holds.
 
     Args:
         function: of a module that can be imported, or of a file of a model or a study.
         calls: the arguments of each call; plain values, which another process can be told.
         workers: processes; one for each processor by default. With 1 all is done here.
+        together: how many calls a process is given at once; several where they are short.
 
     Yields:
         What each call returns, in the order of the calls.
 
     Raises:
-        SocialmindError: a process was killed.
+        SocialmindError: processes were killed again and again.
 
     >>> list(side_by_side(divmod, [(7, 2), (9, 4)], workers=1))
     [(3, 1), (2, 1)]
     """
-    count = min(workers or cores(), len(calls))
-    if count <= 1:
-        for arguments in calls:
-            yield function(*arguments)
-        return
-    hired = pool(count)
-    try:
-        reference = referred(function)
-        waiting = [hired.submit(_called, reference, one) for one in calls[: WAITING * count]]
-        for place in range(len(calls)):
-            yield waiting.pop(0).result()
-            following = place + WAITING * count
-            if following < len(calls):
-                waiting.append(hired.submit(_called, reference, calls[following]))
-    except BrokenExecutor:
-        raise SocialmindError(LOST) from None
-    finally:
-        dismiss(hired)
-
-
-def _called(reference: Any, arguments: tuple[Any, ...]) -> Any:
-    return found(reference)(*arguments)
+    coming = iter(calls)
+    jobs = iter(lambda: list(islice(coming, together)), [])
+    count = workers_here(workers)
+    first = list(islice(jobs, count))
+    with Alone() if min(count, len(first)) <= 1 else Processes(len(first)) as hired:
+        for results in hired.results(_Calls(function), chain(first, jobs)):
+            yield from results

@@ -11,7 +11,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from socialmind.experiments.trainings.plans import Plans, most_ticks
+from socialmind.experiments.trainings.plans import TrainingPlans, most_ticks
 from socialmind.learning import Curriculum, Training
 from socialmind.sources.loading import load_file
 
@@ -260,7 +260,7 @@ def test_a_study_goes_from_training_to_table(tmp_path, monkeypatch):
     block = near["tables"].Block(near["tables"].ENDS, ("objects",), (structure,))
     table = near["tables"].Table("table-6.1", "one row", (block,))
     monkeypatch.setattr(near["tables"], "TABLES", (table,))
-    plans = Plans(tmp_path, {"monolith_at_once": plan})
+    plans = TrainingPlans(tmp_path, {"monolith_at_once": plan})
     monkeypatch.setattr(near["trainings"], "PLANS", plans)
     monkeypatch.setattr(near["standings"], "WORLDS", 2)
     (study,) = (one for one in studies.studies if one.name == "table-6.1")

@@ -1,6 +1,5 @@
 """The comparison of programmed and learned specialisation, on tiny worlds and made-up numbers."""
 
-import math
 import re
 import sys
 from pathlib import Path
@@ -17,9 +16,9 @@ from socialmind.sources.loading import load_file
 FOLDER = Path(__file__).parents[2] / "analysis" / "specialisation"
 making = load_file(FOLDER / "making.py")
 PACKAGE = making.__name__
-farmers, findings, report, runs, societies, tables, worlds = (
+farmers, page_module, report, runs, societies, tables, worlds = (
     sys.modules[f"{PACKAGE}.{name}"]
-    for name in ("farmers", "findings", "report", "runs", "societies", "tables", "worlds")
+    for name in ("farmers", "page", "report", "runs", "societies", "tables", "worlds")
 )
 RESAMPLES = 200  # enough to see that intervals are the same
 TINY = societies.Size(2, 2000, (0.0, 1 / 3, 1.0), 2, 1500)
@@ -216,100 +215,28 @@ def test_mixtures_beyond_both_kinds():
     slopes = tables.slopes(pd.DataFrame(rows), ["last_distance"])
     assert (slopes["low"] < 0).all()
     assert (slopes["high"] > 0).all()
-    told = " ".join(findings.mixture(tables.slopes(pd.DataFrame(rows), tables.OVER_SHARES), found))
-    assert "a mixture with 4 of 9 programmed stays farther from the wanted split" in told
-    assert "shows no trend" in told
+    shown = page_module.beyond_table(found)
+    assert "<td>ratio turned round</td><td>Distance</td><td>4</td><td>more</td>" in shown
+    assert page_module.beyond_table({}) == ""
 
 
-# Sentences ----------------------------------------------------------------------------------------
+# What was found -----------------------------------------------------------------------------------
 
 
-def synthetic(programmed, learned, thesis=6.0):
-    """Worlds in which societies are so far from the wanted split."""
-    rng = np.random.default_rng(2)
-    rows = []
-    for society in societies.SOCIETIES:
-        far = {"programmed": programmed, "learned": learned, "thesis": thesis}.get(society, 3.0)
-        for condition in societies.CONDITIONS:
-            for seed in range(10):
-                level = max(far + rng.normal() / 20, 0.0)
-                settles = far <= 1
-                rows.append(
-                    {
-                        "society": society, "condition": condition, "seed": seed,
-                        "last_distance": level, "within": float(settles),
-                        "settling_ticks": 4000.0 + seed if settles else math.inf,
-                        "settled_after": 4000.0 + seed if settles else 60_000.0,
-                        "late_changes": level, "changes": level, "specialised": 1 - far / 10,
-                        "agents_to_tasks": 1 - far / 7 if settles else 0.1,
-                        "agents_to_tasks_by_chance": 0.1, "delivered": 600.0 - far,
-                        "in_ratio": 500.0 - 10 * level,
-                    }
-                )  # fmt: skip
-    frame = tables.judged(pd.DataFrame(rows))
-    measures = [*tables.MEASURED, "settled", "agents_to_tasks_by_chance", "beyond_chance"]
-    return (
-        tables.means(frame, ["society", "condition"], measures),
-        tables.differences(frame, ["learned"]),
-    )
+@pytest.mark.parametrize("section", ["summary", "mixed", "farmers", *societies.CONDITIONS])
+def test_what_was_found_is_written_for_each_part_and_stands_on_the_kept_page(section):
+    written = page_module.findings(section)
+    assert written.count("<li>") >= 4
+    assert written in (FOLDER / "results" / "specialisation.html").read_text(encoding="utf-8")
 
 
-def test_sentences_follow_the_numbers():
-    near = findings.calm(*synthetic(programmed=0.9, learned=0.2))
-    told = " ".join(near)
-    assert "in 90 % of the worlds or more: “programmed” and “learned”." in told
-    assert "the programmed society, set against the learned one, stays farther from the" in told
-    assert "as in the thesis does not settle" in told
-    assert "In “fixed roles”, “random roles”, “greedy” and “as in the thesis” it is no more" in told
-    turned = " ".join(findings.calm(*synthetic(programmed=0.2, learned=0.9, thesis=0.3)))
-    assert "set against the learned one, stays nearer to the wanted split" in turned
-    assert "as in the thesis settles" in turned
-    alike = " ".join(findings.calm(*synthetic(programmed=0.5, learned=0.5)))
-    assert "There is no clear difference in" in alike or "differ clearly in nothing" in alike
-
-
-def test_shocks_are_told_by_who_settles():
-    told = " ".join(findings.shocked(*synthetic(0.2, 4.0), "turned"))
-    assert (
-        "With the ratio turned round, these shares of worlds settle again: programmed 100 %" in told
-    )
-    assert re.search(r"Hardly ever do “learned”, “fixed roles”", told)
-    assert "Most objects in the wanted ratio are brought home by “programmed”" in told
-
-
-def village(learned):
-    rows = [
-        {"society": one, "measure": name, "mean": mean, "low": mean - 0.01, "high": mean + 0.01}
-        for one, (wheat, division) in {
-            "written": (0.9, 0.8), "learned": learned, "distilled": (1.1, 0.01),
-        }.items()
-        for name, mean in (("prosperity", wheat), ("beyond_chance", division), ("delivered", 9.0))
-    ]  # fmt: skip
-    return pd.DataFrame(rows)
-
-
-def test_the_summary_follows_the_numbers():
-    told = " ".join(findings.summary(*synthetic(0.2, 4.0), village((1.2, 0.0)), 0.96))
-    assert "Undisturbed, “programmed” settles" in told
-    assert "In as many “programmed” settles again after each of the shocks." in told
-    assert "Whatever happens, the programmed society stays nearer to the wanted split" in told
-    assert "the written one divides its work" in told
-    assert "the most wheat has the learned one" in told
-    other = " ".join(findings.summary(*synthetic(4.0, 4.0), village((0.5, 0.7)), 0.5))
-    assert "No society settles in 90 % of undisturbed worlds." in other
-    assert "the written and learned ones divide their work" in other
-    assert "the most wheat has the distilled one" in other
-
-
-def test_overall_says_where():
-    measured = tables.MEASURED["last_distance"]
-    some = findings.overall(measured, {"undisturbed": 1, "turned": 0, "added": -1})
-    assert some == (
-        "The programmed society stays farther from the wanted split than the learned one "
-        "(undisturbed) and stays nearer to the wanted split than the learned one (three added); "
-        "else there is no clear difference."
-    )
-    none = findings.overall(measured, {"undisturbed": 0, "turned": 0})
-    assert none == (
-        "There is no clear difference in the distance to the wanted split, whatever happens."
-    )
+def test_effects_that_are_written_are_those_of_the_kept_tables():
+    made = FOLDER / "results" / "specialisation"
+    differences = pd.read_csv(made / "differences.csv")
+    pairs = differences.query("society == 'programmed' and reference == 'learned'")
+    for condition in societies.CONDITIONS:
+        written = page_module.findings(condition)
+        row = pairs.query(f"condition == '{condition}' and measure == 'changes'").iloc[0]
+        low, high = row["difference_low"], row["difference_high"]
+        told = f"(difference {row['difference']:.2f} ({low:.2f} to {high:.2f}); g {row['g']:.1f})"
+        assert told.replace("-", "−") in written

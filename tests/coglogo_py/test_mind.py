@@ -402,7 +402,7 @@ def test_what_is_no_finite_number_is_refused(society, command, names, value):
     mind = society.new_mind()
     mind.create_and_join_group("herd", "leader")
     before = bytes_of(society)
-    with pytest.raises(MindError, match=f"{command} .*expected a finite number, found"):
+    with pytest.raises(MindError, match=f"{command} .*found .*; expected a finite number"):
         getattr(mind, command)(*names, value)
     assert bytes_of(society) == before
 

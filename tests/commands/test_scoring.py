@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from socialmind.catalogue import load_model
-from socialmind.commands.scoring import Score
-from socialmind.experiments.scoring import score
+from socialmind.experiments.scoring import Score, score
 
 ROVERS = Path(__file__).parents[1] / "runs" / "rovers"
 

@@ -10,7 +10,9 @@ import pytest
 
 import socialmind
 from coglogo_py import arrays
-from socialmind.compiling.reached import fingerprint, reached_files
+from coglogo_py.compiled.reached import reached_files
+from socialmind.compiling import modules
+from socialmind.compiling.reached import fingerprint
 from socialmind.engine import module_text as loop
 from socialmind.worlds.plane.kernel import code
 
@@ -27,7 +29,8 @@ def test_files_are_followed_through_files():
 
 
 def test_what_a_decision_maker_may_call_is_among_them():
-    names = {one.name for one in reached_files(loop.HEAD)}
+    text = f"{loop.HEAD}\n{loop.AGENTS}\n{modules._MAKERS}"
+    names = {one.name for one in reached_files(text)}
     assert {"kernel.py", "streams.py", "borrow.py", "decision.py"} <= names
     assert reached_files("import numpy as np\nfrom math import sqrt") == ()
     several = "from coglogo_py.arrays import (\n    MindArrays,\n    SchemeArrays as _S,\n)\n"

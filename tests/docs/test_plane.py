@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from socialmind.sources.loading import load_file
-from socialmind.worlds.plane.actuators import ACTUATORS
-from socialmind.worlds.plane.devices import GIVEN
-from socialmind.worlds.plane.interruptions import INTERRUPTIONS
-from socialmind.worlds.plane.rewards import REWARDS
-from socialmind.worlds.plane.sensors import SENSORS
+from socialmind.worlds.plane.devices.actuators import ACTUATORS
+from socialmind.worlds.plane.devices.device import GIVEN
+from socialmind.worlds.plane.devices.interruptions import INTERRUPTIONS
+from socialmind.worlds.plane.devices.rewards import REWARDS
+from socialmind.worlds.plane.devices.sensors import SENSORS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "plane.md").read_text("utf-8")
 BLOCK = re.compile(r"```python\n(.*?)```", re.DOTALL)

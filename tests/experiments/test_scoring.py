@@ -128,7 +128,7 @@ def test_robots_have_measures_anyway():
     assert score(Wanderers, episodes=2, ticks=5, on_collision="continue").frame.equals(found.frame)
     with pytest.raises(SocialmindError, match="wanderers has no interruption called 'collision'"):
         score(Wanderers, on_collision="end")
-    with pytest.raises(ModelError, match="a model that other processes cannot load"):
+    with pytest.raises(ModelError, match="what other processes cannot load"):
         score(Wanderers, episodes=2, ticks=5, engine="pymunk", workers=2)
 
 
@@ -178,9 +178,9 @@ def test_what_is_wrong_is_said(rovers):
         score(load_model("boids"))
     for options, said in [
         ({"engine": "jet"}, "engine 'jet'"),
-        ({"episodes": 0}, "episodes 0; expected a whole number, 1 or more"),
-        ({"seed": -1}, "seed -1; expected"),
-        ({"workers": 0}, "0 workers; expected 1 or more"),
+        ({"episodes": 0}, "episodes: found 0; expected a whole number, 1 or more"),
+        ({"seed": -1}, "seed: found -1; expected"),
+        ({"workers": 0}, "workers: found 0; expected a whole number, 1 or more"),
         ({"on_collision": "stop"}, "on a collision 'stop'; there is end, continue"),
         ({"ticks": 0}, "ticks: found 0"),
     ]:

@@ -50,8 +50,11 @@ def _content(model):
     found = {name: model.contexts[name] for name in ("_tick", "_idle", "_idle_agent", "_idle_tick")}
     for variable in model.variables.values():
         found |= {name: model.contexts[name] for name, *_ in variable.dtype}
-    if model.grid is not None:
-        found |= {f"world.{name}": model.grid.rows[name] for name in model.grid.rows.dtype.names}
+    if model.ground.layered:
+        found |= {
+            f"world.{name}": model.ground.world.rows[name]
+            for name in model.ground.world.rows.dtype.names
+        }
     for name, table in model.tables.items():
         rows = table.rows[table.slots]
         found |= {f"{name}.{column}": rows[column] for column in rows.dtype.names}

@@ -15,7 +15,7 @@ import ipywidgets  # noqa: E402
 from mesa.visualization import SolaraViz, SpaceRenderer, make_plot_component  # noqa: E402
 from mesa.visualization.components import AgentPortrayalStyle  # noqa: E402
 
-HOME = Path(__file__).parent.parent
+HOME = Path(__file__).parents[2]
 FarmerArtisan = load_model("farmer_artisan")
 
 

@@ -46,8 +46,7 @@ def populations_of(society, table):
 
     Where the table does not say: the robots of a plane, the first that has minds, or the first.
     """
-    plane = society.shape.plane
-    robots = plane.robots if plane is not None else {}
+    robots = society.shape.world.robots
     first = next(iter(robots or society.schemes or society.tables))
     return table.get("population", [first] * len(table["agent"]))
 
@@ -174,7 +173,7 @@ def test_another_seed_is_another_run_where_anything_is_drawn(model):
 def numbers(society):
     """Return the series but for what ended it, which is a text or nothing."""
     series = society.series()
-    if society.shape.plane is not None and "over" in series:
+    if society.shape.world.has_episodes and "over" in series:
         assert series.pop("over") == society.over
     return series
 

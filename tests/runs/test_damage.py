@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coglogo_py.errors import CogLogoError
+from coglogo_py.border.errors import CogLogoError
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Interrupted, Run, replay, resume, run
 from socialmind.runs import execution

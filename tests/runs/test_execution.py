@@ -258,6 +258,7 @@ from socialmind.runs import execution
 from socialmind.runs import arrays_file
 from socialmind.runs import capsule
 from socialmind.runs import checkpoint
+from socialmind.runs import continuing
 from socialmind.runs import tables
 def die():
     os.kill(os.getpid(), signal.SIGKILL)
@@ -295,8 +296,8 @@ MOMENTS = {
     "between a checkpoint and the manifest": (
         "die_after(2, capsule.Capsule, 'update'); start(checkpoint_every=0.0)"
     ),
-    "before the merge": "die_after(0, execution, 'merge'); start()",
-    "between the two merges": "die_after(1, execution, 'merge'); start()",
+    "before the merge": "die_after(0, continuing, 'merge'); start()",
+    "between the two merges": "die_after(1, continuing, 'merge'); start()",
     "in a merge": "die_after(1, tables.ContentDigest, 'update'); start()",
     "between the merge and the manifest": "die_after(1, capsule.Capsule, 'update'); start()",
     "before the parts are removed": "die_after(1, execution.shutil, 'rmtree'); start()",
@@ -501,12 +502,12 @@ def test_fresh_folders_are_numbered(drifters, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"ticks": -1}, "ticks -1"),
-        ({"ticks": 1e3}, "ticks 1000.0"),
-        ({"ticks": 5, "every": 0}, "every 0"),
-        ({"ticks": 5, "agents_every": 0}, "agents_every 0"),
-        ({"ticks": 5, "seed": -1}, "seed -1"),
-        ({"ticks": 5, "seed": 2**64}, "seed 18446744073709551616"),
+        ({"ticks": -1}, "ticks: found -1"),
+        ({"ticks": 1e3}, "ticks: found 1000.0"),
+        ({"ticks": 5, "every": 0}, "every: found 0"),
+        ({"ticks": 5, "agents_every": 0}, "agents_every: found 0"),
+        ({"ticks": 5, "seed": -1}, "seed: found -1"),
+        ({"ticks": 5, "seed": 2**64}, "seed: found 18446744073709551616"),
     ],
 )
 def test_numbers_out_of_range_are_refused(drifters, tmp_path, options, message):

@@ -15,7 +15,7 @@ from socialmind.catalogue import load_model
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill
 from socialmind.mind.hierarchy import Hierarchy
 from socialmind.mind.minds import Minds
-from socialmind.model import KEPT_BY_MODELS
+from socialmind.society.declaration import kept_names
 from socialmind.sources.loading import load_file
 
 
@@ -65,7 +65,7 @@ def test_a_copy_goes_on_bit_by_bit_and_apart_from_the_original(name, settings, w
 
 
 def test_what_a_model_keeps_is_known():
-    assert set(vars(load_model("foraging")(compiled=False))) <= KEPT_BY_MODELS
+    assert set(vars(load_model("foraging")(compiled=False))) <= kept_names(Model)
 
 
 class Walker(Agent):

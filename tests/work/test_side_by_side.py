@@ -1,5 +1,6 @@
 """Calls in other processes."""
 
+import itertools
 import os
 from pathlib import Path
 
@@ -34,3 +35,13 @@ def test_one_worker_is_this_process(study):
 def test_a_failure_is_raised_here(study):
     with pytest.raises(ValueError, match="5"):
         list(side_by_side(study.refused, [(5,), (6,)], workers=2))
+
+
+def test_calls_without_end_go_to_processes_several_at_once(study):
+    calls = ((number,) for number in itertools.count())
+    found = side_by_side(study.doubled, calls, workers=2, together=5)
+    results = list(itertools.islice(found, 12))
+    found.close()
+    assert [number for number, _ in results] == list(range(0, 24, 2))
+    assert len({process for _, process in results[:5]}) == 1
+    assert next(calls)[0] < 100

@@ -57,7 +57,7 @@ class Repeated:
     ) -> None:
         self._model: Model = model_of(capsule, kept=kept, trust=trust)
         self.scene: Scene = scene_of(self._model)
-        self.robot = self._found(robot, mind)
+        self.robot = self._robot_to_follow(robot, mind)
         self.mind: AgentState | None = None
         self._with_mind = mind
         if mind and self.robot is not None:
@@ -70,7 +70,7 @@ class Repeated:
         self._paths: dict[tuple[str, int], _Path] = {}
         self._note()
 
-    def _found(self, robot: Name | None, mind: bool) -> tuple[str, int] | None:
+    def _robot_to_follow(self, robot: Name | None, mind: bool) -> tuple[str, int] | None:
         team, identity = robot or (None, None)
         minded = self._model.assemblies if mind else self._model.populations
         for one in self.scene.robots:

@@ -22,7 +22,7 @@ from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.execution import learn, resume
 from socialmind.learning.training.result import Training
 from socialmind.mind import MindDescription
-from socialmind.runs.capsule import MANIFEST
+from socialmind.runs.folders import MANIFEST
 
 PACE = 2_000_000
 """Ticks a second that two processors do at least with one robot in each world, for a word on how
@@ -30,7 +30,7 @@ long a training takes."""
 
 
 @dataclass(frozen=True)
-class Plan:
+class TrainingPlan:
     """A training: what learns what, how often.
 
     Attributes:
@@ -61,7 +61,7 @@ class Plan:
         population: int = 40,
         repetitions: int = 3,
         ticks: int | None = None,
-    ) -> Plan:
+    ) -> TrainingPlan:
         """Return a plan of a minute or so: its results show that all works, and nothing else.
 
         Args:
@@ -118,21 +118,21 @@ def most_ticks(lesson: Lesson) -> int:
 
 
 @dataclass(frozen=True, eq=False)
-class Plans(Mapping[str, Plan]):
+class TrainingPlans(Mapping[str, TrainingPlan]):
     """The plans of a study's topic by name, and where their trainings lie.
 
     Attributes:
         topic: its folder. Trainings are made in its `trainings/`, and what they came to is kept in
             its `results/trainings/`.
         plans: by name.
-        small: arguments of `Plan.small` for quick versions, where they are not its own.
+        small: arguments of `TrainingPlan.small` for quick versions, where they are not its own.
     """
 
     topic: Path
-    plans: Mapping[str, Plan]
+    plans: Mapping[str, TrainingPlan]
     small: Mapping[str, int] = field(default_factory=dict)
 
-    def __getitem__(self, name: str) -> Plan:
+    def __getitem__(self, name: str) -> TrainingPlan:
         return self.plans[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -151,7 +151,7 @@ class Plans(Mapping[str, Plan]):
         """Where what they came to is kept."""
         return self.topic / "results" / "trainings"
 
-    def made(self, name: str) -> Training:
+    def train_on(self, name: str) -> Training:
         """Make a training in `home`, or go on with it; it begins with what is kept of it.
 
         Args:
@@ -160,7 +160,7 @@ class Plans(Mapping[str, Plan]):
         plan, folder = self[name], self.home / name
         if not folder.is_dir():
             take_out(self.kept / name, folder)
-        return plan.train(folder, on_lesson=told)
+        return plan.train(folder, on_lesson=print_lesson)
 
     def training(self, name: str, way: Way, out: Path) -> tuple[Training | None, str]:
         """Return a training for a study, and a line on where it comes from.
@@ -183,7 +183,7 @@ class Plans(Mapping[str, Plan]):
                 "and the same command goes on"
             )
         print(line, file=sys.stderr, flush=True)
-        training = plan.train(home / name, on_lesson=told)
+        training = plan.train(home / name, on_lesson=print_lesson)
         size = "trained from nothing" if way is Way.FULL else "trained small"
         return training, (
             f"`{name}`: {plan.about}. {_counted(len(training.attempts))}, {size}, seed {plan.seed}."
@@ -244,7 +244,7 @@ class Plans(Mapping[str, Plan]):
                 for one in rescore(self.kept / name, self[name])
             ]
             return f"{name}: {'; '.join(found) or 'all lessons come to the same scores'}"
-        return f"{name} {self.made(name).folder}"
+        return f"{name} {self.train_on(name).folder}"
 
 
 def attempts_of(
@@ -262,7 +262,7 @@ def attempts_of(
             yield name, attempt, training.mind(attempt)
 
 
-def told(attempt: int, lesson: Lesson, result: Any) -> None:
+def print_lesson(attempt: int, lesson: Lesson, result: Any) -> None:
     """Say what came of a lesson."""
     line = f"attempt {attempt}, {lesson.name}: {result.score:.4g} ± {result.deviation:.2g}"
     print(line, file=sys.stderr, flush=True)

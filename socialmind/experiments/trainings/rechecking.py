@@ -23,16 +23,17 @@ from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import load_result, result_file
 from socialmind.learning.training.finalists import individual_of
 from socialmind.learning.training.result import Training
-from socialmind.learning.training.teaching import ground_of
+from socialmind.learning.training.teaching import evaluation_of
 from socialmind.mind import MindDescription
-from socialmind.runs.capsule import MANIFEST, replace_file
+from socialmind.runs.folders import MANIFEST
 from socialmind.sources.folders import model_folder, source_hash
+from socialmind.work.files import replace_file
 
 if TYPE_CHECKING:
-    from socialmind.experiments.trainings.plans import Plan
+    from socialmind.experiments.trainings.plans import TrainingPlan
 
 
-class Judged(NamedTuple):
+class Rescored(NamedTuple):
     """A kept lesson whose winner was judged again.
 
     Attributes:
@@ -50,7 +51,7 @@ class Judged(NamedTuple):
     file: Path
 
 
-def recheck(kept: Path, plan: Plan) -> int:
+def recheck(kept: Path, plan: TrainingPlan) -> int:
     """Judge a kept training's winners again, and take today's model for its own if all agree.
 
     Args:
@@ -64,7 +65,7 @@ def recheck(kept: Path, plan: Plan) -> int:
         SocialmindError: the lessons are others, or a winner comes to another score.
     """
     training, judged = Training(kept), 0
-    for one in _judged(training, plan):
+    for one in _rescored(training, plan):
         if one.now != one.before:
             raise SocialmindError(
                 f"{training.folder}: attempt {one.attempt} comes to {one.now} in the finals of "
@@ -80,7 +81,7 @@ def recheck(kept: Path, plan: Plan) -> int:
     return judged
 
 
-def rescore(kept: Path, plan: Plan) -> list[Judged]:
+def rescore(kept: Path, plan: TrainingPlan) -> list[Rescored]:
     """Judge a kept training's winners again, and keep the scores that they come to today.
 
     For a fault of the scoring that was mended: what was learned stays, and who was chosen.
@@ -95,14 +96,14 @@ def rescore(kept: Path, plan: Plan) -> list[Judged]:
     Raises:
         SocialmindError: the lessons are others.
     """
-    others = [one for one in _judged(Training(kept), plan) if one.now != one.before]
+    others = [one for one in _rescored(Training(kept), plan) if one.now != one.before]
     for one in others:
         record, arrays = archive.load(one.file)
         archive.save(one.file, {**record, "score": one.now}, arrays, compressed=True)
     return others
 
 
-def _judged(training: Training, plan: Plan) -> Iterator[Judged]:
+def _rescored(training: Training, plan: TrainingPlan) -> Iterator[Rescored]:
     """Judge the winners of all kept lessons once more, in the worlds of their finals."""
     if LESSONS in differences(training, plan):
         raise SocialmindError(f"{training.folder}: of other lessons than the plan has; train anew")
@@ -117,7 +118,7 @@ def _judged(training: Training, plan: Plan) -> Iterator[Judged]:
             key = training.manifest.seed, attempt
             found = _finals(lesson, mind, winner.genome, key, training)
             file = result_file(folder, number)
-            yield Judged(attempt, lesson.name, record["score"], found, file)
+            yield Rescored(attempt, lesson.name, record["score"], found, file)
             learned = winner.given_to([mind.skill(one) for one in lesson.skills])
             mind = mind.with_modules(skills=learned)
 
@@ -129,6 +130,6 @@ def _finals(
     key: tuple[int, int],
     training: Training,
 ) -> float:
-    episodes = ground_of(lesson, mind, training.manifest.engine).episodes()
+    episodes = evaluation_of(lesson, mind, training.manifest.engine).episodes()
     worlds = seeds_for(lesson.finals, FINAL, *key, lesson.name, 1)
     return float(episodes.run(genome[None], worlds).score.mean(axis=1)[0])

@@ -14,16 +14,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import SocialmindError
-from socialmind.learning.episodes.evaluation import files_of
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import CHECKPOINT, result_file
 from socialmind.learning.training.capsule import TrainingManifest
 from socialmind.learning.training.result import Training
-from socialmind.runs.capsule import FINISHED, INTERRUPTED, MANIFEST, replace_file
+from socialmind.mind.files.packing import files_of
+from socialmind.runs.folders import FINISHED, INTERRUPTED, MANIFEST
 from socialmind.sources.folders import model_folder, source_hash
+from socialmind.work.files import replace_file
 
 if TYPE_CHECKING:
-    from socialmind.experiments.trainings.plans import Plan
+    from socialmind.experiments.trainings.plans import TrainingPlan
 
 LESSONS, SOURCE = "the lessons", "the model's source"
 
@@ -131,7 +132,7 @@ def take_out(kept: Path, folder: Path) -> bool:
     return True
 
 
-def differences(training: Training, plan: Plan) -> list[str]:
+def differences(training: Training, plan: TrainingPlan) -> list[str]:
     """Return in what a training is another one than its plan would give today."""
     manifest = training.manifest
     lessons = json.loads(json.dumps(plan.curriculum().record(), default=str))

@@ -24,16 +24,16 @@ from socialmind.language.typing.operators import typed_power
 from socialmind.language.typing.signatures import MATH, WRITTEN, Signature
 
 if TYPE_CHECKING:
-    from socialmind.language.typing.expressions import ExpressionTyper
+    from socialmind.language.typer import Typer
 
 
-def built_in(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
+def built_in(typer: Typer, node: ast.Call, name: str) -> Typed:
     """Return the call of a built-in function as both speeds run it."""
     without_keywords(typer, node, name)
     return BUILT_IN[name](typer, node)
 
 
-def without_keywords(typer: ExpressionTyper, node: ast.Call, name: str) -> None:
+def without_keywords(typer: Typer, node: ast.Call, name: str) -> None:
     """Refuse a call with keywords."""
     if node.keywords:
         advice = f"write the values in their order, without names: {name}({WRITTEN.get(name, '…')})"
@@ -42,9 +42,7 @@ def without_keywords(typer: ExpressionTyper, node: ast.Call, name: str) -> None:
         typer.refuse(node, f"{name}() with {node.keywords[0].arg}=", advice)
 
 
-def fitted(
-    typer: ExpressionTyper, node: ast.Call, name: str, signature: Signature
-) -> list[ast.expr]:
+def fitted(typer: Typer, node: ast.Call, name: str, signature: Signature) -> list[ast.expr]:
     """Return the arguments of a call as the types that its signature wants."""
     wanted = signature.arguments
     if len(node.args) != len(wanted):
@@ -59,7 +57,7 @@ def fitted(
     ]
 
 
-def math_function(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
+def math_function(typer: Typer, node: ast.Call, name: str) -> Typed:
     """Return the call of a function of `math` as both speeds run it."""
     if name == "pow" and len(node.args) == 2:
         base, exponent = (
@@ -76,31 +74,31 @@ def math_function(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
     return call(f"_{name}", fitted(typer, node, f"math.{name}", signature), node), signature.result
 
 
-def _only(typer: ExpressionTyper, node: ast.Call, name: str) -> ast.expr:
+def _only(typer: Typer, node: ast.Call, name: str) -> ast.expr:
     if len(node.args) != 1:
         typer.refuse(node, f"{name}() of {len(node.args)} values", f"write {name}(x)", "one value")
     return node.args[0]
 
 
-def _abs(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _abs(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.number(_only(typer, node, "abs"))
     return call("_absolute_int" if kind == INT else "_abs", [value], node), kind
 
 
-def _int(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _int(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.number(_only(typer, node, "int"))
     return (value if kind == INT else call("_to_int", [value], node)), INT
 
 
-def _float(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _float(typer: Typer, node: ast.Call) -> Typed:
     return typer.to_float(*typer.number(_only(typer, node, "float"))), FLOAT
 
 
-def _bool(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _bool(typer: Typer, node: ast.Call) -> Typed:
     return typer.truth_value(_only(typer, node, "bool"))
 
 
-def _round(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _round(typer: Typer, node: ast.Call) -> Typed:
     if len(node.args) == 2:
         typer.refuse(
             node,
@@ -111,8 +109,8 @@ def _round(typer: ExpressionTyper, node: ast.Call) -> Typed:
     return (value if kind == INT else call("_round_half_even", [value], node)), INT
 
 
-def _extreme(name: str) -> Callable[[ExpressionTyper, ast.Call], Typed]:
-    def typed(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _extreme(name: str) -> Callable[[Typer, ast.Call], Typed]:
+    def typed(typer: Typer, node: ast.Call) -> Typed:
         if len(node.args) == 1:
             value, kind = typer.several(node.args[0])
             if isinstance(kind, TableType) and isinstance(kind.item, Type):
@@ -138,7 +136,7 @@ def _extreme(name: str) -> Callable[[ExpressionTyper, ast.Call], Typed]:
     return typed
 
 
-def _sum(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _sum(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.several(_only(typer, node, "sum"))
     if isinstance(kind, TableType) and kind.item in (BOOL, INT):
         return call("_total_int", [tables.written(tuple(map(int, kind.values)), node)], node), INT
@@ -151,7 +149,7 @@ def _sum(typer: ExpressionTyper, node: ast.Call) -> Typed:
     return call("_total_int", [value], node), INT
 
 
-def _len(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _len(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.several(_only(typer, node, "len"))
     if isinstance(kind, TableType):
         return constant(len(kind.values), node), INT
@@ -162,18 +160,18 @@ def _len(typer: ExpressionTyper, node: ast.Call) -> Typed:
     return typer.refuse(node, f"the length of {kind}", "count populations and array fields")
 
 
-def _range(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _range(typer: Typer, node: ast.Call) -> Typed:
     return typer.refuse(node, "range() as a value", "write `for i in range(…):`")
 
 
-def _print(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _print(typer: Typer, node: ast.Call) -> Typed:
     if typer.program.compiled:
         typer.refuse(node, f"print() in the rule {typer.source.name!r}", NAMES["print"])
     values = [typer.expression(argument)[0] for argument in node.args]
     return call("_print", values, node), NONE
 
 
-def _breakpoint(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def _breakpoint(typer: Typer, node: ast.Call) -> Typed:
     if typer.program.compiled:
         typer.refuse(
             node, "breakpoint() in a compiled run", "run with --interpreted to step through"
@@ -181,7 +179,7 @@ def _breakpoint(typer: ExpressionTyper, node: ast.Call) -> Typed:
     return call("_breakpoint", [], node), NONE
 
 
-BUILT_IN: dict[str, Callable[[ExpressionTyper, ast.Call], Typed]] = {
+BUILT_IN: dict[str, Callable[[Typer, ast.Call], Typed]] = {
     "abs": _abs,
     "int": _int,
     "float": _float,

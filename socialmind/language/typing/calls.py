@@ -43,10 +43,10 @@ from socialmind.language.typing.hierarchies import hierarchy_call
 from socialmind.language.typing.signatures import CHOSEN, MIND, Signature
 
 if TYPE_CHECKING:
-    from socialmind.language.typing.expressions import ExpressionTyper
+    from socialmind.language.typer import Typer
 
 
-def typed_call(typer: ExpressionTyper, node: ast.Call) -> Typed:
+def typed_call(typer: Typer, node: ast.Call) -> Typed:
     """Return a call as both speeds run it, and the type of its result."""
     for argument in node.args:
         if isinstance(argument, ast.Starred):
@@ -65,7 +65,7 @@ def typed_call(typer: ExpressionTyper, node: ast.Call) -> Typed:
     return typer.refuse(node, "a call of something without a name", "call a function by its name")
 
 
-def _called_by_name(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
+def _called_by_name(typer: Typer, node: ast.Call, name: str) -> Typed:
     if name in typer.variables:
         typer.refuse(
             node, f"a call of {name!r}, which is {typer.variables[name]}", "call a function"
@@ -82,7 +82,7 @@ def _called_by_name(typer: ExpressionTyper, node: ast.Call, name: str) -> Typed:
 
 
 def _called_in_module(
-    typer: ExpressionTyper, node: ast.Call, module: python_types.ModuleType, name: str
+    typer: Typer, node: ast.Call, module: python_types.ModuleType, name: str
 ) -> Typed:
     full = f"{module.__name__}.{name}"
     root = module.__name__.split(".")[0]
@@ -94,7 +94,7 @@ def _called_in_module(
     return _called_value(typer, node, full, names.get(name))
 
 
-def _called_value(typer: ExpressionTyper, node: ast.Call, name: str, value: Any) -> Typed:
+def _called_value(typer: Typer, node: ast.Call, name: str, value: Any) -> Typed:
     if isinstance(value, python_types.FunctionType):
         return helper(typer, node, value)
     module = _module_of(value)
@@ -123,9 +123,7 @@ def _module_of(value: Any) -> str:
     return str(getattr(value, "__module__", None) or "").split(".")[0]
 
 
-def helper(
-    typer: ExpressionTyper, node: ast.Call, function: Any, first: list[Typed] | None = None
-) -> Typed:
+def helper(typer: Typer, node: ast.Call, function: Any, first: list[Typed] | None = None) -> Typed:
     """Type the call of a plain function, which becomes part of the program itself."""
     source = typer.program.source(function)
     names = source.parameters
@@ -184,7 +182,7 @@ def helper(
 # Methods ------------------------------------------------------------------------------------------
 
 
-def _method(typer: ExpressionTyper, node: ast.Call, func: ast.Attribute) -> Typed:
+def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
     base, kind = typer.expression(func.value)
     name = func.attr
     if kind == RNG_TYPE:
@@ -214,9 +212,7 @@ def _made(node: ast.Call, base: ast.expr, name: str, arguments: list[ast.expr], 
     return marked(ast.copy_location(ast.Call(func, arguments, []), node), mark)
 
 
-def _mind(
-    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: MindType, name: str
-) -> Typed:
+def _mind(typer: Typer, node: ast.Call, base: ast.expr, kind: MindType, name: str) -> Typed:
     if name not in MIND:
         typer.refuse(node, f"the mind's {name}()", nearest(name, MIND))
     without_keywords(typer, node, f"mind.{name}")
@@ -259,9 +255,7 @@ def _mind(
     ), result
 
 
-def _agent(
-    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: RowType, name: str
-) -> Typed:
+def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: RowType, name: str) -> Typed:
     population = kind.population
     if name in ("die", "hatch"):
         typer.program.changes(population)
@@ -303,7 +297,7 @@ def _agent(
     )
 
 
-def _alone(typer: ExpressionTyper, node: ast.Call, name: str, written: str) -> None:
+def _alone(typer: Typer, node: ast.Call, name: str, written: str) -> None:
     """Refuse what is given to a birth: how many are born, or with what fields."""
     fields = [one.arg for one in node.keywords if one.arg != "keep_groups"]
     if node.args:
@@ -318,7 +312,7 @@ def _alone(typer: ExpressionTyper, node: ast.Call, name: str, written: str) -> N
 
 
 def _population(
-    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: PopulationType, name: str
+    typer: Typer, node: ast.Call, base: ast.expr, kind: PopulationType, name: str
 ) -> Typed:
     row = RowType(kind.population)
     if name == "create":
@@ -344,9 +338,7 @@ def _population(
     )
 
 
-def _world(
-    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: WorldType, name: str
-) -> Typed:
+def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: WorldType, name: str) -> Typed:
     world = typer.shape.world
     if name == "patch" and world.patch is not None:
         arguments = fitted(typer, node, "patch", Signature((FLOAT, FLOAT), NONE))

@@ -21,7 +21,7 @@ from socialmind.language.types import (
 from socialmind.language.typing import tables
 
 if TYPE_CHECKING:
-    from socialmind.language.typing.expressions import ExpressionTyper
+    from socialmind.language.typer import Typer
 
 _SAMENESS: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Is: ast.Eq,
@@ -31,7 +31,7 @@ _SAMENESS: dict[type[ast.cmpop], type[ast.cmpop]] = {
 }
 
 
-def typed_comparison(typer: ExpressionTyper, node: ast.Compare) -> Typed:
+def typed_comparison(typer: Typer, node: ast.Compare) -> Typed:
     """Return a comparison as both speeds run it; its type is a truth value."""
     sides = [node.left, *node.comparators]
     if any(isinstance(op, ast.Is | ast.IsNot | ast.In | ast.NotIn) for op in node.ops) or any(
@@ -63,7 +63,7 @@ def _compare(node: ast.Compare, values: list[ast.expr]) -> ast.expr:
     return ast.copy_location(ast.Compare(values[0], node.ops, values[1:]), node)
 
 
-def _identity(typer: ExpressionTyper, node: ast.Compare) -> Typed:
+def _identity(typer: Typer, node: ast.Compare) -> Typed:
     """Type `is None`, `is not None` and `is` between agents."""
     operator = node.ops[0]
     if len(node.ops) > 1:
@@ -92,7 +92,7 @@ def _identity(typer: ExpressionTyper, node: ast.Compare) -> Typed:
     return typer.refuse(node, "`is` between values", "write `==`; `is` is for None and agents")
 
 
-def _one_of_several(typer: ExpressionTyper, node: ast.Compare, operator: ast.cmpop) -> Typed:
+def _one_of_several(typer: Typer, node: ast.Compare, operator: ast.cmpop) -> Typed:
     """Type `x in (1, 2)` as `x == 1 or x == 2`, where asking again changes nothing."""
     several = node.comparators[0]
     if isinstance(several, ast.Name | ast.Attribute):
@@ -126,7 +126,7 @@ def _one_of_several(typer: ExpressionTyper, node: ast.Compare, operator: ast.cmp
     return typer.expression(ast.copy_location(joined, node))
 
 
-def _agents(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typed:
+def _agents(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
     """Type the question whether two agents are the same one."""
     (left, kind), (right, other) = typed[0], typed[-1]
     operator = _SAMENESS.get(type(node.ops[0]))
@@ -145,7 +145,7 @@ def _agents(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Ty
     return ast.copy_location(ast.Compare(ids[0], [operator()], [ids[1]]), node), BOOL
 
 
-def _choices(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typed:
+def _choices(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
     """Type `model.trade == "barter"`; compiled, a choice is its place among the texts."""
     if len(typed) != 2 or not isinstance(node.ops[0], ast.Eq | ast.NotEq):
         typer.refuse(node, "choices in a comparison of size", "compare them with == or !=")
@@ -165,7 +165,7 @@ def _choices(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> T
     return _compare(node, values), BOOL
 
 
-def _plans(typer: ExpressionTyper, node: ast.Compare, typed: list[Typed]) -> Typed:
+def _plans(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
     """Type `human.plan == "GrowWheat"`."""
     if len(typed) != 2 or not isinstance(node.ops[0], ast.Eq | ast.NotEq):
         typer.refuse(node, "plans in a comparison of size", "compare them with == or !=")

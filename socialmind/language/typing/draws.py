@@ -14,10 +14,10 @@ from socialmind.language.typing.built_in import fitted, without_keywords
 from socialmind.language.typing.signatures import OF_SEVERAL, RNG
 
 if TYPE_CHECKING:
-    from socialmind.language.typing.expressions import ExpressionTyper
+    from socialmind.language.typer import Typer
 
 
-def typed_draw(typer: ExpressionTyper, node: ast.Call, stream: ast.expr, name: str) -> Typed:
+def typed_draw(typer: Typer, node: ast.Call, stream: ast.expr, name: str) -> Typed:
     """Return a draw as both speeds run it, and the type of what is drawn."""
     if name == "choice":
         return _choice(typer, node, stream)
@@ -42,7 +42,7 @@ def drawn(node: ast.AST, stream: ast.expr, name: str, arguments: list[ast.expr])
     return marked(made, ("draw", name, len(arguments)))
 
 
-def permutation(typer: ExpressionTyper, node: ast.Call, stream: ast.expr) -> ast.expr:
+def permutation(typer: Typer, node: ast.Call, stream: ast.expr) -> ast.expr:
     """Return what a for loop in a random order runs over."""
     without_keywords(typer, node, "rng.permutation")
     if len(node.args) != 1:
@@ -51,7 +51,7 @@ def permutation(typer: ExpressionTyper, node: ast.Call, stream: ast.expr) -> ast
     return drawn(node, stream, "permutation", [n])
 
 
-def _shuffle(typer: ExpressionTyper, node: ast.Call, stream: ast.expr) -> Typed:
+def _shuffle(typer: Typer, node: ast.Call, stream: ast.expr) -> Typed:
     without_keywords(typer, node, "rng.shuffle")
     if len(node.args) != 1:
         typer.refuse(node, "rng.shuffle() like this", "write rng.shuffle(agent.array)")
@@ -69,7 +69,7 @@ def _shuffle(typer: ExpressionTyper, node: ast.Call, stream: ast.expr) -> Typed:
     return drawn(node, stream, "shuffle", [value]), NONE
 
 
-def _choice(typer: ExpressionTyper, node: ast.Call, stream: ast.expr) -> Typed:
+def _choice(typer: Typer, node: ast.Call, stream: ast.expr) -> Typed:
     """Type `rng.choice(values)` and `rng.choice(values, p=weights)` as a place of the values."""
     named = [one.arg for one in node.keywords]
     if len(node.args) != 1 or named not in ([], ["p"]):
@@ -117,7 +117,7 @@ def _size(kind: AnyType) -> int | None:
 
 
 def _place_in(
-    typer: ExpressionTyper, node: ast.Call, value: ast.expr, kind: AnyType, place: ast.expr
+    typer: Typer, node: ast.Call, value: ast.expr, kind: AnyType, place: ast.expr
 ) -> Typed:
     new = ast.copy_location(ast.Subscript(value, place, ast.Load()), node)
     if isinstance(kind, ArrayType):

@@ -14,6 +14,7 @@ from socialmind.fields import Field
 from socialmind.language import hints
 from socialmind.language.nodes import Typed, call, constant, marked, written_number
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
+from socialmind.language.shape import ModelShape
 from socialmind.language.source import RuleSource
 from socialmind.language.types import (
     BOOL,
@@ -70,7 +71,7 @@ class ExpressionTyper:
 
     def __init__(self, program: Any, source: RuleSource) -> None:
         self.program = program
-        self.shape = program.shape
+        self.shape: ModelShape = program.shape
         self.source = source
         self.variables: dict[str, AnyType] = {}
         self.assigned: set[str] = set()

@@ -11,11 +11,11 @@ from socialmind.language.types import HierarchyType, TextType, Type
 from socialmind.language.typing.signatures import BETWEEN_EVALUATIONS, HIERARCHY, LEFT_OUT
 
 if TYPE_CHECKING:
-    from socialmind.language.typing.expressions import ExpressionTyper
+    from socialmind.language.typer import Typer
 
 
 def hierarchy_call(
-    typer: ExpressionTyper, node: ast.Call, base: ast.expr, kind: HierarchyType, name: str
+    typer: Typer, node: ast.Call, base: ast.expr, kind: HierarchyType, name: str
 ) -> Typed:
     """Return a call of a hierarchy's method as both speeds run it, and the type of its result."""
     called = "mind" if kind.driven else "hierarchy"

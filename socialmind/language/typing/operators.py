@@ -10,7 +10,7 @@ from socialmind.language.refusals import OPERATORS
 from socialmind.language.types import BOOL, FLOAT, INT, TextType, unified
 
 if TYPE_CHECKING:
-    from socialmind.language.typing.expressions import ExpressionTyper
+    from socialmind.language.typer import Typer
 
 _INT_OPERATORS = {
     ast.Add: "add_int",
@@ -22,7 +22,7 @@ _INT_OPERATORS = {
 _LARGEST_WHOLE_EXPONENT = 16
 
 
-def typed_sign(typer: ExpressionTyper, node: ast.UnaryOp) -> Typed:
+def typed_sign(typer: Typer, node: ast.UnaryOp) -> Typed:
     """Return a signed number, or a `not`, as both speeds run it."""
     if isinstance(node.op, ast.Not):
         return typer.truth_value(node)
@@ -37,7 +37,7 @@ def typed_sign(typer: ExpressionTyper, node: ast.UnaryOp) -> Typed:
     return ast.copy_location(ast.UnaryOp(node.op, value), node), kind
 
 
-def typed_operation(typer: ExpressionTyper, node: ast.BinOp) -> Typed:
+def typed_operation(typer: Typer, node: ast.BinOp) -> Typed:
     """Return an operation on two numbers as both speeds run it."""
     if type(node.op) in OPERATORS:
         typer.refuse(
@@ -54,7 +54,7 @@ def typed_operation(typer: ExpressionTyper, node: ast.BinOp) -> Typed:
     return ast.copy_location(made, node), FLOAT
 
 
-def typed_power(typer: ExpressionTyper, node: ast.expr, left: Typed, right: Typed) -> Typed:
+def typed_power(typer: Typer, node: ast.expr, left: Typed, right: Typed) -> Typed:
     """Return a power by the one definition that both speeds share."""
     (base, base_kind), (exponent, kind) = left, right
     written = written_number(exponent) if isinstance(exponent, ast.Constant) else None
@@ -68,7 +68,7 @@ def typed_power(typer: ExpressionTyper, node: ast.expr, left: Typed, right: Type
     return call("_power", [base, typer.to_float(exponent, kind)], node), FLOAT
 
 
-def typed_logic(typer: ExpressionTyper, node: ast.BoolOp) -> Typed:
+def typed_logic(typer: Typer, node: ast.BoolOp) -> Typed:
     """Return `and` or `or` of truth values as both speeds run it."""
     parts = []
     for value in node.values:
@@ -83,7 +83,7 @@ def typed_logic(typer: ExpressionTyper, node: ast.BoolOp) -> Typed:
     return ast.copy_location(ast.BoolOp(node.op, parts), node), BOOL
 
 
-def typed_choice(typer: ExpressionTyper, node: ast.IfExp) -> Typed:
+def typed_choice(typer: Typer, node: ast.IfExp) -> Typed:
     """Return `a if condition else b` as both speeds run it."""
     test = typer.truth(node.test)
     yes, yes_kind = typer.there(node.body)

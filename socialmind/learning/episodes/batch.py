@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError
+from socialmind.learning.episodes.learners import Halted
 from socialmind.learning.outcome import Outcome, filled
 from socialmind.mind.minds import Minds
 from socialmind.society.connection import connect, connected_arrays
@@ -24,10 +25,6 @@ MOST_ROUNDS = 100_000
 """Ticks of all lanes between two looks at Ctrl-C, at most."""
 STRETCH = 0.2
 """Seconds, about, between two looks at Ctrl-C."""
-
-
-class Halted(Exception):  # noqa: N818  # who stops the episodes waits for it
-    """Episodes were stopped from another thread."""
 
 
 class Crowded(Exception):  # noqa: N818  # the episodes catch it

@@ -1,16 +1,12 @@
-"""Where individuals are judged: an environment, a mind, and the skills whose genomes they are."""
+"""How individuals are evaluated: an environment, a mind, and the skills whose genomes they are."""
 
 from __future__ import annotations
 
-import hashlib
 import inspect
-import pickle
-import tempfile
-import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import pairwise
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,8 +14,8 @@ from numpy.typing import NDArray
 
 from socialmind.errors import ModelError
 from socialmind.mind.description import MindDescription
+from socialmind.mind.files.packing import files_of, mind_of
 from socialmind.mind.modules import Skill
-from socialmind.work.importable import found, referred
 
 COMPILED, PYMUNK = "compiled", "pymunk"
 """The engines of physical worlds."""
@@ -27,7 +23,7 @@ COMPILED, PYMUNK = "compiled", "pymunk"
 Genomes = NDArray[np.float64]
 
 
-class Judged(NamedTuple):
+class Scores(NamedTuple):
     """What came of episodes: individuals by worlds.
 
     Attributes:
@@ -40,8 +36,8 @@ class Judged(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Ground:
-    """Where individuals are judged.
+class Evaluation:
+    """How individuals are evaluated.
 
     Attributes:
         environment: a model, or a class with the interface of `Episodes` but for the model.
@@ -63,8 +59,8 @@ class Ground:
     drive: Callable[..., None] | None = None
     engine: str = COMPILED
 
-    def with_skill(self, skill: Skill) -> Ground:
-        """Return the ground with another skill in the place of the one of its name."""
+    def with_skill(self, skill: Skill) -> Evaluation:
+        """Return the evaluation with another skill in the place of the one of its name."""
         return replace(self, mind=self.mind.with_modules(skills=[skill]))
 
     def episodes(self) -> Any:
@@ -90,64 +86,45 @@ class Ground:
 
         return Episodes(self.environment, **arguments)
 
-    def packed(self) -> PackedGround:
-        """Return the ground as it goes to another process.
+    def worker(self) -> _Evaluator:
+        """Return who evaluates genomes on worlds, one piece after another."""
+        return _Evaluator(self, self.episodes())
 
-        Raises:
-            ModelError: environment or drive are not found by another process.
-        """
-        files = files_of(self.mind)
-        rest = (
-            referred(self.environment), self.master, self.skills, self.ticks,
-            dict(self.parameters), referred(self.drive), self.engine,
+    @cached_property
+    def by_skill(self) -> EvaluationOfSkills:
+        """The evaluation of individuals that are whole skills, whose functions may differ."""
+        return EvaluationOfSkills(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The mind travels as its files, which may stand elsewhere on another machine, or nowhere.
+        return _unpacked, (
+            files_of(self.mind), self.environment, self.master, self.skills, self.ticks,
+            dict(self.parameters), self.drive, self.engine,
         )  # fmt: skip
-        try:
-            content = pickle.dumps((files, rest))
-        except (pickle.PicklingError, AttributeError, TypeError) as error:
-            raise ModelError(
-                f"an environment or drive that other processes cannot load ({error})",
-                "a class and a function of a file",
-                "write them into the model's lessons.py",
-            ) from None
-        return PackedGround(hashlib.sha256(content).hexdigest(), content)
 
 
-@dataclass(frozen=True)
-class PackedGround:
-    """A ground as bytes.
+def _unpacked(files: dict[str, bytes], environment: type[Any], *rest: Any) -> Evaluation:
+    return Evaluation(environment, mind_of(files), *rest)
 
-    Args:
-        key: the hash of the content.
-        content: the mind's files and the rest, pickled.
+
+@dataclass(frozen=True, eq=False)
+class EvaluationOfSkills:
+    """An evaluation of individuals that are whole skills: each has episodes of its own.
+
+    Attributes:
+        evaluation: the one with any of them.
     """
 
-    key: str
-    content: bytes = field(repr=False)
+    evaluation: Evaluation
 
-    def unpacked(self, folder: Path) -> Ground:
-        """Return the ground; its mind's files are put into a folder, which is to stay."""
-        files, rest = pickle.loads(self.content)
-        environment, master, skills, ticks, parameters, drive, engine = rest
-        for name, content in files.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(content)
-        mind = MindDescription.load(folder)
-        return Ground(
-            found(environment), mind, master, skills, ticks, parameters, found(drive), engine
-        )
-
-
-def files_of(mind: MindDescription) -> dict[str, bytes]:
-    """Return the files of a mind's folder, by their paths in it."""
-    with tempfile.TemporaryDirectory() as folder:
-        mind.save(folder)
-        paths = sorted(path for path in Path(folder).rglob("*") if path.is_file())
-        return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
+    def worker(self) -> _Evaluator:
+        """Return who evaluates skills on worlds, one piece after another."""
+        return _Evaluator(self.evaluation)
 
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """Individuals and worlds that are judged in one go.
+    """Individuals and worlds that are evaluated in one go.
 
     Attributes:
         individuals: the places of the individuals in the generation.
@@ -189,42 +166,57 @@ def _slices(length: int, count: int) -> list[slice]:
     return [slice(int(a), int(b)) for a, b in pairwise(bounds)]
 
 
-def judged(ground: Ground, piece: Piece, episodes: Any = None) -> Judged:
-    """Run the episodes of a piece.
+@dataclass(eq=False)
+class _Evaluator:
+    """Evaluates one piece after another.
 
-    Args:
-        ground: where.
-        piece: whom, and on which worlds.
-        episodes: the ground's `Episodes`, where they stand already.
-
-    Raises:
-        ModelError: scores that are no finite numbers, or of a wrong shape.
+    Attributes:
+        evaluation: where.
+        episodes: that genomes are put into; None for skills, which each have their own.
     """
-    if isinstance(piece.genomes, tuple):
-        outcomes = [
-            ground.with_skill(skill).episodes().run(None, piece.seeds) for skill in piece.genomes
-        ]
-    else:
-        standing = ground.episodes() if episodes is None else episodes
-        outcomes = [standing.run(piece.genomes, piece.seeds)]
-    found = Judged(
-        np.concatenate([np.asarray(one.score, np.float64) for one in outcomes]),
-        np.concatenate([np.asarray(one.ticks, np.int64) for one in outcomes]),
+
+    evaluation: Evaluation
+    episodes: Any = None
+
+    def stop(self) -> None:
+        """Drop the piece in hand soon."""
+        if self.episodes is not None:
+            self.episodes.stopped = True
+
+    def do(self, piece: Piece) -> Scores:
+        """Run the episodes of a piece.
+
+        Raises:
+            ModelError: scores that are no finite numbers, or of a wrong shape.
+        """
+        if self.episodes is None:
+            each = [self.evaluation.with_skill(skill).episodes() for skill in piece.genomes]
+            outcomes = [one.run(None, piece.seeds) for one in each]
+        else:
+            outcomes = [self.episodes.run(piece.genomes, piece.seeds)]
+        scores = Scores(
+            np.concatenate([np.asarray(one.score, np.float64) for one in outcomes]),
+            np.concatenate([np.asarray(one.ticks, np.int64) for one in outcomes]),
+        )
+        _check(scores, (len(piece.genomes), len(piece.seeds)), self.evaluation.environment)
+        return scores
+
+
+def _check(scores: Scores, shape: tuple[int, int], environment: type[Any]) -> None:
+    """Refuse scores of a wrong shape, and those that are no finite numbers."""
+    if scores.score.shape == shape and np.isfinite(scores.score).all():
+        return
+    wrong = (
+        f"scores of shape {scores.score.shape}"
+        if scores.score.shape != shape
+        else "scores that are no finite numbers"
     )
-    shape = (len(piece.genomes), len(piece.seeds))
-    if found.score.shape != shape or not np.isfinite(found.score).all():
-        wrong = (
-            f"scores of shape {found.score.shape}"
-            if found.score.shape != shape
-            else "scores that are no finite numbers"
-        )
-        raise ModelError(
-            f"{wrong} from the environment {ground.environment.__name__}",
-            f"finite scores of shape {shape}",
-            "look at its rewards",
-            _file_of(ground.environment),
-        )
-    return found
+    raise ModelError(
+        f"{wrong} from the environment {environment.__name__}",
+        f"finite scores of shape {shape}",
+        "look at its rewards",
+        _file_of(environment),
+    )
 
 
 def _file_of(environment: type[Any]) -> str | None:
@@ -232,21 +224,3 @@ def _file_of(environment: type[Any]) -> str | None:
         return inspect.getfile(environment)
     except (OSError, TypeError):
         return None
-
-
-_standing = threading.local()
-"""What a worker in another process keeps from one piece to the next: making it takes longer than
-running it."""
-
-
-def judged_elsewhere(packed: PackedGround, piece: Piece) -> Judged:
-    """Run the episodes of a piece in a worker's process; as `judged`."""
-    if getattr(_standing, "key", None) != packed.key:
-        _standing.key = None
-        _standing.folder = tempfile.TemporaryDirectory()
-        _standing.ground = packed.unpacked(Path(_standing.folder.name))
-        _standing.episodes = None
-        _standing.key = packed.key
-    if _standing.episodes is None and not isinstance(piece.genomes, tuple):
-        _standing.episodes = _standing.ground.episodes()
-    return judged(_standing.ground, piece, _standing.episodes)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind.description import MindDescription
 from socialmind.mind.steering import Steering
@@ -20,8 +21,12 @@ if TYPE_CHECKING:
     from socialmind.model import Model
 
 
+class Halted(Exception):  # noqa: N818  # who stops the episodes waits for it
+    """Episodes were stopped from another thread."""
+
+
 @dataclass(frozen=True, eq=False)
-class Pupils:
+class Learners:
     """The minds of a model of which some skills learn.
 
     Attributes:
@@ -68,7 +73,7 @@ class Pupils:
         sizes = [self.description.skills[name].genome_size for name in self.skills]
         return dict(zip(self.skills, np.split(genome, np.cumsum(sizes)[:-1]), strict=True))
 
-    def taught(self, genome: ArrayLike | None) -> dict[str, Steering]:
+    def steerings_with(self, genome: ArrayLike | None) -> dict[str, Steering]:
         """Return the minds of all populations, with a genome in that which learns."""
         steerings = dict(self.steerings)
         if genome is not None:
@@ -78,7 +83,7 @@ class Pupils:
         return steerings
 
 
-def pupils_of(
+def learners_of(
     model_class: type[Model],
     minded: Sequence[str],
     hierarchy: Any = None,
@@ -86,7 +91,7 @@ def pupils_of(
     skill: str | Sequence[str] | None = None,
     drive: Any = None,
     population: str | None = None,
-) -> Pupils:
+) -> Learners:
     """Return who learns in a model.
 
     Args:
@@ -126,7 +131,7 @@ def pupils_of(
             raise mine.skill(one).refused(
                 f"which the master {steerings[name].master!r} does not reach"
             )
-    return Pupils(name, skills, steerings)
+    return Learners(name, skills, steerings)
 
 
 def length_of(model_class: type[Model], ticks: int | None) -> int:
@@ -135,10 +140,18 @@ def length_of(model_class: type[Model], ticks: int | None) -> int:
     Raises:
         SocialmindError: fewer than 1.
     """
-    length = model_class.ticks if ticks is None else int(ticks)
-    if length < 1:
-        raise SocialmindError(f"ticks: found {ticks!r}; expected a whole number, 1 or more")
-    return length
+    return whole_number(
+        model_class.ticks if ticks is None else ticks, "ticks", 1, None, SocialmindError
+    )
+
+
+def world_seeds(seeds: Sequence[int]) -> list[int]:
+    """Return the seeds of worlds as Python's numbers.
+
+    Raises:
+        SocialmindError: one is no whole number, 0 … 2⁶⁴ − 1.
+    """
+    return [whole_number(one, "seed", 0, 2**64 - 1, SocialmindError) for one in seeds]
 
 
 def _described(steering: Steering) -> MindDescription:

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
-from socialmind.learning.episodes.batch import LANES, Batch, Crowded, Halted
-from socialmind.learning.episodes.learners import length_of, pupils_of
+from socialmind.learning.episodes.batch import LANES, Batch, Crowded
+from socialmind.learning.episodes.learners import Halted, learners_of, length_of, world_seeds
 from socialmind.learning.episodes.lives import Lives
 from socialmind.learning.outcome import Outcome, filled
 from socialmind.mind.description import MindDescription
@@ -81,9 +81,11 @@ class Episodes:
             if one.hierarchy is not None and name not in model_class.shape.world.robots:
                 raise ModelError(f"episodes with hierarchies of {name!r}", "those of robots alone")
         minded = [n for n, one in model_class.shape.world.robots.items() if one.hierarchy]
-        self.pupils = pupils_of(model_class, minded, hierarchy, master, skill, drive, population)
-        self.skills, self.population = self.pupils.skills, self.pupils.population
-        self.steerings, self.genome_size = self.pupils.steerings, self.pupils.genome_size
+        self.learners = learners_of(
+            model_class, minded, hierarchy, master, skill, drive, population
+        )
+        self.skills, self.population = self.learners.skills, self.learners.population
+        self.steerings, self.genome_size = self.learners.steerings, self.learners.genome_size
         self.robots = model_class.shape.world.robots
         self.recorded = {name: self._place(name) for name in self.record}
         self.stopped = False
@@ -105,7 +107,7 @@ class Episodes:
     @property
     def description(self) -> MindDescription:
         """The mind that learns, with zeros where a genome is still to be learned."""
-        return self.pupils.description
+        return self.learners.description
 
     def run(self, genomes: ArrayLike | None, seeds: Sequence[int]) -> Outcome:
         """Judge individuals, each in the same worlds.
@@ -118,17 +120,14 @@ class Episodes:
             ModelError: genomes of another shape, or that are not finite numbers.
             SocialmindError: an episode failed.
         """
-        rows = self.pupils.rows(genomes)
+        rows = self.learners.rows(genomes)
         individuals = 1 if genomes is None else len(rows)
         shape = (individuals, len(seeds))
         if 0 in shape:
             empty = np.zeros(shape)
             return Outcome(empty, empty.astype(int), empty.astype(int), {})
         individual = np.repeat(np.arange(individuals), len(seeds))
-        bad = [seed for seed in seeds if not 0 <= seed < 2**64]
-        if bad:
-            raise SocialmindError(f"seed: found {bad[0]!r}; expected a whole number, 0 … 2**64 - 1")
-        keys = np.tile(np.array(list(seeds), np.uint64), individuals)
+        keys = np.tile(np.array(world_seeds(seeds), np.uint64), individuals)
         if self.physics != "compiled":
             return self._one_by_one(rows, individual, keys, shape)
         lanes = min(self.lanes, len(keys))
@@ -149,7 +148,7 @@ class Episodes:
         """
         return self.model_class(
             seed=int(seed),
-            hierarchy=self.pupils.taught(genome),
+            hierarchy=self.learners.steerings_with(genome),
             physics=self.physics,
             without=self.without,
             **self.parameters,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from socialmind.errors import ModelError, SocialmindError, nearest
-from socialmind.learning.episodes.learners import length_of, pupils_of
+from socialmind.learning.episodes.learners import Halted, learners_of, length_of, world_seeds
 from socialmind.learning.outcome import Outcome
 from socialmind.names import several
 
@@ -38,6 +38,9 @@ class SocietyEpisodes:
         population: whose minds these are; the first one with a hierarchy by default.
         physics: "compiled", the only engine of such models.
         record: what to give back: columns of the model's series, at the end.
+
+    Attributes:
+        stopped: set by another thread, it ends `run` soon, with `Halted`.
 
     Raises:
         ModelError: a plane, no such skill or column, or a model that says no score.
@@ -70,9 +73,12 @@ class SocietyEpisodes:
         self.parameters = dict(parameters or {})
         self.ticks = length_of(model_class, ticks)
         minded = [n for n, one in model_class.populations.items() if one.hierarchy is not None]
-        self.pupils = pupils_of(model_class, minded, hierarchy, master, skill, drive, population)
-        self.genome_size = self.pupils.genome_size
+        self.learners = learners_of(
+            model_class, minded, hierarchy, master, skill, drive, population
+        )
+        self.genome_size = self.learners.genome_size
         self.record = several(record, "record")
+        self.stopped = False
         self._worlds: dict[int, tuple[Any, dict[str, NDArray[Any]]]] = {}
 
     def run(self, genomes: ArrayLike | None, seeds: Sequence[int]) -> Outcome:
@@ -86,14 +92,15 @@ class SocietyEpisodes:
             ModelError: genomes of another shape, or that are not finite numbers.
             SocialmindError: an episode failed.
         """
-        rows = self.pupils.rows(genomes)
+        rows = self.learners.rows(genomes)
         shape = (1 if genomes is None else len(rows), len(seeds))
         score = np.zeros(shape)
         fields: dict[str, list[Any]] = {name: [None] * score.size for name in self.record}
+        seeds = world_seeds(seeds)
         for world, seed in enumerate(seeds):
             for individual in range(shape[0]):
                 genome = rows[individual] if len(rows) else None
-                model, score[individual, world] = self._finished(int(seed), genome)
+                model, score[individual, world] = self._finished(seed, genome)
                 if self.record:
                     series = model.series()
                     for name, values in fields.items():
@@ -111,25 +118,27 @@ class SocietyEpisodes:
             genome: (`genome_size`,), or None for the mind as it is.
         """
         return self.model_class(
-            seed=int(seed), hierarchy=self.pupils.taught(genome), **self.parameters
+            seed=int(seed), hierarchy=self.learners.steerings_with(genome), **self.parameters
         )
 
     def _finished(self, seed: int, genome: NDArray[np.float64] | None) -> tuple[Any, float]:
         """Return the model of an episode at its end, and the score."""
         if seed not in self._worlds:
             made = self.model_class.before_setup(
-                seed=seed, hierarchy=self.pupils.steerings, **self.parameters
+                seed=seed, hierarchy=self.learners.steerings, **self.parameters
             )
             self._worlds[seed] = made, made.state()
         model, start = self._worlds[seed]
         model.restore(start)
         if genome is not None:
-            for skill, part in self.pupils.parts(genome).items():
-                model.tables[self.pupils.population].minds.set_genome(skill, part)
+            for skill, part in self.learners.parts(genome).items():
+                model.tables[self.learners.population].minds.set_genome(skill, part)
         model.engine.set_up()
         said = []
         every = self.model_class.score_every or self.ticks
         while model.tick < self.ticks:
+            if self.stopped:
+                raise Halted
             model.advance(min(every, self.ticks - model.tick))
             said.append(float(model.score()))
         return model, sum(said) / len(said)

@@ -118,7 +118,7 @@ class _FunctionController:
         return given.clip(0.0, 1.0)
 
 
-class Recorder:
+class AnswerRecorder:
     """Notes what a teacher answers to all inputs, while it or another steers.
 
     Args:

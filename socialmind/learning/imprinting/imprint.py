@@ -15,9 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.numbers import is_whole
 from socialmind.errors import ModelError
-from socialmind.learning.imprinting.controllers import Controller, Recorder, Source, controller_of
+from socialmind.learning.imprinting.controllers import (
+    AnswerRecorder,
+    Controller,
+    Source,
+    controller_of,
+)
 from socialmind.learning.imprinting.recording import Recording, check_fits, of_episodes
 from socialmind.learning.imprinting.supervised import train
 from socialmind.learning.imprinting.twin import Twin
@@ -79,7 +84,7 @@ def record(episode: Episode, source: Source, skill: Skill, seeds: Sequence[int])
     Raises:
         ModelError: the source does not fit the skill.
     """
-    recorder = Recorder(controller_of(source, skill))
+    recorder = AnswerRecorder(controller_of(source, skill))
     _scores(episode, recorder, seeds)
     return of_episodes(recorder.episodes, skill)
 
@@ -207,7 +212,7 @@ def imprint_in(
             beginning = skill if skill.genome is None else now.skill
         if lead >= -tolerance or number == rounds:
             break
-        visited = Recorder(teacher, learner)
+        visited = AnswerRecorder(teacher, learner)
         _scores(episode, visited, _seeds(seed, RECORDING, number, episodes))
         recording = recording.joined(of_episodes(visited.episodes, skill))
     found = best or now
@@ -238,7 +243,7 @@ def first_population(imprint: Imprint, size: int, spread: float, seed: int) -> N
 
 
 def _scores(
-    episode: Episode, controller: Controller | Recorder, seeds: Sequence[int]
+    episode: Episode, controller: Controller | AnswerRecorder, seeds: Sequence[int]
 ) -> list[float]:
     """Return the scores of episodes that a controller steers through."""
     scores = []

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning.episodes.lives import Lives
 from socialmind.learning.episodes.plane_episodes import Episodes
-from socialmind.learning.imprinting.controllers import Recorder, controller_of
+from socialmind.learning.imprinting.controllers import AnswerRecorder, controller_of
 from socialmind.learning.imprinting.recording import Recording, of_episodes
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.course import curriculum_of, mind_of
@@ -178,7 +178,9 @@ class PlaneWorld:
         if not ((rows >= 0.0) & (rows <= 1.0)).all():
             raise ModelError("commands outside their range", "numbers, 0 … 1")
         columns = [self._actuators.index(name) for name in names]
-        recorder = Recorder(controller_of(lambda inputs: rows[self._given, columns], self.skill))
+        recorder = AnswerRecorder(
+            controller_of(lambda inputs: rows[self._given, columns], self.skill)
+        )
         recorder.reset()
         self._run(recorder, seed, rows)
         return of_episodes(recorder.episodes, self.skill)

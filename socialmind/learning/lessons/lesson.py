@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, is_whole
 from socialmind.errors import ModelError
 from socialmind.learning.optimisers.contract import Optimiser
 from socialmind.learning.optimisers.registry import optimiser_named

@@ -89,7 +89,7 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
     try:
         kind = optimiser_named(arguments.get("optimiser", Lesson.optimiser))
     except ModelError as error:
-        raise _placed(error, path, places.get("LEARNINGMETHOD")) from None
+        raise _with_place(error, path, places.get("LEARNINGMETHOD")) from None
     given = {
         "generations": ("NUMGEN", task.generations),
         "repetitions": ("EVALREP", task.repetitions),
@@ -118,7 +118,7 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
             try:
                 settings[name] = kind.known_settings[name].checked(name, amount)
             except ModelError as error:
-                raise _placed(error, path, line) from None
+                raise _with_place(error, path, line) from None
         elif name not in anybody:
             known = [*WHOLE, *TEXTS, *NUMBERS, *(one.upper() for one in kind.known_settings)]
             raise ModelError(
@@ -131,8 +131,8 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
     try:
         return Lesson(**arguments, settings=settings)
     except ModelError as error:
-        raise _placed(error, path, None) from None
+        raise _with_place(error, path, None) from None
 
 
-def _placed(error: ModelError, path: Path, line: int | None) -> ModelError:
+def _with_place(error: ModelError, path: Path, line: int | None) -> ModelError:
     return ModelError(error.found, error.expected, error.remedy, path, error.line or line)

@@ -12,8 +12,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.learning.optimisers.generator import generator_at, words_of
 from socialmind.learning.optimisers.settings import Setting, checked

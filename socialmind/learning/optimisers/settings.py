@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number
 from socialmind.errors import ModelError
 
 

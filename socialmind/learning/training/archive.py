@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from coglogo_py.errors import CogLogoError, one_line
+from coglogo_py.border.errors import CogLogoError, one_line
 from socialmind.errors import SocialmindError
 from socialmind.runs.arrays_file import load_arrays, save_arrays
 

@@ -17,11 +17,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from socialmind.learning.episodes.evaluators import Stop, Workers
+from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.curriculum import Position
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training import archive
-from socialmind.learning.training.course import Course
+from socialmind.learning.training.course import TrainingCourse
 from socialmind.learning.training.finalists import arrays_of
 from socialmind.learning.training.teaching import Result, Teaching
 from socialmind.mind.functions.neat.graph import NeatGraph
@@ -36,6 +36,7 @@ from socialmind.runs.record import (
     optional,
     whole,
 )
+from socialmind.work.workers import Stop
 
 CHECKPOINT = "checkpoint.npz"
 
@@ -78,7 +79,7 @@ class Attempt:
         SocialmindError: its files are not whole.
     """
 
-    def __init__(self, folder: Path, number: int, course: Course) -> None:
+    def __init__(self, folder: Path, number: int, course: TrainingCourse) -> None:
         self.folder = folder
         self.number = number
         self.course = course
@@ -109,7 +110,7 @@ class Attempt:
 
     def go(
         self,
-        workers: Workers,
+        evaluators: Evaluators,
         stop: Stop,
         on_generation: Callable[[News], None],
         on_lesson: Callable[[Lesson, Result], None],
@@ -117,7 +118,7 @@ class Attempt:
         """Go on to the end of the curriculum.
 
         Args:
-            workers: who judge.
+            evaluators: who evaluate.
             stop: asked now and then whether to drop what is in hand.
             on_generation: called after each generation, when it is safe on disk.
             on_lesson: called after each lesson, likewise.
@@ -131,12 +132,12 @@ class Attempt:
                 self._teaching = self._taught(self._at)
             teaching, position = self._teaching, self._at
             while not (teaching.over or self._cycle_over):
-                teaching.advance(workers, stop)
+                teaching.advance(evaluators, stop)
                 self.seconds += max(0.0, time.perf_counter() - begun)
                 begun = time.perf_counter()
                 self._checkpoint()
                 on_generation(self._news(teaching, position))
-            result = teaching.result(workers, stop)
+            result = teaching.result(evaluators, stop)
             self.seconds += max(0.0, time.perf_counter() - begun)
             self._conclude(teaching, result)
             on_lesson(teaching.lesson, result)

@@ -1,29 +1,26 @@
-"""A training's folder: what is learned and from what, its lock, and where its files lie.
+"""A training's folder: what is learned and from what, and where its files lie.
 
-The folder appears whole, and every later version of its manifest replaces the one before in one
-step. How far an attempt came is the word of its own checkpoint.
+How far an attempt came is the word of its own checkpoint.
 """
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field, fields, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
-from coglogo_py.errors import shown
 from socialmind.errors import SocialmindError
-from socialmind.runs.capsule import (
+from socialmind.runs.folders import (
     FAILED,
     FINISHED,
+    FORMAT,
     INTERRUPTED,
     MANIFEST,
     RUNNING,
-    held,
-    placed,
-    replace_file,
+    FolderManifest,
+    ManifestFolder,
+    make_folder,
 )
 from socialmind.runs.record import (
     NUMBER,
@@ -36,22 +33,53 @@ from socialmind.runs.record import (
     Fields,
     Kind,
     Many,
-    check_record,
     one_of,
     optional,
-    read_record,
     whole,
     within,
 )
 
-FORMAT = 1
 KIND = "training"
 HOME = "trainings"
 MIND = "mind"
+_CHANGES = Fields(
+    dict.fromkeys(("generations", "budget", "cycles"), optional(whole(1))),
+    {"optimiser": optional(TEXT), "settings": Each(SETTING)},
+)
+_FIELDS = Fields(
+    {
+        "model": Fields(
+            {"name": optional(TEXT), "path": optional(PATH), "source_sha256": optional(SHA256)},
+            {"sources": SOURCES},
+        ),
+        "lessons": Many(Each(Kind("anything", lambda value: True))),
+        "changes": _CHANGES,
+        "mind": Fields({"name": TEXT, "sha256": SHA256}, {}),
+        "seed": whole(0, 2**64 - 1),
+        "engine": one_of("compiled", "pymunk"),
+        "attempts": whole(1, 2**31),
+    },
+    {
+        "chosen": Kind(
+            "a list of names, or null",
+            lambda value: (
+                value is None
+                or (isinstance(value, list) and all(isinstance(one, str) for one in value))
+            ),
+        ),
+        "finished": whole(),
+        "status": one_of(RUNNING, INTERRUPTED, FAILED, FINISHED),
+        "error": optional(TEXT),
+        "timings": Fields({}, {"created": TEXT, "seconds": NUMBER}),
+        "versions": Each(TEXT),
+        "platforms": Many(Each(TEXT)),
+    },
+)
+"""What a manifest holds; fields that came later may be missing."""
 
 
 @dataclass(frozen=True)
-class TrainingManifest:
+class TrainingManifest(FolderManifest):
     """What a training is and how far it came; the content of its ``manifest.json``.
 
     Args:
@@ -96,73 +124,18 @@ class TrainingManifest:
     kind: str = KIND
     format: int = FORMAT
 
-    @classmethod
-    def load(cls, path: Path) -> TrainingManifest:
-        """Read a manifest.
+    WHAT: ClassVar[str] = KIND
+    FIELDS: ClassVar[Fields] = _FIELDS
 
-        Raises:
-            SocialmindError: the file is missing, no training's, or of another format.
-        """
-        folder = path.parent
-        if not path.is_file():
-            what = f"not a training's folder, it holds no {path.name}"
-            raise SocialmindError(f"{folder}: {what if folder.is_dir() else 'no such folder'}")
-        content = read_record(path, "a training's manifest")
+    @classmethod
+    def _check_kind(cls, content: Mapping[str, Any], folder: Path) -> None:
         if content.get("kind") != KIND:
             raise SocialmindError(
                 f"{folder}: not a training's folder; `socialmind run --resume` goes on with a run"
             )
-        if content.get("format") != FORMAT:
-            raise SocialmindError(
-                f"{path}: format {shown(content.get('format'))}; expected {FORMAT}; "
-                "use the version of socialmind that wrote it"
-            )
-        check_record(content, _FIELDS, str(path))
-        known = {one.name for one in fields(cls)}
-        return cls(**{key: value for key, value in content.items() if key in known})
-
-    def content(self) -> bytes:
-        """Return the file's content."""
-        return (json.dumps(asdict(self), indent=2, ensure_ascii=False) + "\n").encode()
 
 
-_CHANGES = Fields(
-    dict.fromkeys(("generations", "budget", "cycles"), optional(whole(1))),
-    {"optimiser": optional(TEXT), "settings": Each(SETTING)},
-)
-_FIELDS = Fields(
-    {
-        "model": Fields(
-            {"name": optional(TEXT), "path": optional(PATH), "source_sha256": optional(SHA256)},
-            {"sources": SOURCES},
-        ),
-        "lessons": Many(Each(Kind("anything", lambda value: True))),
-        "changes": _CHANGES,
-        "mind": Fields({"name": TEXT, "sha256": SHA256}, {}),
-        "seed": whole(0, 2**64 - 1),
-        "engine": one_of("compiled", "pymunk"),
-        "attempts": whole(1, 2**31),
-    },
-    {
-        "chosen": Kind(
-            "a list of names, or null",
-            lambda value: (
-                value is None
-                or (isinstance(value, list) and all(isinstance(one, str) for one in value))
-            ),
-        ),
-        "finished": whole(),
-        "status": one_of(RUNNING, INTERRUPTED, FAILED, FINISHED),
-        "error": optional(TEXT),
-        "timings": Fields({}, {"created": TEXT, "seconds": NUMBER}),
-        "versions": Each(TEXT),
-        "platforms": Many(Each(TEXT)),
-    },
-)
-"""What a manifest holds; fields that came later may be missing."""
-
-
-class TrainingCapsule:
+class TrainingCapsule(ManifestFolder[TrainingManifest]):
     """A training's folder on disk.
 
     Args:
@@ -175,6 +148,8 @@ class TrainingCapsule:
     def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder).expanduser().absolute()
         self.manifest = TrainingManifest.load(self.folder / MANIFEST)
+
+    MANIFEST_CLASS = TrainingManifest
 
     @classmethod
     def create(
@@ -193,7 +168,7 @@ class TrainingCapsule:
         """
         files = {f"{MIND}/{name}": content for name, content in mind.items()}
         files[MANIFEST] = manifest.content()
-        return cls(placed(out, HOME, manifest.model["name"] or KIND, files))
+        return cls(make_folder(out, HOME, manifest.model["name"] or KIND, files))
 
     @property
     def mind(self) -> Path:
@@ -217,19 +192,3 @@ class TrainingCapsule:
     def learned(self, number: int) -> Path:
         """The folder of the mind that an attempt has learned."""
         return within(self.folder, f"mind-attempt-{number}")
-
-    def update(self, **changes: Any) -> None:
-        """Change fields of the manifest, in memory and on disk."""
-        self.manifest = replace(self.manifest, **changes)
-        replace_file(self.folder / MANIFEST, self.manifest.content())
-
-    @contextmanager
-    def locked(self) -> Iterator[None]:
-        """Hold the folder for this process; the lock ends with the process, however it ends.
-
-        Raises:
-            SocialmindError: another process holds it.
-        """
-        with held(self.folder):
-            self.manifest = TrainingManifest.load(self.folder / MANIFEST)
-            yield

@@ -25,7 +25,7 @@ SIMBATCH = ".simbatch"
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class TrainingCourse:
     """What all attempts of a training have in common.
 
     Attributes:

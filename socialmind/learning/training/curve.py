@@ -17,7 +17,7 @@ from socialmind.learning.training.attempt import (
     result_file,
 )
 from socialmind.learning.training.teaching import COLUMNS, VALIDATED
-from socialmind.runs.arrays_file import make_room
+from socialmind.work.files import make_room
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -93,7 +93,7 @@ def write_curve(curve: pd.DataFrame, path: Path) -> dict[str, Any]:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    from socialmind.runs.tables import ContentDigest
+    from socialmind.runs.digest import ContentDigest
 
     table = pa.Table.from_pandas(curve, preserve_index=False).replace_schema_metadata(None)
     unfinished = make_room(path.with_name(path.name + ".partial"))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -10,30 +9,36 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
-from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK, files_of
-from socialmind.learning.episodes.evaluators import Stopped, hired
+from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK
+from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
-from socialmind.learning.training.attempt import Attempt, News, load_result
+from socialmind.learning.training.attempt import Attempt, News
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
-from socialmind.learning.training.course import SIMBATCH, Course, curriculum_of, mind_of
+from socialmind.learning.training.continuing import (
+    as_json,
+    check_folder,
+    hash_of,
+    recorded_curriculum,
+    with_changes,
+)
+from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curriculum_of, mind_of
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
 from socialmind.learning.training.teaching import Result
 from socialmind.mind.description import MindDescription
+from socialmind.mind.files.packing import files_of
 from socialmind.model import Model
-from socialmind.runs import capsule as capsules
-from socialmind.runs.arrays_file import refuse_folder, remove
+from socialmind.runs import folders
 from socialmind.runs.execution import NO_ROOM, no_room
-from socialmind.runs.sources import edited, model_source
-from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
-from socialmind.sources.provenance import difference, sources_of
+from socialmind.runs.sources import model_source
 from socialmind.sources.trust import programs_in, remember, require
-from socialmind.version import __version__
+from socialmind.work.files import remove
 from socialmind.work.signals import deferred_signals
+from socialmind.work.workers import Stopped, hired
 
 OnGeneration = Callable[[News, float | None], None]
 OnLesson = Callable[[int, Lesson, Result], None]
@@ -96,8 +101,8 @@ def learn(
         budget: ticks after which no other generation of a lesson begins; of a cycle, those of all
             its lessons together.
         cycles: how often cycles go round.
-        workers: how many judge side by side; one for each processor by default.
-        cluster: the address of a Dask scheduler, whose workers judge then.
+        workers: how many evaluate side by side; one for each processor by default.
+        cluster: the address of a Dask scheduler, whose workers evaluate then.
         on_generation: called after each generation with its `News` and the seconds left, if they
             are known.
         on_lesson: called after each lesson with the attempt, the lesson and its `Result`.
@@ -119,29 +124,29 @@ def learn(
         raise SocialmindError(f"engine {engine!r}; expected {COMPILED} or {PYMUNK}")
     target = None if out is None else Path(out)
     if target is not None:
-        capsules.refuse_unless_free(target.expanduser())
+        folders.refuse_unless_free(target.expanduser())
     curriculum, folder = curriculum_of(model, lessons)
     begun = mind_of(model, curriculum, folder, mind)
     changes = {
         "optimiser": optimiser, "settings": dict(settings or {}), "generations": generations,
         "budget": budget, "cycles": cycles,
     }  # fmt: skip
-    curriculum = changed(curriculum, changes)
-    Course(curriculum, begun, seed, engine)  # which refuses what does not fit together
+    curriculum = with_changes(curriculum, changes)
+    TrainingCourse(curriculum, begun, seed, engine)  # which refuses what does not fit together
     files = files_of(begun)
     remember({path: content for path, content in files.items() if path.endswith(".py")})
     manifest = TrainingManifest(
         model=_source(model),
-        lessons=_as_json(curriculum.record()),
+        lessons=as_json(curriculum.record()),
         chosen=_chosen(lessons),
         changes=changes,
-        mind={"name": begun.name, "sha256": _hash(files)},
+        mind={"name": begun.name, "sha256": hash_of(files)},
         seed=seed,
         engine=engine,
         attempts=attempts,
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds"), "seconds": 0.0},
-        versions=capsules.versions(),
-        platforms=[capsules.fingerprint()],
+        versions=folders.versions(),
+        platforms=[folders.fingerprint()],
     )
     capsule = TrainingCapsule.create(target, manifest, files)
     with capsule.locked():
@@ -193,69 +198,22 @@ def resume(
                 f"{attempts} now; attempts can be added, not taken away"
             )
         require(programs_in(capsule.mind), trust, f"{capsule.folder}: its copy of a mind")
-        curriculum = _recorded(capsule, lessons, trust)
+        curriculum = recorded_curriculum(capsule, lessons, trust)
         changes = dict(manifest.changes)
         if cycles is not None:
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
-        _check(capsule, curriculum)
-        machine = capsules.fingerprint()
+        check_folder(capsule, curriculum)
+        machine = folders.fingerprint()
         known = manifest.platforms
         capsule.update(
             attempts=attempts or manifest.attempts,
-            lessons=_as_json(curriculum.record()),
+            lessons=as_json(curriculum.record()),
             changes=changes,
             platforms=known if machine in known else [*known, machine],
         )
         _go(capsule, curriculum, workers, cluster, on_generation, on_lesson)
     return capsule.folder
-
-
-def _check(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
-    """Look at all that a training goes on from, before anything is written.
-
-    Raises:
-        SocialmindError: a file is missing, cut off or changed.
-    """
-    manifest = capsule.manifest
-    files = {
-        path.relative_to(capsule.mind).as_posix(): path.read_bytes()
-        for path in capsule.mind.rglob("*")
-        if path.is_file() and "__pycache__" not in path.parts
-    }
-    if _hash(files) != manifest.mind["sha256"]:
-        raise SocialmindError(
-            f"{capsule.mind}: the training's copy of the mind that it began from is missing or was "
-            "changed; take it from a copy of the folder"
-        )
-    refuse_folder(capsule.curve)
-    course = Course(curriculum, MindDescription.load(capsule.mind), manifest.seed, manifest.engine)
-    for number in range(1, manifest.attempts + 1):
-        if capsule.attempt(number).exists():
-            attempt = Attempt(capsule.attempt(number), number, course)
-            for lesson in range(1, attempt.done + 1):
-                load_result(attempt.folder, lesson)
-
-
-def changed(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:
-    """Return a curriculum with what is asked for in place of the lessons' own."""
-    alone = {id(item) for item in curriculum.items if isinstance(item, Lesson)}
-
-    def change(lesson: Lesson) -> Lesson:
-        fields: dict[str, Any] = {}
-        settings = dict(lesson.settings)
-        if changes["optimiser"] is not None:
-            fields["optimiser"] = changes["optimiser"]
-            if changes["optimiser"].upper() != lesson.optimiser.upper():
-                settings = {}
-        fields["settings"] = {**settings, **changes["settings"]}
-        if changes["generations"] is not None:
-            fields["generations"] = changes["generations"]
-        if changes["budget"] is not None and id(lesson) in alone:
-            fields["budget"] = changes["budget"]
-        return lesson.changed(**fields)
-
-    return curriculum.with_lessons(change).with_cycles(changes["cycles"], changes["budget"])
 
 
 def _go(
@@ -270,16 +228,16 @@ def _go(
     manifest = capsule.manifest
     # From the copy, so that what is resumed begins from the very same.
     mind = MindDescription.load(capsule.mind)
-    course = Course(curriculum, mind, manifest.seed, manifest.engine)
+    course = TrainingCourse(curriculum, mind, manifest.seed, manifest.engine)
     forecast = Forecast(course, manifest.attempts)
     begun = time.perf_counter() - float(manifest.timings.get("seconds", 0.0))
-    capsule.update(status=capsules.RUNNING, error=None)
+    capsule.update(status=folders.RUNNING, error=None)
 
     def so_far(status: str, error: str | None = None) -> None:
         numbers = range(1, capsule.manifest.attempts + 1)
         curve = read_curve([(number, capsule.attempt(number)) for number in numbers])
         content = write_curve(curve, capsule.curve)
-        if status != capsules.RUNNING:
+        if status != folders.RUNNING:
             from socialmind.drawing import style as paper
 
             paper.save({"curve": draw_curve(curve)}, capsule.figures)
@@ -294,20 +252,21 @@ def _go(
 
     finished = 0
     attempt: Attempt | None = None
-    with deferred_signals() as arrived, hired(manifest.engine, workers, cluster) as team:
+    compiled = manifest.engine == COMPILED
+    with deferred_signals() as arrived, hired(workers, compiled, cluster) as team:
         try:
             for number in range(1, manifest.attempts + 1):
                 attempt = Attempt(capsule.attempt(number), number, course)
                 _save_mind(capsule, attempt)
                 attempt.go(
-                    team,
+                    Evaluators(team),
                     lambda: bool(arrived),
                     _reporting(forecast, on_generation),
                     _concluding(capsule, attempt, so_far, on_lesson),
                 )
                 finished += 1
         except Stopped:
-            so_far(capsules.INTERRUPTED)
+            so_far(folders.INTERRUPTED)
             if attempt is None or attempt.position is None:
                 raise KeyboardInterrupt from None
             lesson = curriculum.at(attempt.position).name
@@ -316,20 +275,20 @@ def _go(
             ) from None
         except Exception as error:
             with suppress(OSError):  # there may be no room to say so
-                so_far(capsules.FAILED, f"{type(error).__name__}: {error}")
+                so_far(folders.FAILED, f"{type(error).__name__}: {error}")
             if isinstance(error, OSError) and error.errno in NO_ROOM:
                 raise no_room(error, capsule.folder, f"attempt {finished + 1}") from error
             raise
-        so_far(capsules.FINISHED)
+        so_far(folders.FINISHED)
 
 
 def _reporting(forecast: Forecast, report: OnGeneration | None) -> Callable[[News], None]:
-    def told(news: News) -> None:
+    def report_generation(news: News) -> None:
         left = forecast.seconds_left(news)
         if report is not None:
             report(news, left)
 
-    return told
+    return report_generation
 
 
 def _concluding(
@@ -338,13 +297,13 @@ def _concluding(
     so_far: Callable[[str], None],
     report: OnLesson | None,
 ) -> Callable[[Lesson, Result], None]:
-    def concluded(lesson: Lesson, result: Result) -> None:
+    def conclude(lesson: Lesson, result: Result) -> None:
         _save_mind(capsule, attempt)
-        so_far(capsules.RUNNING)
+        so_far(folders.RUNNING)
         if report is not None:
             report(attempt.number, lesson, result)
 
-    return concluded
+    return conclude
 
 
 def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
@@ -360,65 +319,6 @@ def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
         # A folder in the place of a file, or a file in that of a folder; the checkpoint has all.
         remove(folder)
         attempt.mind.save(folder)
-
-
-def _recorded(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum:
-    """Return the lessons of a training, as they were.
-
-    Raises:
-        SocialmindError: they, the model or socialmind are others than they were.
-    """
-    manifest = capsule.manifest
-    then, today = manifest.versions.get("socialmind"), __version__
-    if then != today:
-        raise SocialmindError(
-            f"{capsule.folder}: made by socialmind {then}, this is {today}, whose trainings may "
-            f"differ; install {then}, or start another training"
-        )
-    if manifest.chosen == [] and lessons is None:
-        raise SocialmindError(
-            f"{capsule.folder}: its lessons were given in Python; "
-            "go on with socialmind.learning.resume(folder, lessons=...)"
-        )
-    model = None if manifest.model["path"] is None else _recorded_model(capsule)
-    if model is not None:
-        if other := edited(manifest.model, model):  # said before anything is run, or asked about
-            raise SocialmindError(f"{other}; put the old file back, or start another training")
-        require(programs_in(model), trust, f"{capsule.folder}: its model at {model}")
-        if other := _changes(manifest, model):
-            raise SocialmindError(f"{other}; put the old file back, or start another training")
-    given = manifest.chosen if lessons is None else lessons
-    named = model if model is not None and (model / MODEL_FILE).is_file() else None
-    curriculum, _ = curriculum_of(named, given)
-    curriculum = changed(curriculum, manifest.changes)
-    if _as_json(curriculum.record()) != manifest.lessons:
-        raise SocialmindError(
-            f"{capsule.folder}: the lessons are not those that the training was begun with; "
-            "put them back, or start another training"
-        )
-    return curriculum
-
-
-def _recorded_model(capsule: TrainingCapsule) -> Path:
-    """Return where a training's model is: where it stood, or that of its name that ships."""
-    name, path = capsule.manifest.model["name"], Path(str(capsule.manifest.model["path"]))
-    if (path / MODEL_FILE).is_file() or path.is_file():
-        return path
-    shipped = catalogue().get(name or "")
-    if shipped is None:
-        raise SocialmindError(
-            f"{capsule.folder}: its model {name} is not at {path}; put its folder there"
-        )
-    return shipped
-
-
-def _changes(manifest: TrainingManifest, model: Path) -> str | None:
-    """Return what differs between a training's model and the files as they are, or None."""
-    if manifest.model.get("sources") is not None:
-        return difference(manifest.model["sources"], sources_of(load_model(model)))
-    if source_hash(model) != manifest.model["source_sha256"]:
-        return f"{model}: the model's source is not the one the training was begun with"
-    return None
 
 
 def _source(model: str | Path | type[Model] | None) -> dict[str, Any]:
@@ -441,19 +341,6 @@ def _chosen(lessons: Any) -> list[str] | None:
         str(Path(one).absolute()) if one.endswith(SIMBATCH) and Path(one).is_file() else one
         for one in texts
     ]
-
-
-def _as_json(record: Any) -> Any:
-    return json.loads(json.dumps(record, default=str))
-
-
-def _hash(files: Mapping[str, bytes]) -> str:
-    import hashlib
-
-    total = hashlib.sha256()
-    for name, content in sorted(files.items()):
-        total.update(f"{name}\0{len(content)}\0".encode() + content)
-    return total.hexdigest()
 
 
 def _whole(name: str, value: Any, low: int = 1, high: int | None = None) -> int:

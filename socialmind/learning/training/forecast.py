@@ -7,7 +7,7 @@ from collections import deque
 from socialmind.learning.lessons.curriculum import Position
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.attempt import News
-from socialmind.learning.training.course import Course
+from socialmind.learning.training.course import TrainingCourse
 
 RECENT = 20
 """Generations that the pace is taken from."""
@@ -23,7 +23,7 @@ class Forecast:
         attempts: how many attempts there are.
     """
 
-    def __init__(self, course: Course, attempts: int) -> None:
+    def __init__(self, course: TrainingCourse, attempts: int) -> None:
         self._course = course
         self._attempts = attempts
         self._populations = {one.name: population_of(one, course) for one in self._lessons()}
@@ -76,7 +76,7 @@ class Forecast:
         return self._populations[lesson.name] * lesson.repetitions * lesson.episode_ticks
 
 
-def population_of(lesson: Lesson, course: Course) -> int:
+def population_of(lesson: Lesson, course: TrainingCourse) -> int:
     """Return how many individuals a generation of a lesson has."""
     if getattr(lesson.kind, "graphs", False):
         settings = lesson.kind.known_settings

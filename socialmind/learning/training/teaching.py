@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import ModelError
-from socialmind.learning.episodes.evaluation import Ground
-from socialmind.learning.episodes.evaluators import Stop, Workers
+from socialmind.learning.episodes.evaluation import Evaluation
+from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.keys import (
     BEGINNING,
     FINAL,
@@ -28,6 +28,7 @@ from socialmind.learning.training import archive
 from socialmind.learning.training.finalists import Finalists, Individual, arrays_of, individual_of
 from socialmind.mind.description import MindDescription
 from socialmind.mind.modules import Skill
+from socialmind.work.workers import Stop
 
 COLUMNS = ("generation", "best", "mean", "deviation", "best_so_far", "ticks", "seconds")
 """The columns of a lesson's curve: scores of a generation's individuals, each the mean over its
@@ -85,7 +86,7 @@ class Teaching:
         self.lesson = lesson
         self._key = tuple(key)
         self._skills = [mind.skill(name) for name in lesson.skills]
-        self.ground = ground_of(lesson, mind, engine)
+        self.evaluation = evaluation_of(lesson, mind, engine)
         self.optimiser = self._optimiser(resumed)
         self.rows: list[tuple[float, ...]] = []
         self.ticks = 0
@@ -131,7 +132,7 @@ class Teaching:
             budget is not None and self.ticks >= budget
         )
 
-    def advance(self, workers: Workers, stop: Stop) -> None:
+    def advance(self, evaluators: Evaluators, stop: Stop) -> None:
         """Judge a generation and draw the next.
 
         Raises:
@@ -141,13 +142,13 @@ class Teaching:
         number = self.generation + 1
         asked = self.optimiser.ask()
         flat = isinstance(asked, np.ndarray)
-        judged = workers.judge(
-            self.ground,
+        outcome = evaluators.evaluate(
+            self.evaluation,
             asked if flat else [self._skill_of(one.graph, one.weights) for one in asked],
             self._worlds(number),
             stop,
         )
-        scores = judged.score.mean(axis=1)
+        scores = outcome.score.mean(axis=1)
         leader = int(scores.argmax())
         best = Individual(
             asked[leader] if flat else asked[leader].weights,
@@ -156,12 +157,12 @@ class Teaching:
             number,
         )
         # Before anything changes: it may be stopped as well.
-        validated = self._validated(best, workers, stop)
+        validated = self._validated(best, evaluators, stop)
         self.optimiser.tell(scores)
         self.finalists.add(best)
         if self._best is None or best.score > self._best.score:
             self._best = best
-        self.ticks += int(judged.ticks.sum())
+        self.ticks += int(outcome.ticks.sum())
         self.rows.append(
             (
                 float(number), best.score, float(scores.mean()), float(scores.std()),
@@ -170,16 +171,16 @@ class Teaching:
             )
         )  # fmt: skip
 
-    def _validated(self, best: Individual, workers: Workers, stop: Stop) -> tuple[float, ...]:
+    def _validated(self, best: Individual, evaluators: Evaluators, stop: Stop) -> tuple[float, ...]:
         """Return the score of an individual on the worlds of validation, if there are any."""
         if not self.lesson.validation:
             return ()
         worlds = seeds_for(self.lesson.validation, VALIDATION, *self._key)
-        judged = workers.judge(self.ground, self._asked([best]), worlds, stop)
-        return (float(judged.score.mean()),)
+        outcome = evaluators.evaluate(self.evaluation, self._asked([best]), worlds, stop)
+        return (float(outcome.score.mean()),)
 
     def _asked(self, some: Sequence[Individual]) -> Any:
-        """Return individuals as workers take them."""
+        """Return individuals as evaluators take them."""
         if some[-1].graph is None:
             return np.stack([one.genome for one in some])
         return [self._skill_of(one.graph, one.genome) for one in some]
@@ -188,7 +189,7 @@ class Teaching:
         which = 0 if self.lesson.worlds == FIXED else generation
         return seeds_for(self.lesson.repetitions, WORLD, *self._key, which)
 
-    def result(self, workers: Workers, stop: Stop) -> Result:
+    def result(self, evaluators: Evaluators, stop: Stop) -> Result:
         """Judge the finalists on common worlds and return what the lesson has given.
 
         Raises:
@@ -204,17 +205,17 @@ class Teaching:
             if not any(one.same(before) for one in chosen):
                 chosen.insert(0, before)
         worlds = seeds_for(self.lesson.finals, FINAL, *self._key)
-        judged = workers.judge(self.ground, self._asked(chosen), worlds, stop)
-        means = judged.score.mean(axis=1)
+        outcome = evaluators.evaluate(self.evaluation, self._asked(chosen), worlds, stop)
+        means = outcome.score.mean(axis=1)
         place = int(means.argmax())
         return Result(
             chosen[place],
             float(means[place]),
-            float(judged.score[place].std()),
+            float(outcome.score[place].std()),
             self._best,
             tuple((one.generation, float(mean)) for one, mean in zip(chosen, means, strict=True)),
             np.array(self.rows),
-            self.ticks + int(judged.ticks.sum()),
+            self.ticks + int(outcome.ticks.sum()),
         )
 
     def _skill_of(self, graph: Any, weights: Any) -> Skill:
@@ -244,8 +245,8 @@ class Teaching:
         self._best = individual_of(best) if best else None
 
 
-def ground_of(lesson: Lesson, mind: MindDescription, engine: str) -> Ground:
-    """Return where a lesson's individuals are judged."""
+def evaluation_of(lesson: Lesson, mind: MindDescription, engine: str) -> Evaluation:
+    """Return how a lesson's individuals are evaluated."""
     learning = [mind.skill(name) for name in lesson.skills]
     # Weights that are not set yet are exchanged for those of individuals in any case.
     begun = [
@@ -254,7 +255,7 @@ def ground_of(lesson: Lesson, mind: MindDescription, engine: str) -> Ground:
         if skill.genome is None and skill.genome_size
     ]
     mind = mind.with_modules(skills=begun)
-    return Ground(
+    return Evaluation(
         lesson.environment,
         mind.on_stand_ins(lesson.master, lesson.stand_ins) if lesson.stand_ins else mind,
         lesson.master,

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, TypeVar
 
 from socialmind.mind.kernel.layout import OBSERVED
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from socialmind.mind.description import MindDescription
     from socialmind.mind.evaluation.arrays import Assembly
+    from socialmind.mind.evaluation.state import State
     from socialmind.mind.population_minds import PopulationMinds
+
+Name = TypeVar("Name")
 
 
 def observe(assembly: Assembly) -> None:
@@ -28,8 +33,77 @@ def observe(assembly: Assembly) -> None:
     sizes.setflags(write=False)
 
 
-class AgentState:
-    """What the hierarchy of an agent of a population is in; methods as of `Hierarchy`.
+class Readings:
+    """What the last evaluation of one agent's hierarchy came to."""
+
+    assembly: Assembly
+    description: MindDescription
+    _slot = 0
+
+    @property
+    def _read(self) -> State:
+        """The arrays that hold it, in the agent's slot."""
+        raise NotImplementedError
+
+    @property
+    def tick(self) -> int:
+        """How many evaluations there were; 0 before the first."""
+        raise NotImplementedError
+
+    @property
+    def skills(self) -> tuple[str, ...]:
+        """The names of the skills that are evaluated, from the master down."""
+        return self.assembly.skills
+
+    def influences(self) -> dict[str, float]:
+        """Return the sum of the influence that each skill received in the last evaluation."""
+        return self._named(self.skills, self._read.totals)
+
+    def links(self) -> dict[tuple[str, str], float]:
+        """Return what each output of a skill transmitted: its value times the influence (eq. 4.2).
+
+        Returns:
+            By the skill and the output's text, as in `("Collect", "SK:Avoid")`.
+        """
+        return self._named(self._entries(), self._read.sent)
+
+    def outputs(self) -> dict[tuple[str, str], float]:
+        """Return what each skill's function gave by itself, V_O of equation 4.1."""
+        return self._named(self._entries(), self._read.output)
+
+    def sensors(self) -> dict[str, float]:
+        """Return the sensors' values of the last evaluation."""
+        return self._named(self.description.sensors, self._read.sensors)
+
+    def variables(self) -> dict[str, float]:
+        """Return the variables' values."""
+        return self._named(self.description.variables, self._read.values)
+
+    def actuators(self) -> dict[str, float]:
+        """Return the actuators' commands of the last evaluation."""
+        return self._named(self.description.actuators, self._read.actuators)
+
+    def drive_commands(self) -> dict[str, tuple[float, float]]:
+        """Return what the drive adds to each variable: weighted commands, and their weight."""
+        # Its commands to actuators stand after those to variables.
+        commands, weights = (
+            array[self._slot, :, 0].tolist()
+            for array in (self._read.drive_command, self._read.drive_weight)
+        )
+        return dict(
+            zip(self.description.variables, zip(commands, weights, strict=True), strict=False)
+        )
+
+    def _named(self, names: Iterable[Name], array: NDArray) -> dict[Name, float]:
+        return dict(zip(names, array[self._slot, :, 0].tolist(), strict=True))
+
+    def _entries(self) -> list[tuple[str, str]]:
+        skills = self.description.skills
+        return [(name, str(output)) for name in self.skills for output in skills[name].outputs]
+
+
+class AgentState(Readings):
+    """What the hierarchy of an agent of a population is in.
 
     Args:
         minds: the population's.
@@ -39,50 +113,15 @@ class AgentState:
     def __init__(self, minds: PopulationMinds, slot: int) -> None:
         self._minds = minds
         self._slot = slot
+        self.assembly = minds.assembly
         self.description = minds.assembly.description
 
     @property
-    def skills(self) -> tuple[str, ...]:
-        """The names of the evaluated skills, from the master down."""
-        return self._minds.assembly.skills
+    def _read(self) -> State:
+        return self._minds.state
 
     @property
     def tick(self) -> int:
         """How many evaluations there were; 0 for an agent before its first."""
-        state = self._minds.state
+        state = self._read
         return 0 if state.fresh[self._slot, 0] else max(int(state.clock[self._slot]), 1)
-
-    def influences(self) -> dict[str, float]:
-        """Return the sum of the influence that each skill received in the last evaluation."""
-        return self._named(self.skills, self._minds.state.totals)
-
-    def links(self) -> dict[tuple[str, str], float]:
-        """Return what each output of a skill transmitted, by the skill and the output's text."""
-        return dict(zip(self._entries(), self._values(self._minds.state.sent), strict=True))
-
-    def outputs(self) -> dict[tuple[str, str], float]:
-        """Return what each skill's function gave by itself."""
-        return dict(zip(self._entries(), self._values(self._minds.state.output), strict=True))
-
-    def sensors(self) -> dict[str, float]:
-        """Return the sensors' values of the last evaluation."""
-        return self._named(tuple(self.description.sensors), self._minds.state.sensors)
-
-    def variables(self) -> dict[str, float]:
-        """Return the variables' values."""
-        return self._named(tuple(self.description.variables), self._minds.state.values)
-
-    def actuators(self) -> dict[str, float]:
-        """Return the actuators' commands of the last evaluation."""
-        return self._named(tuple(self.description.actuators), self._minds.state.actuators)
-
-    def _values(self, array: NDArray) -> list[float]:
-        values: list[float] = array[self._slot, :, 0].tolist()
-        return values
-
-    def _named(self, names: tuple[str, ...], array: NDArray) -> dict[str, float]:
-        return dict(zip(names, self._values(array), strict=True))
-
-    def _entries(self) -> list[tuple[str, str]]:
-        skills = self.description.skills
-        return [(name, str(output)) for name in self.skills for output in skills[name].outputs]

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.closed import Closed
+from coglogo_py.border.closed import Closed
 from socialmind.errors import ModelError
 from socialmind.mind.modules import Skill
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # a circle for types alone: a hierarchy gives its skills, to be set in it
     from coglogo_py import Mind
     from socialmind.mind.functions.contract import InternalFunction
     from socialmind.mind.hierarchy import Hierarchy

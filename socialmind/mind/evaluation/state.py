@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 from zlib import crc32
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import Society
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from coglogo_py.numbers import whole_number
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.evaluation.arrays import Assembly
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
@@ -243,3 +243,24 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
     if len(found["genome"]) not in (1, len(fresh)):
         raise ModelError(f"a state with {len(found['genome'])} genomes", f"1 or {len(fresh)}")
     return State(**found)
+
+
+def kept(state: State, societies: Iterable[Society]) -> dict[str, NDArray[Any]]:
+    """Return copies of all arrays that change, those of cogniton schemes too, by name."""
+    arrays = copied(state)
+    for number, society in enumerate(societies):
+        arrays |= {f"scheme_{number}.{name}": one for name, one in society.state().items()}
+    return arrays
+
+
+def restore_societies(societies: Iterable[Society], arrays: Mapping[str, NDArray[Any]]) -> None:
+    """Give the cogniton schemes of minds the arrays that `kept` returned."""
+    for number, society in enumerate(societies):
+        begin = f"scheme_{number}."
+        society.restore(
+            {
+                name.removeprefix(begin): one
+                for name, one in arrays.items()
+                if name.startswith(begin)
+            }
+        )

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
-from socialmind.mind.description import MindDescription
-from socialmind.mind.files import yaml_reader as yaml_form
-from socialmind.mind.files import yaml_writer
+from socialmind.mind.files import yaml_reader, yaml_writer
 from socialmind.mind.files.evoagents.folder_reader import BOTDESC, load_tasks, read_folder
 from socialmind.mind.files.evoagents.folder_writer import save_tasks, write_folder
 from socialmind.mind.files.python_file import runs_programs
+from socialmind.mind.modules import AMind, Modules
 from socialmind.sources.trust import programs_in, remember
 
 __all__ = ["load_description", "load_tasks", "save_description", "save_tasks"]
@@ -17,27 +17,28 @@ __all__ = ["load_description", "load_tasks", "save_description", "save_tasks"]
 YAML = (".yaml", ".yml")
 
 
-def load_description(path: str | Path) -> MindDescription:
+def load_description(path: str | Path, kind: Callable[..., AMind]) -> AMind:
     """Read a mind; its programs are remembered as named by this user (`socialmind.sources.trust`).
 
     Args:
         path: its folder, its `.botdesc` file, or its YAML file.
+        kind: the class of the mind.
 
     Raises:
         ModelError: there is none, or one of its files is wrong.
     """
     path = Path(path)
     if _is_yaml(path):
-        return yaml_form.load(path)
+        return yaml_reader.load(path, kind)
     if path.suffix == BOTDESC and path.is_file():
         path = path.parent
-    description = read_folder(path)
+    description = read_folder(path, kind)
     if runs_programs():
         remember(programs_in(path))
     return description
 
 
-def save_description(description: MindDescription, path: str | Path) -> None:
+def save_description(description: Modules, path: str | Path) -> None:
     """Write a mind, so that it reads back as an equal one.
 
     The mind's own files are replaced where they are there. Nothing is written where the folder

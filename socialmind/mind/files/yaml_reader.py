@@ -15,7 +15,6 @@ import yaml
 from coglogo_py import SchemeError
 from coglogo_py.files.yaml_nodes import NOTHING, Nodes, composed
 from socialmind.errors import ModelError, nearest
-from socialmind.mind.description import MindDescription
 from socialmind.mind.files.evoagents import genome_file
 from socialmind.mind.files.evoagents.ades import (
     CLASS,
@@ -50,7 +49,7 @@ from socialmind.mind.functions.neat.graph import NeatGraph
 from socialmind.mind.functions.perceptron import Perceptron
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.links import Input, Output
-from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
+from socialmind.mind.modules import Actuator, AMind, Sensor, Skill, Variable
 from socialmind.mind.regulation import REGULATIONS, Counter, Regulated, Regulation, Simple, Wave
 
 SENSORS, ACTUATORS, VARIABLES, SKILLS = "sensors", "actuators", "variables", "skills"
@@ -79,13 +78,13 @@ Module = TypeVar("Module", Sensor, Actuator, Variable)
 Link = TypeVar("Link", Input, Output)
 
 
-def load(path: Path) -> MindDescription:
+def load(path: Path, kind: Callable[..., AMind]) -> AMind:
     """Read a mind's YAML file, with the weights beside it.
 
     Raises:
         ModelError: one of the files is wrong; says at which line and why.
     """
-    description = parse(text_of(path), path)
+    description = parse(text_of(path), path, kind)
     folder = path.with_name(path.stem + GENOMES)
     if not folder.is_dir():
         return description
@@ -102,7 +101,7 @@ def load(path: Path) -> MindDescription:
             genome_file.parse(_weights_in(file, path), file, description.skills[file.stem])
         )
     own = {**description.skills, **{skill.name: skill for skill in skills}}
-    return MindDescription(
+    return kind(
         description.name,
         description.sensors.values(),
         description.actuators.values(),
@@ -116,23 +115,25 @@ def _weights_in(file: Path, mind: Path) -> str:
     return text_of(inside(mind.parent, place, "the file", mind), MOST_GENOME)
 
 
-def parse(text: str, file: str | Path) -> MindDescription:
+def parse(text: str, file: str | Path, kind: Callable[..., AMind]) -> AMind:
     r"""Return the mind that a YAML file describes, without its weights.
 
     Args:
         text: the file's content.
         file: its path, for messages and for the files of programs and schemes beside it.
+        kind: the class of the mind.
 
     Raises:
         ModelError: the text is no mind; says at which line and why.
 
+    >>> from socialmind.mind import MindDescription
     >>> text = "name: seeker\nsensors: [Eye]\nactuators: [Mot]\nskills:\n"
     >>> text += "  Seek: {inputs: [SE:Eye], outputs: [MO:Mot], function: BASIC}\n"
-    >>> parse(text, "seeker.yaml").skills["Seek"].function
+    >>> parse(text, "seeker.yaml", MindDescription).skills["Seek"].function
     a perceptron of 2 hidden layers
     """
     try:
-        return _Mind(text, file).description()
+        return _Mind(text, file).description(kind)
     except SchemeError as error:
         remedy = error.remedy or GENERAL_REMEDY
         raise ModelError(error.found, error.expected, remedy, error.file, error.line) from None
@@ -148,13 +149,14 @@ class _Mind:
         self.lines = Lines("", file)
         self.root = composed(text, file, "a mind")
 
-    def description(self) -> MindDescription:
+    def description(self, kind: Callable[..., AMind]) -> AMind:
         given = self.nodes.fields(self.root, "the mind", TOP_FIELDS)
         if "name" not in given:
             raise self.nodes.error(self.root, "a mind without a name", "name:", "begin with name:")
         name = self.nodes.name(given["name"], "name of the mind")
         skills = self.nodes.entries(given.get(SKILLS, NOTHING), SKILLS)
         return whole(
+            kind,
             name,
             self._modules(given, SENSORS, self._sensor),
             self._modules(given, ACTUATORS, self._actuator),

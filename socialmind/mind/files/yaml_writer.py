@@ -1,4 +1,4 @@
-"""A mind written as one YAML file, as `yaml_form` reads it."""
+"""A mind written as one YAML file, as `yaml_reader` reads it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from typing import Any
 
 from coglogo_py.files.yaml_nodes import TRUTH
 from socialmind.errors import ModelError
-from socialmind.mind.description import MindDescription
 from socialmind.mind.files.companion_files import Texts, add_function, file_name, write
 from socialmind.mind.files.evoagents import genome_file
 from socialmind.mind.files.evoagents.ades import CLASS, SCHEME, program_name, scheme_name
@@ -22,7 +21,7 @@ from socialmind.mind.functions.convolution import Convolution
 from socialmind.mind.functions.influence_network import InfluenceNetwork
 from socialmind.mind.functions.neat.graph import NeatGraph
 from socialmind.mind.functions.programmed import Programmed
-from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
+from socialmind.mind.modules import Actuator, Modules, Sensor, Skill, Variable
 from socialmind.mind.regulation import Counter, Regulated, Simple
 
 FUNCTIONS, SCHEMES = ".functions", ".schemes"
@@ -34,7 +33,7 @@ PLAIN = re.compile(r"[A-Za-z_][\w.+-]*( [\w.+-]+)*(:[A-Za-z_][\w.+-]*)*(:[0-9]+)
 TAKEN_WORDS = frozenset((*TRUTH, "y", "n", "null"))
 
 
-def save(description: MindDescription, path: Path) -> None:
+def save(description: Modules, path: Path) -> None:
     """Write a mind's YAML file, with weights, programs and schemes beside it.
 
     Raises:
@@ -64,7 +63,7 @@ class _Writer:
 
     def __init__(
         self,
-        description: MindDescription,
+        description: Modules,
         path: Path,
         texts: Texts,
         schemes: dict[Path, CognitonScheme],

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # a circle for types alone: a skill has a function, which checks the skill
     from socialmind.mind.functions.network import Network
     from socialmind.mind.modules import Skill
 

@@ -2,23 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar
-
-from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.draft import NetworkDraft
 from socialmind.mind.functions.network import CLAMP, Network
-from socialmind.mind.functions.perceptron import (
-    ADDED,
-    HIDDEN_ACTIVATIONS,
-    check_hidden_layers,
-    hidden_layers,
-    hidden_size,
-)
+from socialmind.mind.functions.perceptron import HIDDEN_ACTIVATIONS, Layered, hidden_size
 
 
-@dataclass(frozen=True)
-class Elman(InternalFunction):
+class Elman(Layered):
     """A perceptron whose hidden layers also read their own values of the last evaluation.
 
     Each hidden layer reads the layer below, then its context: its own neurons as they were at the
@@ -37,13 +26,8 @@ class Elman(InternalFunction):
     14
     """
 
-    layers: int = 2
-    hidden: str = "relu"
-    added: int = ADDED
-    keyword: ClassVar[str] = "ELMAN"
-
-    def __post_init__(self) -> None:
-        check_hidden_layers(self, "an Elman network", 1)
+    keyword = "ELMAN"
+    called = "an Elman network"
 
     def network(self, inputs: int, outputs: int) -> Network:
         """Return what it computes as steps of arithmetic."""
@@ -62,6 +46,3 @@ class Elman(InternalFunction):
         for layer, context in kept:
             draft.remember(layer, context, size)
         return draft.finished(output, outputs)
-
-    def __repr__(self) -> str:
-        return f"an Elman network of {hidden_layers(self)}"

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
 from socialmind.errors import ModelError
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.draft import NetworkDraft
@@ -31,8 +31,24 @@ def hidden_size(inputs: int, outputs: int, added: int = ADDED) -> int:
     return max(inputs, outputs) + added
 
 
-@dataclass(frozen=True)
-class Perceptron(InternalFunction):
+@dataclass(frozen=True, repr=False)
+class Layered(InternalFunction):
+    """What perceptrons and the networks that remember have in common: hidden layers."""
+
+    layers: int = 2
+    hidden: str = "relu"
+    added: int = ADDED
+    called: ClassVar[str]
+    least: ClassVar[int] = 1
+
+    def __post_init__(self) -> None:
+        check_hidden_layers(self, self.called, self.least)
+
+    def __repr__(self) -> str:
+        return f"{self.called} of {hidden_layers(self)}"
+
+
+class Perceptron(Layered):
     """A multi-layered perceptron (thesis, 5.2.1; `TYPE:BASIC`).
 
     Each hidden layer has max(inputs, outputs) + added neurons; the last layer is linear and held to
@@ -53,21 +69,14 @@ class Perceptron(InternalFunction):
     a perceptron of 2 hidden layers
     """
 
-    layers: int = 2
-    hidden: str = "relu"
-    added: int = ADDED
-    keyword: ClassVar[str] = "BASIC"
-
-    def __post_init__(self) -> None:
-        check_hidden_layers(self, "a perceptron", 0)
+    keyword = "BASIC"
+    called = "a perceptron"
+    least = 0
 
     def network(self, inputs: int, outputs: int) -> Network:
         """Return what it computes as steps of arithmetic."""
         draft = NetworkDraft(inputs)
         return draft.finished(add_perceptron(draft, 0, inputs, outputs, self), outputs)
-
-    def __repr__(self) -> str:
-        return f"a perceptron of {hidden_layers(self)}"
 
 
 class HasHiddenLayers(Protocol):

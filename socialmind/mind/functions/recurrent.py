@@ -2,23 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar
-
-from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.draft import NetworkDraft
 from socialmind.mind.functions.network import CLAMP, Network
-from socialmind.mind.functions.perceptron import (
-    ADDED,
-    HIDDEN_ACTIVATIONS,
-    check_hidden_layers,
-    hidden_layers,
-    hidden_size,
-)
+from socialmind.mind.functions.perceptron import HIDDEN_ACTIVATIONS, Layered, hidden_size
 
 
-@dataclass(frozen=True)
-class Recurrent(InternalFunction):
+class Recurrent(Layered):
     """A perceptron whose hidden layers also read all neurons' values of the last evaluation.
 
     Each hidden layer reads the layer below, then the neurons of all hidden layers from the first
@@ -38,13 +27,8 @@ class Recurrent(InternalFunction):
     18
     """
 
-    layers: int = 2
-    hidden: str = "relu"
-    added: int = ADDED
-    keyword: ClassVar[str] = "RNN"
-
-    def __post_init__(self) -> None:
-        check_hidden_layers(self, "a recurrent network", 1)
+    keyword = "RNN"
+    called = "a recurrent network"
 
     def network(self, inputs: int, outputs: int) -> Network:
         """Return what it computes as steps of arithmetic."""
@@ -65,6 +49,3 @@ class Recurrent(InternalFunction):
         for layer, place, neurons in kept:
             draft.remember(layer, place, neurons)
         return draft.finished(output, outputs)
-
-    def __repr__(self) -> str:
-        return f"a recurrent network of {hidden_layers(self)}"

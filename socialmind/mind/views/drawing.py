@@ -17,11 +17,11 @@ from matplotlib.patches import Ellipse, FancyBboxPatch, PathPatch
 from matplotlib.path import Path
 from matplotlib.text import Text
 
+from socialmind.mind.evaluation.agent_state import Readings
 from socialmind.mind.views.layering import Box
 from socialmind.mind.views.plan import (
     MARGIN,
     Curve,
-    Evaluated,
     Plan,
     Point,
     planned,
@@ -45,7 +45,7 @@ PAGE = 510.0
 """Width of a page in points."""
 
 
-def draw_hierarchy(hierarchy: Evaluated, ax: Axes | None = None, key: bool = True) -> Axes:
+def draw_hierarchy(hierarchy: Readings, ax: Axes | None = None, key: bool = True) -> Axes:
     """Draw a hierarchy with the state of its last evaluation.
 
     Before the first evaluation there are no values: the structure is drawn alone. Sensors,
@@ -85,7 +85,7 @@ class HierarchyPicture:
 
     def __init__(
         self,
-        hierarchy: Evaluated,
+        hierarchy: Readings,
         ax: Axes | None = None,
         key: bool = True,
         known: bool | None = None,
@@ -126,7 +126,7 @@ class HierarchyPicture:
         if self._known:
             self.show(hierarchy)
 
-    def show(self, hierarchy: Evaluated) -> None:
+    def show(self, hierarchy: Readings) -> None:
         """Show the state of the last evaluation.
 
         Args:

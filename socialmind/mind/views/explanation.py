@@ -8,18 +8,16 @@ for is the drive's.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Sequence
+import textwrap
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from socialmind.errors import ModelError
-from socialmind.mind.views.explanation_table import table
+from socialmind.mind.evaluation.agent_state import Readings
 
-if TYPE_CHECKING:
-    from pandas import DataFrame
-
-    from socialmind.mind.hierarchy import Hierarchy
+WIDTH = 100
+"""Columns of text, at most."""
+_GAP = "  "
 
 IMPULSE = "(impulse)"
 """What the master receives, 1.0, in place of the influence of a skill."""
@@ -134,32 +132,10 @@ class Explanation:
     """Of every variable, in the mind's order."""
 
     def __str__(self) -> str:
-        return table(self)
-
-    def to_frames(self) -> dict[str, DataFrame]:
-        """Return the explanation as tables of pandas.
-
-        Returns:
-            `influences` with a row for each part of each skill's influence; `motors` and
-            `variables` with a row for each skill that commands (`way` is "own") and each that
-            commands come through ("through").
-        """
-        from pandas import DataFrame
-
-        influences = [
-            (one.skill, one.total, part.source, part.influence)
-            for one in self.influences
-            for part in one.received
-        ]
-        columns = ["command", "skill", "way", "output", "weight", "percent"]
-        return {
-            "influences": DataFrame(influences, columns=["skill", "total", "source", "influence"]),
-            "motors": DataFrame(_rows(self.motors), columns=["actuator", *columns]),
-            "variables": DataFrame(_rows(self.variables), columns=["variable", *columns]),
-        }
+        return _table(self)
 
 
-def explanation_of(hierarchy: Hierarchy) -> Explanation:
+def explanation_of(hierarchy: Readings) -> Explanation:
     """Return the account of a hierarchy's last evaluation.
 
     Args:
@@ -179,7 +155,7 @@ def explanation_of(hierarchy: Hierarchy) -> Explanation:
     commands = hierarchy.actuators()
     return Explanation(
         mind=description.name,
-        master=hierarchy.master,
+        master=hierarchy.assembly.master,
         evaluation=hierarchy.tick,
         influences=influences,
         motors=tuple(
@@ -189,11 +165,11 @@ def explanation_of(hierarchy: Hierarchy) -> Explanation:
     )
 
 
-def _influences(hierarchy: Hierarchy) -> tuple[Influence, ...]:
+def _influences(hierarchy: Readings) -> tuple[Influence, ...]:
     links, totals = hierarchy.links(), hierarchy.influences()
     found = []
     for skill in hierarchy.skills:
-        received = [Received(IMPULSE, 1.0)] if skill == hierarchy.master else []
+        received = [Received(IMPULSE, 1.0)] if skill == hierarchy.assembly.master else []
         received += [
             Received(parent, links[parent, f"SK:{skill}"])
             for parent in hierarchy.description.parents[skill]
@@ -207,7 +183,7 @@ def _influences(hierarchy: Hierarchy) -> tuple[Influence, ...]:
 
 
 def _motor(
-    hierarchy: Hierarchy, influences: Sequence[Influence], name: str, command: float
+    hierarchy: Readings, influences: Sequence[Influence], name: str, command: float
 ) -> Command:
     parts, passages, weight = _flow(hierarchy, influences, f"MO:{name}")
     alone = _mean(parts, weight)
@@ -216,12 +192,10 @@ def _motor(
     return Command(name, command, weight, parts, passages, abs(command - alone) > _ROUNDING)
 
 
-def _variable(hierarchy: Hierarchy, influences: Sequence[Influence], name: str) -> Command:
+def _variable(hierarchy: Readings, influences: Sequence[Influence], name: str) -> Command:
     parts, passages, weight = _flow(hierarchy, influences, f"VA:{name}")
     # Until the next evaluation the drive's commands to variables lie beside those of the skills.
-    place = list(hierarchy.description.variables).index(name)
-    state = hierarchy._state
-    added, by = state.drive_command.item(0, place, 0), state.drive_weight.item(0, place, 0)
+    added, by = hierarchy.drive_commands()[name]
     if not by > 0.0:
         return Command(name, _mean(parts, weight), weight, parts, passages, False)
     total = sum(part.output * part.weight for part in parts) + added
@@ -229,7 +203,7 @@ def _variable(hierarchy: Hierarchy, influences: Sequence[Influence], name: str) 
 
 
 def _flow(
-    hierarchy: Hierarchy, influences: Sequence[Influence], target: str
+    hierarchy: Readings, influences: Sequence[Influence], target: str
 ) -> tuple[tuple[Part, ...], tuple[Passage, ...], float]:
     """Return the parts and passages of a module's command, and its whole weight."""
     outputs = hierarchy.outputs()
@@ -275,11 +249,79 @@ def _mean(parts: Sequence[Part], weight: float) -> float | None:
     return sum(part.output * part.weight for part in parts) / weight
 
 
-def _rows(
-    commands: Sequence[Command],
-) -> Iterator[tuple[str, float | None, str, str, float, float, float]]:
+# As plain text ----------------------------------------------------------------------------
+
+
+def _table(explanation: Explanation) -> str:
+    """Return an explanation as text: influences, then actuators, then variables.
+
+    Args:
+        explanation: the account of an evaluation.
+    """
+    heading = (
+        f"Evaluation {explanation.evaluation} of the mind {explanation.mind!r}, "
+        f"master {explanation.master!r}"
+    )
+    lines = [*textwrap.wrap(heading, WIDTH), "", *_influence_lines(explanation.influences)]
+    if explanation.motors:
+        lines += ["", *_command_lines("actuator", explanation.motors, "neutral: no influence")]
+    if explanation.variables:
+        heading = "variable (next command)"
+        lines += ["", *_command_lines(heading, explanation.variables, "none: it keeps its last")]
+    return "\n".join(lines)
+
+
+def _influence_lines(influences: Sequence[Influence]) -> list[str]:
+    width = max(len("skill"), *(len(one.skill) for one in influences))
+    lines = [f"{'skill':{width}}{_GAP}influence{_GAP}from"]
+    for one in influences:
+        start = f"{one.skill:{width}}{_GAP}{_number(one.total):>9}{_GAP}"
+        # A no-break space keeps a name and its number on one line.
+        parts = [f"{part.source} {_number(part.influence)}" for part in one.received]
+        joined = ", ".join(part.replace(" ", "\xa0") for part in parts)
+        wrapped = textwrap.wrap(
+            joined,
+            max(WIDTH, len(start) + 20),
+            initial_indent=start.replace(" ", "\xa0"),
+            subsequent_indent="\xa0" * len(start),
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+        lines += [line.replace("\xa0", " ").rstrip() for line in wrapped or [start]]
+    return lines
+
+
+def _command_lines(kind: str, commands: Sequence[Command], absent: str) -> list[str]:
+    rows = [(kind, "command", "by", "output", "weight", "share")]
     for one in commands:
+        name, command = one.name, "-" if one.command is None else _number(one.command)
+        if not one.weight > 0.0 and not one.driven:
+            rows.append((name, command, f"({absent})", "", "", ""))
+            continue
         for part in one.parts:
-            yield one.name, one.command, part.skill, "own", part.output, part.weight, part.percent
+            numbers = (_number(part.output), _number(part.weight), _percent(part.percent))
+            rows.append((name, command, part.skill, *numbers))
+            name = command = ""
         for way in one.passages:
-            yield one.name, one.command, way.skill, "through", math.nan, way.weight, way.percent
+            numbers = ("", _number(way.weight), _percent(way.percent))
+            rows.append(("", "", f"through {way.skill}", *numbers))
+        if one.driven:
+            alone = one.by_skills
+            said = "nothing" if alone is None else _number(alone)
+            rows.append((name, command, f"(drive: the skills alone give {said})", "", "", ""))
+    widths = [max(len(row[column]) for row in rows) for column in range(6)]
+    return [
+        _GAP.join(
+            text.ljust(width) if column in (0, 2) else text.rjust(width)
+            for column, (text, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    ]
+
+
+def _number(value: float) -> str:
+    return f"{value:.3f}"
+
+
+def _percent(value: float) -> str:
+    return f"{value:.1f} %"

@@ -12,14 +12,15 @@ import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from matplotlib.textpath import TextPath
 
+from socialmind.mind.evaluation.agent_state import Readings
 from socialmind.mind.views.layering import SPACE, Box, Layering, Link, layered, layers_of
 
 if TYPE_CHECKING:
-    from socialmind.mind.description import MindDescription
+    pass
 
 Point = tuple[float, float]
 Curve = tuple[Point, ...]
@@ -30,38 +31,6 @@ KEY = "influence: the centre of a link is what the skill gives, its edge what is
 _WIDEST = 46.0  # of a layer in one row
 _TALLEST = 38.0  # of a column of sensors, where the skills are not taller
 _COLUMN_GAP = 4.5
-
-
-class Evaluated(Protocol):
-    """What can be drawn: a `Hierarchy`, or an agent's in a model; methods as of `Hierarchy`."""
-
-    @property
-    def skills(self) -> tuple[str, ...]:
-        """The names of the evaluated skills, from the master down."""
-
-    @property
-    def tick(self) -> int:
-        """How many evaluations there were."""
-
-    description: MindDescription
-
-    def influences(self) -> dict[str, float]:
-        """Return the influence that each skill received."""
-
-    def links(self) -> dict[tuple[str, str], float]:
-        """Return what each output transmitted."""
-
-    def outputs(self) -> dict[tuple[str, str], float]:
-        """Return what each output's function gave."""
-
-    def sensors(self) -> dict[str, float]:
-        """Return the sensors' values."""
-
-    def variables(self) -> dict[str, float]:
-        """Return the variables' values."""
-
-    def actuators(self) -> dict[str, float]:
-        """Return the actuators' commands."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +56,7 @@ class Plan:
     height: float
 
 
-def planned(hierarchy: Evaluated, key: bool, known: bool | None = None) -> Plan:
+def planned(hierarchy: Readings, key: bool, known: bool | None = None) -> Plan:
     """Return the plan of a hierarchy's drawing.
 
     Args:
@@ -154,7 +123,7 @@ def _framed(
 # Nodes -------------------------------------------------------------------------------------------
 
 
-def values_of(hierarchy: Evaluated) -> dict[str, str]:
+def values_of(hierarchy: Readings) -> dict[str, str]:
     """Return all nodes with their values as texts."""
     tables = {
         "SK": hierarchy.influences(),

@@ -1,18 +1,17 @@
 """The plane: bodies that move, sense and act in an arena with obstacles (thesis, 5.1.4 and 5.3)."""
 
-from socialmind.worlds.plane.actuators import claw, emitter, wheel
 from socialmind.worlds.plane.bodies import BALL, Body, Disc, Obstacle, Robot, Zone
-from socialmind.worlds.plane.devices import Act, Interruption, Reward, Sense
-from socialmind.worlds.plane.interruptions import (
+from socialmind.worlds.plane.devices.actuators import claw, emitter, wheel
+from socialmind.worlds.plane.devices.device import Act, Interruption, Reward, Sense
+from socialmind.worlds.plane.devices.interruptions import (
     after,
     collision,
     flat_battery,
     over_threshold,
     under_threshold,
 )
-from socialmind.worlds.plane.measures import Measure, against, ratio, survived, total
-from socialmind.worlds.plane.plane import Plane
-from socialmind.worlds.plane.rewards import (
+from socialmind.worlds.plane.devices.measures import Measure, against, ratio, survived, total
+from socialmind.worlds.plane.devices.rewards import (
     clear,
     closing,
     collision_cost,
@@ -23,7 +22,7 @@ from socialmind.worlds.plane.rewards import (
     speed,
     straight,
 )
-from socialmind.worlds.plane.sensors import (
+from socialmind.worlds.plane.devices.sensors import (
     RangeFinder,
     active,
     battery,
@@ -42,6 +41,7 @@ from socialmind.worlds.plane.sensors import (
     signal_distance,
     signal_orientation,
 )
+from socialmind.worlds.plane.plane import Plane
 
 __all__ = [
     "BALL",

@@ -15,15 +15,15 @@ from socialmind.compiling.lowering import PLACES
 from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, nearest
 from socialmind.fields import place_of_field
 from socialmind.worlds.contract import Functions, Ground, address
+from socialmind.worlds.plane.devices.sensors import RangeFinder
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
-from socialmind.worlds.plane.plane import CELL, PlaneShape, RobotShape
-from socialmind.worlds.plane.sensors import RangeFinder
+from socialmind.worlds.plane.shape import CELL, PlaneShape, RobotShape
 from socialmind.worlds.plane.trajectories import trajectories
 
 if TYPE_CHECKING:
     from socialmind.mind.evaluation.arrays import Assembly
-    from socialmind.worlds.plane.devices import Device
+    from socialmind.worlds.plane.devices.device import Device
 
 _MOTION = ("x", "y", "angle", "push_x", "push_y", "torque")
 
@@ -46,8 +46,8 @@ class Arena(Ground):
     def __init__(self, model: Running) -> None:
         super().__init__(model)
         self.world = self
-        shape: Any = model.shape.world
-        self.shape: PlaneShape = shape
+        world: Any = model.shape.world
+        self.shape: PlaneShape = world.plane
         wide = self.shape.half_width
         self.half_width = float(model.context[wide]) if isinstance(wide, str) else float(wide)
         program: Any = model.program.world
@@ -146,7 +146,7 @@ class Arena(Ground):
 
     def build(self) -> None:
         """Look at where the obstacles are, after the setup or a restored state."""
-        self.society.connect()
+        self.society.engine.connect()
         self.plane_arrays.build()
         if self.society.physics == "pymunk":
             self.motion.build()
@@ -156,7 +156,7 @@ class Arena(Ground):
         if self.society.physics == "pymunk":
             self.motion.move()
             return
-        self.society.connect()
+        self.society.engine.connect()
         fault = kernel().move.ctypes(self.plane_arrays.address, 0, 0)
         if fault:
             raise self._not_finite(fault - 1)

@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number, is_truth
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, is_truth
 from socialmind.agents.agent import Agent
 from socialmind.errors import ModelError, called_at
 from socialmind.names import several

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError
-from socialmind.worlds.plane.actuators import emit
 from socialmind.worlds.plane.arena import Arena
 from socialmind.worlds.plane.bodies import Body, Obstacle, Robot, Zone
-from socialmind.worlds.plane.devices import Act, Sense
-from socialmind.worlds.plane.sensors import RangeFinder
+from socialmind.worlds.plane.devices.actuators import emit
+from socialmind.worlds.plane.devices.device import Act, Sense
+from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.errors import shown
-from coglogo_py.memory import check_memory
+from coglogo_py.border.errors import shown
+from coglogo_py.border.memory import check_memory
 from socialmind.agents.running import Running
 from socialmind.compiling.layout import row_dtype
 from socialmind.compiling.lowering import PLACES

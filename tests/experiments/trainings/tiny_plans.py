@@ -3,7 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
-from socialmind.experiments.trainings.plans import Plan
+from socialmind.experiments.trainings.plans import TrainingPlan
 from socialmind.learning import Curriculum
 from socialmind.sources.folders import model_folder
 from socialmind.sources.loading import load_file
@@ -33,7 +33,7 @@ def tiny(*names, generations=4):
         for one in LESSONS.curriculum.items
         if one.name in names
     ]  # fmt: skip
-    return Plan("tiny", 2, mind, lambda: Curriculum(lessons), "collect", 6)
+    return TrainingPlan("tiny", 2, mind, lambda: Curriculum(lessons), "collect", 6)
 
 
 PLAN = tiny("GoToObject", "GoToDropZone")

@@ -1,8 +1,9 @@
-"""Where individuals are judged: cut into pieces, and sent to another process."""
+"""How individuals are evaluated: cut into pieces, and sent to another process."""
 
 import numpy as np
 
-from socialmind.learning.episodes.evaluation import Ground, judged, pieces_of
+from socialmind.learning.episodes.evaluation import Evaluation, pieces_of
+from socialmind.work.packing import packed, unpacked
 
 GENOMES = np.random.default_rng(1).normal(size=(11, 6))
 SEEDS = [5, 6, 7]
@@ -18,14 +19,12 @@ def test_every_individual_meets_every_world_once():
         assert (met == 1).all()
 
 
-def test_a_packed_ground_judges_as_the_one_it_was(slopes, robot, tmp_path):
+def test_a_packed_evaluation_gives_the_scores_of_the_one_it_was(slopes, robot):
     taught = robot.with_modules(skills=[robot.skill("Turn").changed(genome=np.ones(4))])
-    ground = Ground(slopes.Slope, taught, "Turn", ("Turn",), 9, {"target": 0.3})
-    packed = ground.packed()
-    assert packed.key == ground.packed().key
-    again = packed.unpacked(tmp_path)
+    evaluation = Evaluation(slopes.Slope, taught, "Turn", ("Turn",), 9, {"target": 0.3})
+    again = unpacked(packed(evaluation))
     (piece,) = pieces_of(GENOMES[:, :4], SEEDS, 1)
-    one, other = (judged(each, piece) for each in (ground, again))
+    one, other = (each.worker().do(piece) for each in (evaluation, again))
     assert (one.score == other.score).all()
     assert (one.ticks == other.ticks).all()
     assert (again.mind.skill("Turn").genome == 1.0).all()

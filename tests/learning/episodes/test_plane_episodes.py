@@ -294,7 +294,9 @@ def test_an_episode_that_fails_says_where_and_why():
     schedule = (each(robots, drain),)
     attributes = {"world": Plane(20.0), "robots": robots, "schedule": schedule, "ticks": 200}
     failing = type("Failing", (Model,), attributes)
-    with pytest.raises(RuleError, match=r"test_episodes.py:\d+: ZeroDivisionError.*the sensor 'S'"):
+    with pytest.raises(
+        RuleError, match=r"test_plane_episodes.py:\d+: ZeroDivisionError.*the sensor 'S'"
+    ):
         Episodes(failing, skill="Go", lanes=3).run(np.zeros((2, 4)), [1, 2, 3])
 
 
@@ -305,7 +307,7 @@ def test_a_mind_that_fails_says_where():
     broken = MIND.with_modules(
         skills=[Skill("Top", ["SE:S"], ["SK:Go"], Programmed(steer))], sensors=[]
     )
-    with pytest.raises(SocialmindError, match=r"test_episodes.py:\d+: ZeroDiv.*agent 0"):
+    with pytest.raises(SocialmindError, match=r"test_plane_episodes.py:\d+: ZeroDiv.*agent 0"):
         Episodes(Runway, hierarchy=broken, skill="Go", lanes=2).run(np.zeros((1, 4)), [1, 2])
 
 

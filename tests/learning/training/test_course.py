@@ -4,7 +4,7 @@ import pytest
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum
-from socialmind.learning.training.course import Course, curriculum_of, mind_of
+from socialmind.learning.training.course import TrainingCourse, curriculum_of, mind_of
 
 MODEL = """
 from socialmind import Agent, Model, Population
@@ -67,6 +67,6 @@ def test_the_mind_is_the_given_one_then_the_curriculum_s_then_the_model_s(empty,
 
 def test_lessons_are_held_against_the_mind_in_their_order(lesson, robot):
     go, turn, top = lesson("Go"), lesson("Turn"), lesson("Top")
-    Course(Curriculum([go, turn, top]), robot, 0, "compiled")
+    TrainingCourse(Curriculum([go, turn, top]), robot, 0, "compiled")
     with pytest.raises(ModelError, match="the lesson 'Top' with the skill 'Turn' below 'Top'"):
-        Course(Curriculum([go, top, turn]), robot, 0, "compiled")
+        TrainingCourse(Curriculum([go, top, turn]), robot, 0, "compiled")

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from coglogo_py.errors import CogLogoError
+from coglogo_py.border.errors import CogLogoError
 from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Training, learn, resume
 from socialmind.sources.loading import load_file

@@ -392,9 +392,9 @@ def test_outside_the_main_thread(three, tmp_path):
 
 
 def test_an_attempt_reads_where_it_was(three, lesson, robot, tmp_path):
-    from socialmind.learning.training.course import Course
+    from socialmind.learning.training.course import TrainingCourse
 
     folder = learn(None, three, out=tmp_path / "out")
-    attempt = Attempt(folder / "attempts" / "1", 1, Course(three, robot, 0, "compiled"))
+    attempt = Attempt(folder / "attempts" / "1", 1, TrainingCourse(three, robot, 0, "compiled"))
     assert attempt.finished
     assert attempt.done == 3

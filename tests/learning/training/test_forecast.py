@@ -5,7 +5,7 @@ import pytest
 from socialmind.learning import Curriculum, Cycle
 from socialmind.learning.lessons.curriculum import Position
 from socialmind.learning.training.attempt import News
-from socialmind.learning.training.course import Course
+from socialmind.learning.training.course import TrainingCourse
 from socialmind.learning.training.forecast import Forecast
 
 
@@ -21,7 +21,7 @@ def news():
 def test_time_goes_with_the_ticks_ahead(lesson, robot, news):
     go = lesson("Go", ticks=10)
     turn = lesson("Turn", ticks=20, generations=3, settings={"population": 6})
-    forecast = Forecast(Course(Curriculum([go, turn]), robot, 0, "compiled"), attempts=2)
+    forecast = Forecast(TrainingCourse(Curriculum([go, turn]), robot, 0, "compiled"), attempts=2)
     # A generation of Go is 240 ticks, one of Turn as many: 9 generations an attempt.
     assert forecast.seconds_left(news(go, 1, 60.0)) == pytest.approx(60.0 * (8 + 9))
     assert forecast.seconds_left(news(go, 2, 2.0)) == pytest.approx(2.0 * (7 + 9))
@@ -32,14 +32,17 @@ def test_time_goes_with_the_ticks_ahead(lesson, robot, news):
 
 def test_a_budget_shortens_it(lesson, robot, news):
     go = lesson("Go", ticks=10, budget=480)
-    forecast = Forecast(Course(Curriculum([go]), robot, 0, "compiled"), attempts=1)
+    forecast = Forecast(TrainingCourse(Curriculum([go]), robot, 0, "compiled"), attempts=1)
     assert forecast.seconds_left(news(go, 1, 5.0)) == pytest.approx(5.0)
 
 
 def test_nobody_knows_how_long_a_cycle_without_end_takes(lesson, robot, news):
     go = lesson("Go")
     endless = Curriculum([Cycle([go])])
-    assert Forecast(Course(endless, robot, 0, "compiled"), 1).seconds_left(news(go, 1, 1.0)) is None
+    assert (
+        Forecast(TrainingCourse(endless, robot, 0, "compiled"), 1).seconds_left(news(go, 1, 1.0))
+        is None
+    )
     twice = endless.with_cycles(2)
-    left = Forecast(Course(twice, robot, 0, "compiled"), 1).seconds_left(news(go, 1, 1.0))
+    left = Forecast(TrainingCourse(twice, robot, 0, "compiled"), 1).seconds_left(news(go, 1, 1.0))
     assert left == pytest.approx(11.0)

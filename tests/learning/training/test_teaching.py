@@ -4,33 +4,26 @@ import numpy as np
 import pytest
 
 from socialmind.errors import ModelError
-from socialmind.learning.episodes.evaluation import COMPILED, Judged
-from socialmind.learning.episodes.evaluators import Threads, Workers
+from socialmind.learning.episodes.evaluation import COMPILED, Scores
+from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.training.teaching import COLUMNS, VALIDATED, Teaching, check_fits
 from socialmind.mind import Programmed, Skill
+from socialmind.work.workers import Threads
 
 KEY = (7, 1, "Go", 1)
 
 
-class Alone(Workers):
-    """Judges in one go, and keeps what it was asked."""
-
-    count = 1
+class Noting:
+    """Evaluates in one go, and keeps what it was asked."""
 
     def __init__(self):
         self.seeds, self.genomes = [], []
 
-    def judge_pieces(self, ground, pieces, stop):
-        raise AssertionError
-
-    def judge(self, ground, genomes, seeds, stop=lambda: False):
+    def evaluate(self, evaluation, genomes, seeds, stop=lambda: False):
         self.seeds.append(tuple(seeds))
         self.genomes.append(np.array(genomes))
-        outcome = ground.episodes().run(genomes, seeds)
-        return Judged(outcome.score, outcome.ticks)
-
-    def close(self):
-        pass
+        outcome = evaluation.episodes().run(genomes, seeds)
+        return Scores(outcome.score, outcome.ticks)
 
 
 def still():
@@ -47,7 +40,7 @@ def stop():
 
 
 def taught(lesson, mind, workers=None):
-    workers = workers or Alone()
+    workers = workers or Noting()
     teaching = Teaching(lesson, mind, KEY, COMPILED)
     while not teaching.over:
         teaching.advance(workers, stop)
@@ -119,7 +112,7 @@ def test_the_winner_is_the_best_of_the_finals_on_common_worlds(lesson, robot):
     assert len(workers.genomes[-1]) == 4
     assert len(workers.seeds[-1]) == 5
     assert result.score == max(score for _, score in result.finalists)
-    outcome = teaching.ground.episodes().run(result.winner.genome[None], workers.seeds[-1])
+    outcome = teaching.evaluation.episodes().run(result.winner.genome[None], workers.seeds[-1])
     assert result.score == pytest.approx(outcome.score.mean())
     assert result.deviation == pytest.approx(outcome.score.std())
     # The highest of all generations was lucky, and so is judged once more.
@@ -159,7 +152,7 @@ def test_several_skills_learn_as_one(lesson, robot):
 def test_graphs_that_grow(lesson, robot):
     pytest.importorskip("neat")
     go = lesson("Go", optimiser="NEAT", settings={"population": 10})
-    teaching, result, _ = taught(go, robot, Threads(2))
+    teaching, result, _ = taught(go, robot, Evaluators(Threads(2)))
     (skill,) = teaching.learned(result.winner)
     assert skill.function == result.winner.graph
     assert skill.genome_size == len(result.winner.genome)
@@ -171,7 +164,7 @@ def test_restored_it_goes_on_as_if_undisturbed(lesson, robot, tmp_path, optimise
     if optimiser == "NEAT":
         pytest.importorskip("neat")
     one = lesson("Go", optimiser=optimiser)
-    workers = Threads(1)
+    workers = Evaluators(Threads(1))
     _, undisturbed, _ = taught(one, robot, workers)
     first = Teaching(one, robot, KEY, COMPILED)
     for _ in range(after):
@@ -216,12 +209,12 @@ def test_a_skill_learns_on_stand_ins_and_goes_on_without(lesson, robot):
     stand_ins = STILL, STILL.changed(name="Turn")
     one = lesson("Top", stand_ins=stand_ins)
     check_fits(one, robot, [])
-    teaching, result, _ = taught(one, robot, Threads(1))
-    ground = teaching.ground.mind
-    assert {name: list(skill.inputs) for name, skill in ground.skills.items()} == {
+    teaching, result, _ = taught(one, robot, Evaluators(Threads(1)))
+    mind = teaching.evaluation.mind
+    assert {name: list(skill.inputs) for name, skill in mind.skills.items()} == {
         "Top": list(robot.skills["Top"].inputs), "Go": [], "Turn": [],
     }  # fmt: skip
-    assert (list(ground.sensors), list(ground.actuators)) == (["S1"], ["X"])
+    assert (list(mind.sensors), list(mind.actuators)) == (["S1"], ["X"])
     (learned,) = teaching.learned(result.winner)
     assert learned.changed(genome=None).inputs == robot.skills["Top"].inputs
     assert one.record()["stand_ins"] == ["Go", "Turn"]

@@ -1,6 +1,7 @@
 """Files that were cut off or scrambled: they load, or there is one clear error, never another."""
 
 import warnings
+from functools import partial
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -10,7 +11,7 @@ from thesis_examples import AVOID_CNN, TASK
 
 from socialmind.errors import ModelError
 from socialmind.mind import MindDescription
-from socialmind.mind.files import yaml_reader as yaml_form
+from socialmind.mind.files import yaml_reader
 from socialmind.mind.files.evoagents import ades, botdesc, genome_file, simbatch, vardesc
 from socialmind.mind.files.folder import load_tasks
 
@@ -19,7 +20,7 @@ PARSERS = {
     ".vardesc": vardesc.parse,
     ".ades": ades.parse,
     ".simbatch": simbatch.parse,
-    ".yaml": yaml_form.parse,
+    ".yaml": partial(yaml_reader.parse, kind=MindDescription),
 }
 TEXTS = {
     **{path: text for path, text in FILES.items() if path.endswith(tuple(PARSERS))},

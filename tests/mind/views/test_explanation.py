@@ -315,16 +315,6 @@ def test_explain_prints_what_it_returns(capsys):
     assert explanation == explanation_of(hierarchy)
 
 
-def test_the_frames_hold_a_row_a_part():
-    frames = explained(EQUATION_6_1).to_frames()
-    assert list(frames) == ["influences", "motors", "variables"]
-    motors = frames["motors"].set_index(["actuator", "skill", "way"])
-    assert motors.loc[("MotL", "turnLeft", "own"), "percent"] == 50.0
-    assert motors.loc[("MotL", "Avoid", "through"), "weight"] == 2.0
-    assert frames["influences"]["source"].tolist() == [IMPULSE, "Avoid", "Avoid"]
-    assert frames["variables"].empty
-
-
 def test_before_any_evaluation_there_is_nothing_to_explain():
     hierarchy = Hierarchy(mind(EQUATION_6_1))
     with pytest.raises(ModelError, match=r"before its first evaluation; .* call evaluate"):

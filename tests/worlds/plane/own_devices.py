@@ -1,6 +1,6 @@
 """Devices of a modeller's own, one of each kind, that keep to the same contract as ours."""
 
-from socialmind.worlds.plane.devices import Act, Interruption, Reward, Sense
+from socialmind.worlds.plane.devices.device import Act, Interruption, Reward, Sense
 
 
 def crowd(members, own, robot, model, rng, memory, enough=4.0):

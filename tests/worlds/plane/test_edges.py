@@ -10,7 +10,7 @@ from socialmind import Model, ModelError, Population, RuleError, SocialmindError
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription, Perceptron, Skill
 from socialmind.worlds.plane import Disc, Obstacle, Plane, Robot, Sense, constant, wheel
-from socialmind.worlds.plane.relative import bearing_of
+from socialmind.worlds.plane.devices.relative import bearing_of
 
 MIND = MindDescription(
     "goer",

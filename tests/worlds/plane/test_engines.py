@@ -440,7 +440,7 @@ def test_a_model_chooses_its_engine():
     one, other = (Field(seed=2, physics=name, compiled=False) for name in ("pymunk", "compiled"))
     for model in (one, other):
         model.advance(200)
-    assert isinstance(one.arena.motion, PymunkMotion)
+    assert isinstance(one.ground.motion, PymunkMotion)
     assert one.rovers.touched.tolist() == other.rovers.touched.tolist()
     assert one.rovers.touched.sum() > 10
     for name in ("x", "y", "angle", "vx", "vy"):

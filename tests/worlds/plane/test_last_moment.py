@@ -160,7 +160,7 @@ def test_ones_own_reward_can_settle():
     assert town.series()["score"] == 0.05 / 4
     longer = type("Bonus", (Town,), {"rewards": rewards})(seed=1, compiled=False, last=6)
     longer.advance(7)
-    longer.arena.settle()
+    longer.ground.settle()
     assert longer.workers.score.tolist() == [0.05, 0.05]
 
 

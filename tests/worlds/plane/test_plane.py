@@ -25,7 +25,7 @@ from socialmind.worlds.plane import (
     reached,
     wheel,
 )
-from socialmind.worlds.plane.plane import memory_field
+from socialmind.worlds.plane.shape import memory_field
 
 
 class Chosen(Robot):
@@ -187,7 +187,7 @@ def test_rewards_are_for_the_first_robots_that_sense_unless_they_say_otherwise()
         rewards = {"paid": paid(), "other": replace(paid(), robots="drones")}  # noqa: RUF012
         interruptions = {"always": Interruption(always)}  # noqa: RUF012
 
-    teams = Teams.shape.plane.robots
+    teams = Teams.shape.world.robots
     assert list(teams["seers"].rewards) == ["paid"]
     assert list(teams["drones"].rewards) == ["other"]
     assert list(teams["seers"].interruptions) == ["always"]

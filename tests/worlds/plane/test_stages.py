@@ -56,7 +56,7 @@ class Seeing(Model):
 
 
 def planned(model):
-    return model.typed().plane
+    return model.typed().world
 
 
 def test_devices_that_look_from_one_place_share_the_look():

@@ -12,23 +12,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from socialmind.errors import ModelError
-from socialmind.mind.description import MindDescription
 from socialmind.mind.files.evoagents import ades, botdesc, genome_file, simbatch, vardesc
 from socialmind.mind.files.evoagents.ades import GENERAL_REMEDY
 from socialmind.mind.files.evoagents.simbatch import Task
 from socialmind.mind.files.evoagents.text_file import MOST_BYTES, MOST_GENOME, inside, text_of
-from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
+from socialmind.mind.modules import Actuator, AMind, Sensor, Skill, Variable
 
 BOTDESC, VARDESC, ADES, GENOME, SIMBATCH = ".botdesc", ".vardesc", ".ades", ".genome", ".simbatch"
 SKILLS, TASKS = "Skills", "Tasks"
 
 
-def read_folder(path: Path) -> MindDescription:
-    """Return the mind of a folder.
+def read_folder(path: Path, kind: Callable[..., AMind]) -> AMind:
+    """Return the mind of a folder, of the class that is given.
 
     Raises:
         ModelError: there is none, or one of its files is wrong.
@@ -48,23 +47,24 @@ def read_folder(path: Path) -> MindDescription:
                 other,
             )
     skills = [_skill(folder, path) for folder in skill_folders(path)]
-    return whole(agent.stem, sensors, actuators, variables, skills)
+    return whole(kind, agent.stem, sensors, actuators, variables, skills)
 
 
 def whole(
+    kind: Callable[..., AMind],
     name: str,
     sensors: Iterable[Sensor],
     actuators: Iterable[Actuator],
     variables: Iterable[Variable],
     skills: Iterable[Skill],
-) -> MindDescription:
+) -> AMind:
     """Return the mind of modules that were read from files.
 
     Raises:
         ModelError: they do not fit together; with a remedy for files.
     """
     try:
-        return MindDescription(name, sensors, actuators, variables, skills)
+        return kind(name, sensors, actuators, variables, skills)
     except ModelError as error:
         raise ModelError(
             error.found, error.expected, error.remedy or GENERAL_REMEDY, error.file, error.line

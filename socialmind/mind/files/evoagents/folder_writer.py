@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from socialmind.errors import ModelError
-from socialmind.mind.description import MindDescription
 from socialmind.mind.files.companion_files import Texts, add_function, file_name, write
 from socialmind.mind.files.evoagents import ades, botdesc, genome_file, simbatch, vardesc
 from socialmind.mind.files.evoagents.folder_reader import (
@@ -24,11 +23,11 @@ from socialmind.mind.files.evoagents.simbatch import Task
 from socialmind.mind.files.evoagents.text_file import write_text
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.programmed import Programmed
-from socialmind.mind.modules import Skill
+from socialmind.mind.modules import Modules, Skill
 from socialmind.mind.regulation import Regulated
 
 
-def write_folder(description: MindDescription, path: Path) -> None:
+def write_folder(description: Modules, path: Path) -> None:
     """Write a mind's folder; see `folder.save_description`."""
     agent = path / file_name(description.name, BOTDESC)
     _refuse_strangers(description, path, agent)
@@ -64,7 +63,7 @@ def save_tasks(tasks: Mapping[str, Task], folder: str | Path) -> None:
         write_text(Path(folder) / TASKS / file_name(name, SIMBATCH), simbatch.written(task))
 
 
-def _refuse_strangers(description: MindDescription, path: Path, agent: Path) -> None:
+def _refuse_strangers(description: Modules, path: Path, agent: Path) -> None:
     """Refuse a folder whose other files would be read with the mind's."""
     strangers = [
         one

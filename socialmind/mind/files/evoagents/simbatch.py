@@ -82,11 +82,6 @@ class Task:
                 raise ModelError(f"{number!r} as {name} of a task", "a whole number, 0 or more")
         object.__setattr__(self, "others", dict(self.others))
 
-    @property
-    def learns(self) -> bool:
-        """Whether it is a task of learning."""
-        return self.type.startswith("LEARN")
-
 
 def parse(text: str, file: str | Path) -> Task:
     r"""Return the task that a file describes.

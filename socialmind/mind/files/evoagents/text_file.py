@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from coglogo_py import SchemeError
-from coglogo_py.errors import shown
+from coglogo_py.border.errors import shown
 from coglogo_py.files.reading import MOST_BYTES, text_in
 from socialmind.errors import ModelError
 

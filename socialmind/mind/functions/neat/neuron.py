@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from coglogo_py.errors import shown
-from coglogo_py.numbers import is_number, is_whole
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, is_whole
 from socialmind.errors import ModelError
 from socialmind.mind.functions.network import NEAT_ACTIVATIONS, NEAT_AGGREGATIONS
 from socialmind.mind.functions.perceptron import check_whole

@@ -13,8 +13,8 @@ from socialmind.agents.bookkeeping import ENTRIES, GONE, GONE_SCORE
 from socialmind.errors import RuleError, place_of
 from socialmind.streams import Stream
 from socialmind.worlds.contract import Functions
+from socialmind.worlds.plane.devices.relative import bearing_of, bounded, counted, mounted
 from socialmind.worlds.plane.kernel.code import kernel
-from socialmind.worlds.plane.relative import bearing_of, bounded, counted, mounted
 from socialmind.worlds.plane.ticks.stages import PLACED, Call, Seek, Stage
 
 if TYPE_CHECKING:

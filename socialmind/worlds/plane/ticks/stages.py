@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from socialmind.errors import ModelError, nearest
 from socialmind.streams import phase_tags
-from socialmind.worlds.plane.devices import Device, typed
-from socialmind.worlds.plane.plane import PlaneShape, RobotShape, memory_field
+from socialmind.worlds.plane.devices.device import Device, typed
+from socialmind.worlds.plane.shape import PlaneShape, RobotShape, memory_field
 
 if TYPE_CHECKING:
     from socialmind.language.program import Program

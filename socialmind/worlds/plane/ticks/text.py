@@ -7,7 +7,7 @@ from socialmind.worlds.plane.ticks.stages import PLACED, Call, PlaneProgram, See
 HEAD = """import math as _math
 from coglogo_py.compiled.machine_code import kept_callback as _kept_callback
 from socialmind.compiling.memory import call_at as _call
-from socialmind.worlds.plane import relative as _relative
+from socialmind.worlds.plane.devices import relative as _relative
 
 _mounted = _inner(_relative.mounted)
 _bearing_of = _inner(_relative.bearing_of)

@@ -1,0 +1,62 @@
+"""What a stopped command says."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from socialmind.commands.console.terminal import quoted
+
+if TYPE_CHECKING:
+    from socialmind.runs.execution import Interrupted
+
+CTRL_C = 130
+
+
+def exit_code_of_stop(stop: KeyboardInterrupt) -> int:
+    """Say how to go on with a stopped run, and give the exit code of a program stopped so."""
+    # Nothing is imported here: what was stopped may be an import, which cannot be done again.
+    runs: Any = sys.modules.get("socialmind.runs.execution")
+    interrupted = getattr(runs, "Interrupted", None)
+    if interrupted is None or not isinstance(stop, interrupted):
+        typer.echo("socialmind: stopped", err=True)
+        return CTRL_C
+    run: Interrupted = stop
+    typer.echo(
+        f"socialmind: stopped at tick {run.tick:,}; go on with "
+        f"`socialmind run --resume {quoted(run.folder)}`",
+        err=True,
+    )
+    return 128 + run.signal_number
+
+
+def what_memory_lacked(error: MemoryError) -> str:
+    """Say that there was too little memory, and what is known of how much was needed."""
+    needed = f": {error}" if str(error) else ""
+    return (
+        f"not enough memory{needed}; this program had {_peak():,} MB"
+        f"{_limit()}; take fewer agents, patches or workers, or a machine with more memory"
+    )
+
+
+def _peak() -> int:
+    """Return how much memory this program held at most, in megabytes; 0 where nobody tells."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return 0
+    unit = 1 if sys.platform == "darwin" else 1024
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit // 10**6
+
+
+def _limit() -> str:
+    try:
+        import resource
+    except ImportError:
+        return ""
+    limit = resource.getrlimit(resource.RLIMIT_AS)[0]
+    if limit == resource.RLIM_INFINITY:
+        return ""
+    return f" and may have addresses for {limit // 10**6:,} MB (`ulimit -v`)"

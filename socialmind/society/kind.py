@@ -1,0 +1,110 @@
+"""The class of model classes: what a class declares becomes a shape, and its rules a program."""
+
+from __future__ import annotations
+
+import copyreg
+import inspect
+import re
+import sys
+from abc import ABCMeta
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from socialmind.fields import place_of_field
+from socialmind.language.program import Program
+from socialmind.language.shape import ModelShape
+from socialmind.language.source import hold_text
+from socialmind.society.declaration import declaration_of
+from socialmind.sources.provenance import note_definition
+from socialmind.work.packing import is_private, reference
+
+if TYPE_CHECKING:
+    from socialmind.mind.steering import Steering
+
+
+class ModelKind(ABCMeta):
+    """The class of model classes.
+
+    They go to other processes wherever they were loaded from, and a society that is made takes no
+    further attributes.
+    """
+
+    def __call__(cls, *arguments: Any, **settings: Any) -> Any:
+        """Return a society, finished."""
+        made = super().__call__(*arguments, **settings)
+        made._made = True
+        return made
+
+    def declare(cls: Any, model: type) -> None:
+        """Read what a class declares, once it is made.
+
+        Args:
+            model: `Model`, whose names are taken.
+
+        Raises:
+            ModelError: a part of a wrong kind or under a name that is taken, with file and line.
+        """
+        hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
+        note_definition(cls.__module__)
+        found = declaration_of(cls, model)
+        cls.parameters, cls.variables, cls.populations, cls.declared_world = found[:4]
+        cls.rewards, cls.interruptions, cls.measures = found[4:]
+        cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
+        world = cls.declared_world.shape(cls, partial(place_of_field, cls))
+        cls.shape = ModelShape(
+            name=cls.name,
+            parameters={name: one.field for name, one in cls.parameters.items()},
+            variables=cls.variables,
+            populations={n: world.inhabited(one.shape) for n, one in cls.populations.items()},
+            world=world,
+            setup=tuple(phase.shape for phase in cls.setup),
+            schedule=tuple(phase.shape for phase in cls.schedule),
+        )
+        cls._programs = dict[bool, Program]()
+
+    def typed(cls: Any, compiled: bool = True) -> Program:
+        """Return the typed rules of a model; typed anew once a constant or helper is another.
+
+        Raises:
+            ModelError: a rule outside the language.
+        """
+        known: Program | None = cls._programs.get(compiled)
+        if known is None or known.outdated:
+            known = cls._programs[compiled] = Program(cls.shape, compiled)
+        return known
+
+    def steerings(cls: Any, given: Any = None) -> dict[str, Steering]:
+        """Return the hierarchies of skills of the populations that have some.
+
+        Args:
+            given: what `hierarchy` of the model is.
+        """
+        if given is None and all(one.hierarchy is None for one in cls.populations.values()):
+            return {}
+        from socialmind.mind.steering import steerings_of
+
+        return steerings_of(cls.populations, cls.folder(), given, cls.name)
+
+    def before_setup(cls: Any, **arguments: Any) -> Any:
+        """Return a society whose setup has not run; arguments as of the class."""
+        made = cls.__new__(cls)
+        made._sets_up = False
+        made.__init__(**arguments)
+        made._made = True
+        return made
+
+    def folder(cls) -> Path:
+        """Return the folder in which a model's class stands."""
+        return Path(inspect.getfile(cls)).parent
+
+
+def _reduced(kind: ModelKind) -> Any:
+    return reference(kind) if is_private(kind) else kind.__qualname__
+
+
+copyreg.pickle(ModelKind, _reduced)
+
+
+def _snake_case(name: str) -> str:
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()

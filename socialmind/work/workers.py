@@ -1,0 +1,433 @@
+"""Who does many jobs side by side: this thread, threads, processes, or a Dask cluster.
+
+What comes out is the same for all of them, and for any number. Jobs may be without number: they
+are taken a few at a time, as the ones before are done.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import tempfile
+import threading
+from abc import ABC, abstractmethod
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    ThreadPoolExecutor,
+    wait,
+)
+from hashlib import sha256
+from importlib import import_module
+from typing import Any, Protocol, Self
+
+from coglogo_py.border.numbers import whole_number
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.work.packing import packed, unpacked
+from socialmind.work.processes import dismiss, pool
+
+LOOK_SECONDS = 0.2
+"""How long it may take until a wish to stop is heard."""
+LOST_AGAIN = 5
+"""How often a job that a lost worker had is done again before it counts as the job's fault."""
+AHEAD = 4
+"""Jobs for each worker that are taken before their turn, so that none is ever idle."""
+
+Stop = Callable[[], bool]
+Job = tuple[int, Any]
+"""A job and its number."""
+
+
+class Stopped(Exception):  # noqa: N818  # no error
+    """The user wants to stop: what was in hand is dropped."""
+
+
+class MissingDaskError(SocialmindError, ImportError):
+    """The library `distributed` is not installed."""
+
+
+class Worker(Protocol):
+    """Does one job of a task after another."""
+
+    def do(self, job: Any) -> Any:
+        """Do a job and return what came of it."""
+
+    def stop(self) -> None:
+        """Drop the job in hand soon; called from another thread."""
+
+
+class Task(Protocol):
+    """What many jobs have in common. It is pickled for other processes."""
+
+    def worker(self) -> Worker:
+        """Return a worker, with all that it keeps from one job to the next."""
+
+
+def never() -> bool:
+    """Do not stop."""
+    return False
+
+
+class Workers(ABC):
+    """Workers who share out jobs. They are let go at the end of a `with`."""
+
+    lost: tuple[type[BaseException], ...] = ()
+    """The errors that say that a worker was lost."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    @property
+    @abstractmethod
+    def count(self) -> int:
+        """How many they are at this moment."""
+
+    @abstractmethod
+    def close(self) -> None:
+        """Let them go."""
+
+    def results(self, task: Task, jobs: Iterable[Any], stop: Stop = never) -> Iterator[Any]:
+        """Yield what comes of each job, in the order of the jobs.
+
+        Args:
+            task: what the jobs have in common.
+            jobs: any number of them.
+            stop: asked now and then whether to drop the work.
+
+        Raises:
+            Stopped: `stop` said so.
+            SocialmindError: a job's workers were lost again and again.
+            ModelError: other processes cannot find a part of the task.
+        """
+        return (result for _, result in self._done(task, jobs, stop, in_order=True))
+
+    def finished(self, task: Task, jobs: Iterable[Any], stop: Stop = never) -> Iterator[Job]:
+        """Yield the number of each job, from 0, and what came of it, as they are done."""
+        return self._done(task, jobs, stop, in_order=False)
+
+    def _done(
+        self, task: Task, jobs: Iterable[Any], stop: Stop, in_order: bool
+    ) -> Iterator[tuple[int, Any]]:
+        self._take_on(task)
+        coming = enumerate(jobs)
+        again: list[Job] = []
+        losses: Counter[int] = Counter()
+        given: dict[Future[Any], Job] = {}
+        done: dict[int, Any] = {}
+        following = 0
+        broken = False
+        try:
+            while True:
+                while not broken and len(given) + len(done) < AHEAD * self.count:
+                    job = again.pop() if again else next(coming, None)
+                    if job is None:
+                        break
+                    broken = not self._give(task, job, given, again, losses)
+                if not given:
+                    if not broken:
+                        return
+                    self._replace()
+                    broken = False
+                    continue
+                finished, _ = wait(given, LOOK_SECONDS, FIRST_COMPLETED)
+                if stop():
+                    raise Stopped
+                for future in finished:
+                    job = given.pop(future)
+                    try:
+                        done[job[0]] = future.result()
+                    except self.lost:
+                        broken = True
+                        _put_back(job, again, losses)
+                while done and (not in_order or following in done):
+                    number = following if in_order else next(iter(done))
+                    yield number, done.pop(number)
+                    following += 1
+        finally:
+            self._drop(given)
+
+    def _give(
+        self,
+        task: Task,
+        job: Job,
+        given: dict[Future[Any], Job],
+        again: list[Job],
+        losses: Counter[int],
+    ) -> bool:
+        """Give a job to a worker, and return whether there was one to take it."""
+        try:
+            given[self._submit(task, job[1])] = job
+        except self.lost:
+            _put_back(job, again, losses)
+            return False
+        return True
+
+    @abstractmethod
+    def _submit(self, task: Task, job: Any) -> Future[Any]:
+        """Have a job done."""
+
+    @abstractmethod
+    def _take_on(self, task: Task) -> None:
+        """Make ready for a task's jobs."""
+
+    def _replace(self) -> None:  # noqa: B027  # most are not lost
+        """Have others in the place of lost workers."""
+
+    def _drop(self, given: Iterable[Future[Any]]) -> None:
+        """Give up jobs that are not done."""
+        for one in given:
+            one.cancel()
+
+
+def _put_back(job: Job, again: list[Job], losses: Counter[int]) -> None:
+    """Have a job done again whose worker was lost."""
+    losses[job[0]] += 1
+    if losses[job[0]] > LOST_AGAIN:
+        raise SocialmindError(
+            f"a worker's process was ended, {losses[job[0]]} times at the same work; is there "
+            "memory enough? fewer workers need less"
+        )
+    again.append(job)
+
+
+class Alone(Workers):
+    """This thread, that does one job after another as it is asked for what came of them."""
+
+    count = 1
+
+    def _done(
+        self, task: Task, jobs: Iterable[Any], stop: Stop, in_order: bool
+    ) -> Iterator[tuple[int, Any]]:
+        worker = task.worker()
+        for number, job in enumerate(jobs):
+            if stop():
+                raise Stopped
+            yield number, worker.do(job)
+
+    def _submit(self, task: Task, job: Any) -> Future[Any]:
+        raise NotImplementedError
+
+    def _take_on(self, task: Task) -> None:
+        raise NotImplementedError
+
+    def close(self) -> None:
+        """Nobody is to be let go."""
+
+
+class Threads(Workers):
+    """Threads of this process, for what runs in compiled code.
+
+    Args:
+        count: how many.
+    """
+
+    def __init__(self, count: int) -> None:
+        self._count = count
+        self._executor = ThreadPoolExecutor(count)
+        self._task: Task | None = None
+        self._making = threading.Lock()
+        self._free: list[Worker] = []
+        self._busy: list[Worker] = []
+
+    @property
+    def count(self) -> int:
+        """How many they are."""
+        return self._count
+
+    def _take_on(self, task: Task) -> None:
+        if task is not self._task:
+            self._task, self._free = task, []
+
+    def _submit(self, task: Task, job: Any) -> Future[Any]:
+        return self._executor.submit(self._do, task, job)
+
+    def _do(self, task: Task, job: Any) -> Any:
+        with self._making:
+            worker = self._free.pop() if self._free else task.worker()
+            self._busy.append(worker)
+        try:
+            return worker.do(job)
+        finally:
+            with self._making:
+                self._busy.remove(worker)
+                self._free.append(worker)
+
+    def _drop(self, given: Iterable[Future[Any]]) -> None:
+        running = [one for one in given if not one.cancel()]
+        if running:
+            self._stop()
+            wait(running)
+
+    def _stop(self) -> None:
+        with self._making:
+            self._task = None  # who was stopped begins no other job
+            for worker in self._busy:
+                worker.stop()
+
+    def close(self) -> None:
+        """Let them go; what they have in hand is dropped."""
+        self._stop()
+        self._executor.shutdown(cancel_futures=True)
+
+
+class _Elsewhere(Workers):
+    """Workers outside this process, who are told a task as bytes."""
+
+    _executor: Executor
+
+    def __init__(self) -> None:
+        self._task: Task | None = None
+        self._bytes = _Bytes("", b"")
+
+    def _take_on(self, task: Task) -> None:
+        if task is self._task:
+            return
+        try:
+            content = packed(task)
+        except pickle.PicklingError as error:
+            raise ModelError(
+                f"what other processes cannot load: {error}",
+                "a model, an environment and functions of files",
+                "write them into a model's model.py or lessons.py, or use one worker",
+            ) from None
+        self._task, self._bytes = task, _Bytes(sha256(content).hexdigest(), content)
+
+    def _submit(self, task: Task, job: Any) -> Future[Any]:
+        return self._executor.submit(_do_elsewhere, self._bytes, job)
+
+
+class Processes(_Elsewhere):
+    """Processes of this machine, for what runs in Python.
+
+    Args:
+        count: how many.
+    """
+
+    lost = (BrokenExecutor,)
+
+    def __init__(self, count: int) -> None:
+        super().__init__()
+        self._count = count
+        self._folder = tempfile.TemporaryDirectory()
+        self._executor = pool(count, self._folder.name)
+
+    @property
+    def count(self) -> int:
+        """How many they are."""
+        return self._count
+
+    def _replace(self) -> None:
+        dismiss(self._executor)
+        self._executor = pool(self._count, self._folder.name)
+
+    def close(self) -> None:
+        """Let them go, whatever they are at."""
+        dismiss(self._executor)
+        self._folder.cleanup()
+
+
+class Cluster(_Elsewhere):
+    """The workers of a Dask cluster; they need socialmind and the model as here.
+
+    Args:
+        address: of its scheduler, such as `tcp://10.0.0.5:8786`.
+
+    Raises:
+        SocialmindError: `distributed` is not installed, or nobody answers.
+    """
+
+    def __init__(self, address: str) -> None:
+        super().__init__()
+        try:
+            distributed: Any = import_module("distributed")
+        except ImportError:
+            raise MissingDaskError(
+                "a cluster needs Dask: pip install 'socialmind[cluster]'"
+            ) from None
+        try:
+            self._client = distributed.Client(address, set_as_default=False)
+        except (OSError, ValueError) as error:
+            raise SocialmindError(f"{address}: no Dask scheduler answers ({error})") from None
+        self._executor = self._client.get_executor(pure=False, retries=LOST_AGAIN)
+        self.lost = (distributed.KilledWorker, CancelledError)
+
+    @property
+    def count(self) -> int:
+        """How many threads its workers have now, 1 at least."""
+        return max(1, sum(self._client.ncores().values()))
+
+    def close(self) -> None:
+        """Let them go; the cluster stays."""
+        self._executor.shutdown(wait=False)
+        self._client.close()
+
+
+class _Bytes:
+    """A task as bytes, and a hash that says which.
+
+    Args:
+        key: the hash.
+        content: the bytes.
+    """
+
+    def __init__(self, key: str, content: bytes) -> None:
+        self.key, self.content = key, content
+
+
+_standing = threading.local()
+"""What a worker elsewhere keeps from one job to the next: making it may take longer than a job."""
+
+
+def _do_elsewhere(task: _Bytes, job: Any) -> Any:
+    """Do a job in another process."""
+    if getattr(_standing, "key", None) != task.key:
+        _standing.key = _standing.worker = None
+        _standing.worker = unpacked(task.content).worker()
+        _standing.key = task.key
+    return _standing.worker.do(job)
+
+
+def cores() -> int:
+    """Return how many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def workers_here(count: int | None) -> int:
+    """Return how many workers of this machine are meant.
+
+    Args:
+        count: as the user gave it; None for one for each processor.
+
+    Raises:
+        SocialmindError: a number below 1.
+    """
+    return cores() if count is None else whole_number(count, "workers", 1, None, SocialmindError)
+
+
+def hired(count: int | None = None, threads: bool = False, cluster: str | None = None) -> Workers:
+    """Return workers.
+
+    Args:
+        count: how many; one for each processor by default.
+        threads: whether threads do it, for work in compiled code; else processes.
+        cluster: the address of a Dask scheduler, whose workers they are then.
+
+    Raises:
+        SocialmindError: nobody answers there, or a number of workers below 1.
+    """
+    here = workers_here(count)
+    if cluster is not None:
+        if count is not None:
+            raise SocialmindError("workers and a cluster; a cluster has its own, give one of both")
+        return Cluster(cluster)
+    return Threads(here) if threads else Processes(here)

@@ -1,0 +1,1 @@
+"""The devices of robots: sensors, actuators, rewards, interruptions, and what is measured."""

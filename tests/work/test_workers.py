@@ -1,0 +1,145 @@
+"""Workers: results in the order of the jobs or as they come, jobs without end, lost workers."""
+
+import itertools
+import threading
+import time
+
+import pytest
+
+from socialmind.errors import SocialmindError
+from socialmind.sources.loading import load_file
+from socialmind.work.workers import (
+    AHEAD,
+    Alone,
+    Cluster,
+    Processes,
+    Stopped,
+    Threads,
+    hired,
+)
+
+
+class Square:
+    """A task whose worker is itself."""
+
+    def __init__(self):
+        self.begun = []
+        self.stopped = threading.Event()
+
+    def worker(self):
+        return self
+
+    def do(self, job):
+        self.begun.append(job)
+        time.sleep(0.02 if job == 0 else 0)
+        return job * job
+
+    def stop(self):
+        self.stopped.set()
+
+
+class Endless(Square):
+    """A job that goes on until it is stopped."""
+
+    def do(self, job):
+        self.begun.append(job)
+        self.stopped.wait()
+
+
+@pytest.fixture
+def killed(tmp_path):
+    """A task of a file, whose jobs end their process as often as a file says."""
+    (tmp_path / "killed.py").write_text(
+        """import os
+from pathlib import Path
+
+
+class Killed:
+    def __init__(self, folder):
+        self.folder = folder
+
+    def worker(self):
+        return self
+
+    def do(self, job):
+        sign = Path(self.folder) / f"{job}"
+        if sign.exists():
+            left = int(sign.read_text())
+            sign.write_text(str(left - 1))
+            if left > 0:
+                os.kill(os.getpid(), 9)
+        return job
+
+    def stop(self):
+        pass
+"""
+    )
+    return load_file(tmp_path / "killed.py").Killed(str(tmp_path))
+
+
+@pytest.mark.parametrize("kind", [Alone, lambda: Threads(1), lambda: Threads(3)])
+def test_results_come_in_the_order_of_the_jobs(kind):
+    with kind() as workers:
+        assert list(workers.results(Square(), range(20))) == [n * n for n in range(20)]
+        assert dict(workers.finished(Square(), range(20))) == {n: n * n for n in range(20)}
+        assert list(workers.results(Square(), [])) == []
+
+
+@pytest.mark.parametrize("in_order", [True, False])
+def test_jobs_without_end_are_taken_as_they_are_done(in_order):
+    task, taken = Square(), itertools.count()
+    with Threads(2) as workers:
+        found = (workers.results if in_order else workers.finished)(task, taken)
+        for _ in range(30):
+            next(found)
+        found.close()
+    assert next(taken) <= 30 + 2 * AHEAD + 2
+
+
+def test_processes_do_again_what_a_lost_one_had(killed, tmp_path):
+    (tmp_path / "3").write_text("1")
+    with Processes(2) as workers:
+        assert list(workers.results(killed, range(9))) == list(range(9))
+        assert (tmp_path / "3").read_text() != "1"
+
+
+def test_a_job_that_ends_each_of_its_processes_is_given_up(killed, tmp_path, monkeypatch):
+    monkeypatch.setattr("socialmind.work.workers.LOST_AGAIN", 1)
+    (tmp_path / "0").write_text("9")
+    with Processes(1) as workers, pytest.raises(SocialmindError, match="2 times at the same work"):
+        list(workers.results(killed, [0]))
+
+
+def test_who_stops_is_heard_and_so_are_the_workers():
+    task = Endless()
+    with Threads(2) as workers, pytest.raises(Stopped):
+        list(workers.results(task, range(9), lambda: len(task.begun) == 2))
+    assert task.begun == [0, 1]
+
+
+def test_threads_that_are_let_go_drop_what_they_have_in_hand():
+    task = Endless()
+    with pytest.raises(KeyboardInterrupt), Threads(2) as workers:
+        left = workers.results(task, range(9), lambda: False)
+        threading.Thread(target=lambda: next(left, None), daemon=True).start()
+        while len(task.begun) < 2:
+            time.sleep(0.01)
+        raise KeyboardInterrupt
+    assert task.stopped.is_set()
+
+
+def test_who_does_the_work():
+    with hired(2) as some:
+        assert (type(some), some.count) == (Processes, 2)
+    with hired(2, threads=True) as some:
+        assert (type(some), some.count) == (Threads, 2)
+
+
+def test_wrong_numbers_and_addresses_are_refused():
+    with pytest.raises(SocialmindError, match="workers: found 0; expected a whole number, 1 or"):
+        hired(0)
+    with pytest.raises(SocialmindError, match="give one of both"):
+        hired(2, cluster="tcp://x:1")
+    pytest.importorskip("distributed")
+    with pytest.raises(SocialmindError, match="no Dask scheduler answers"):
+        Cluster("nonsense://x:1")
