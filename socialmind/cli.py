@@ -8,6 +8,13 @@ with exit code 2.
 from __future__ import annotations
 
 import sys
+
+if __name__ == "__main__":  # `python -m socialmind.cli`: Ctrl-C may come while this is being read
+    from socialmind.__main__ import main as start
+
+    start()
+    sys.exit()
+
 import warnings
 from collections.abc import Callable
 from functools import wraps
@@ -221,7 +228,3 @@ def main() -> None:
         app()
     except OSError as error:  # what `--help` and `--version` say found no room
         sys.exit(_report(error))
-
-
-if __name__ == "__main__":
-    main()

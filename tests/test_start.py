@@ -47,13 +47,34 @@ def test_names_are_there_when_asked_for():
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_ctrl_c_at_the_very_start(tmp_path):
+@pytest.mark.parametrize("module", ["socialmind", "socialmind.cli"])
+def test_ctrl_c_at_the_very_start(tmp_path, module):
     (tmp_path / "typer.py").write_text("raise KeyboardInterrupt\n")
     path = os.pathsep.join([str(tmp_path), str(CHECKOUT)])
     done = subprocess.run(
-        [sys.executable, "-m", "socialmind", "list"],
+        [sys.executable, "-m", module, "list"],
         env={**os.environ, "PYTHONPATH": path},
         capture_output=True,
         text=True,
     )
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
+
+
+def test_ctrl_c_while_a_library_is_read_that_cannot_be_read_again(tmp_path):
+    """As NumPy, which says so with an ImportError."""
+    (tmp_path / "numpy.py").write_text(
+        "import sys\n"
+        "if hasattr(sys, 'begun'):\n"
+        "    raise ImportError('cannot load module more than once per process')\n"
+        "sys.begun = True\n"
+        "raise KeyboardInterrupt\n"
+    )
+    path = os.pathsep.join([str(tmp_path), str(CHECKOUT)])
+    done = subprocess.run(
+        [sys.executable, "-m", "socialmind", "run", "boids"],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "socialmind: stopped\n")

@@ -70,11 +70,26 @@ def settle(counters: Any, order: Any, alive: Any, free: Any) -> None:
     counters[COUNT] = counters[ENTRIES]
 
 
+MARGIN = 64
+"""How many more births than there are agents a tick has room for."""
+
+
+@register_jitable
+def short_of_slots(counters: Any) -> bool:
+    """Say whether a tick could bring more births than there are free slots, within reason."""
+    return counters[FREE] < counters[COUNT] + MARGIN
+
+
+@register_jitable
+def short_of_identities(counters: Any, slot_of: Any) -> bool:
+    """Say whether a tick could bring more births than identities can be known, within reason."""
+    return len(slot_of) - counters[NEXT_ID] < counters[COUNT] + MARGIN
+
+
 @register_jitable
 def short_of_room(counters: Any, slot_of: Any) -> bool:
     """Say whether a tick could bring more births than there is room for, within reason."""
-    wanted = counters[COUNT] + 64
-    return counters[FREE] < wanted or len(slot_of) - counters[NEXT_ID] < wanted
+    return short_of_slots(counters) or short_of_identities(counters, slot_of)
 
 
 @register_jitable

@@ -48,6 +48,8 @@ PROGRESS_SECONDS = 0.1
 NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 CHECKPOINT_COST = 20
 """Checkpoints lie at least this many times their own cost apart."""
+LONGEST_REST = 3600.0
+"""Seconds that they lie apart at most, whatever they cost."""
 
 
 class Interrupted(KeyboardInterrupt):
@@ -290,26 +292,25 @@ class _Execution:
     ) -> None:
         chunk = 1
         clock = time.perf_counter
-        next_report = 0.0
-        next_checkpoint = clock() + checkpoint_every
+        report, checkpoint = _Timer(clock(), 0.0), _Timer(clock(), checkpoint_every)
         while True:
             tick = self._model.tick
             if self._model.stopped:
                 length = tick
             self._record(tick, length)
             now = clock()
-            if on_progress and (now >= next_report or tick >= length):
+            if on_progress and (report.over(now) or tick >= length):
                 on_progress(tick, length)
-                next_report = now + PROGRESS_SECONDS
+                report = _Timer(now, PROGRESS_SECONDS)
             if tick >= length:
                 return
             if arrived:
                 self._checkpoint(status=folders.INTERRUPTED)
                 raise Interrupted(self._capsule.folder, tick, arrived[0])
-            if now >= next_checkpoint:
+            if checkpoint.over(now):
                 self._checkpoint()
-                cost = clock() - now
-                next_checkpoint = clock() + max(checkpoint_every, CHECKPOINT_COST * cost)
+                rest = min(CHECKPOINT_COST * (clock() - now), LONGEST_REST)
+                checkpoint = _Timer(clock(), max(checkpoint_every, rest))
             stop = min(length, *(tick - tick % k + k for k in self._every.values()))
             count = min(stop - tick, chunk)
             begin = clock()
@@ -357,6 +358,22 @@ class _Execution:
         changes = continuing.progress_fields(self._capsule.manifest, checkpoint)
         self._capsule.update(status=status, model=model, **changes)
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
+
+
+class _Timer:
+    """A time to wait, by a clock that some virtual machines set forth and back.
+
+    Args:
+        now: what the clock says.
+        wait: seconds.
+    """
+
+    def __init__(self, now: float, wait: float) -> None:
+        self._begin, self._wait = now, wait
+
+    def over(self, now: float) -> bool:
+        """Say whether the time is over, or the clock was set back and tells nothing of it."""
+        return not 0.0 <= now - self._begin < self._wait
 
 
 def _source_of(model: Model, name: str) -> str:

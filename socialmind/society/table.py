@@ -361,30 +361,41 @@ class Table:
         """Whether the next tick could bring more births than there is room for."""
         return bool(bookkeeping.short_of_room(self.counters, self.slot_of))
 
+    @property
+    def room(self) -> tuple[int, int]:
+        """How many slots there are for the living, and how many identities can be known."""
+        return len(self.rows), len(self.slot_of)
+
     def grow(self) -> None:
-        """Make room for twice as many agents (the new slots are taken last)."""
+        """Make room for births: twice the slots, the identities, or both, as they are short."""
+        slots, identities = self.room
+        # The dead leave their slots to others, and keep their identity alone.
+        self.reserve(
+            max(2 * slots, 256) if bookkeeping.short_of_slots(self.counters) else slots,
+            max(2 * identities, 256)
+            if bookkeeping.short_of_identities(self.counters, self.slot_of)
+            else identities,
+        )
+
+    def reserve(self, slots: int, identities: int) -> None:
+        """Have at least so many slots (new ones are taken last) and identities."""
+        if identities > len(self.slot_of):
+            self.slot_of = _lengthened(self.slot_of, identities, -1)
         old = len(self.rows)
-        capacity = max(2 * old, 256)
+        if slots <= old:
+            return
         for name in ("rows", "order", "acting", "alive"):
-            array = getattr(self, name)
-            larger = np.zeros(capacity, array.dtype)
-            larger[:old] = array
-            setattr(self, name, larger)
-        identities = np.full(max(2 * len(self.slot_of), capacity), -1, np.int64)
-        identities[: len(self.slot_of)] = self.slot_of
-        self.slot_of = identities
-        free = np.zeros(capacity, np.int64)
-        added = capacity - old
-        count = int(self.counters[bookkeeping.FREE])
-        free[:added] = np.arange(capacity - 1, old - 1, -1)
-        free[added : added + count] = self.free[:count]
-        self.free = free
+            setattr(self, name, _lengthened(getattr(self, name), slots, 0))
+        count, added = int(self.counters[bookkeeping.FREE]), slots - old
+        self.free = np.concatenate(
+            [np.arange(slots - 1, old - 1, -1), self.free[:count], np.zeros(old - count, np.int64)]
+        )
         self.counters[bookkeeping.FREE] = count + added
         self._see_columns()
         if self.society is not None:
-            self.society.reserve(added)
+            self.society.reserve(slots - len(self))  # a mind for each slot
         if self.minds is not None:
-            self.minds.grow(capacity)
+            self.minds.grow(slots)
 
     # State ------------------------------------------------------------------------------------
 
@@ -435,6 +446,14 @@ class Table:
                 "read what you need of it before it dies"
             )
         return self.society.mind_in(mind)
+
+
+def _lengthened(array: NDArray[Any], length: int, rest: int) -> NDArray[Any]:
+    larger = np.zeros(length, array.dtype)
+    larger[: len(array)] = array
+    if rest:
+        larger[len(array) :] = rest
+    return larger
 
 
 def _ends(identities: NDArray[np.int64]) -> str:

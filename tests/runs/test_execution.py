@@ -161,6 +161,37 @@ def test_progress_is_reported_up_to_the_end(drifters, tmp_path):
     assert seen[-1] == (50, 50)
 
 
+class Leaping:
+    """A clock that goes on by 10 ms whenever it is looked at, and now and then leaps by days."""
+
+    def __init__(self, days, looks):
+        self.now, self.seen, self.days, self.looks = 1e6, 0, days, looks
+
+    def __call__(self):
+        self.seen += 1
+        self.now += self.days * 86_400 if self.seen % self.looks == 0 else 0.01
+        return self.now
+
+
+@pytest.mark.parametrize(("days", "looks"), [(-3, 20), (3, 20), (3, 21)])
+def test_a_clock_that_leaps_changes_nothing(drifters, whole, tmp_path, monkeypatch, days, looks):
+    saved, told = [], []
+    save = Checkpoint.save
+    monkeypatch.setattr(Checkpoint, "save", lambda one, path: (saved.append(one), save(one, path)))
+    for name in ("time", "perf_counter", "monotonic"):
+        monkeypatch.setattr(time, name, Leaping(days, looks))
+    out = run(
+        drifters, 1003, 3, every=4, agents_every=20, out=tmp_path / "run", checkpoint_every=0.5,
+        on_progress=lambda tick, length: told.append(tick),
+    )  # fmt: skip
+    assert tables_of(out) == tables_of(whole)
+    assert len(saved) > 5 and len(told) > 20  # after the first leap too
+    assert all(one.seconds >= 0.0 and one.loop_seconds >= 0.0 for one in saved)
+    resume(out, ticks=1010, model_class=drifters)
+    timings = Run(out).manifest.timings
+    assert timings["seconds"] >= 0.0 and timings["loop_seconds"] >= 0.0
+
+
 # Stopping and going on
 
 

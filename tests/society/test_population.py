@@ -5,6 +5,7 @@ import pytest
 
 from coglogo_py import CognitiveScheme, Cogniton
 from socialmind import Agent, Model, Population, each, once, parameter
+from socialmind.agents.bookkeeping import NEXT_ID
 
 SCHEME = CognitiveScheme("herd", (Cogniton("Hunger", start_value=1.0, influence={"eat": 1.0}),))
 
@@ -142,6 +143,45 @@ def test_more_births_in_a_tick_than_there_is_room_for():
     assert fast.calves.age.tolist() == slow.calves.age.tolist()
     # Each litter is weaned from the next tick on: only the last one holds even identities.
     assert [cow for cow in fast.calves.id if cow % 2 == 0] == list(range(4000, 5000, 2))
+
+
+def test_the_dead_take_no_room_but_for_their_identity():
+    fast, slow = both(Herd, 400, risk=0.2)
+    for herd in (fast, slow):
+        table = herd.tables["cows"]
+        assert len(table.rows) == len(table.society.minds.mind_id) == 512
+        assert len(table.slot_of) >= table.counters[NEXT_ID] > 10_000
+    assert fast.cows.age.tolist() == slow.cows.age.tolist()
+    fast.advance(3600)
+    table = fast.tables["cows"]
+    assert len(table.slot_of) >= table.counters[NEXT_ID] > 100_000
+    assert len(table.rows) == len(table.society.minds.mind_id) == 512
+
+
+def test_a_state_with_room_for_the_dead_comes_back():
+    """As states had that were kept when slots grew along with identities."""
+    one, other = Herd(5, risk=0.2), Herd(5, risk=0.2)
+    one.advance(60)
+    kept = one.state()
+    one.tables["cows"].reserve(4096, 4096)
+    wide = one.state()
+    assert len(wide["cows.rows"]) == 4096 > len(kept["cows.rows"])
+    for herd, state in ((one, wide), (other, kept)):
+        herd.restore(state)
+        herd.advance(60)
+    assert one.cows.id.tolist() == other.cows.id.tolist()
+    assert one.cows.age.tolist() == other.cows.age.tolist()
+    assert one.cows.slots.tolist() == other.cows.slots.tolist()
+
+
+def test_who_goes_on_from_a_state_has_the_room_of_who_never_stopped():
+    one, other = Herd(5, risk=0.2), Herd(5, risk=0.2)
+    one.advance(200)
+    other.restore(one.state())
+    for herd in (one, other):
+        herd.advance(200)
+    for name, array in one.state().items():
+        assert str(array.tolist()) == str(other.state()[name].tolist()), name
 
 
 def test_slots_of_the_dead_are_used_again_but_not_within_the_tick():

@@ -3,27 +3,33 @@
 from __future__ import annotations
 
 import sys
+from typing import TYPE_CHECKING, Any
 
 import typer
 
 from socialmind.commands.console.terminal import quoted
+
+if TYPE_CHECKING:
+    from socialmind.runs.execution import Interrupted
 
 CTRL_C = 130
 
 
 def exit_code_of_stop(stop: KeyboardInterrupt) -> int:
     """Say how to go on with a stopped run, and give the exit code of a program stopped so."""
-    from socialmind.runs.execution import Interrupted
-
-    if not isinstance(stop, Interrupted):
+    # Nothing is imported here: what was stopped may be an import, which cannot be done again.
+    runs: Any = sys.modules.get("socialmind.runs.execution")
+    interrupted = getattr(runs, "Interrupted", None)
+    if interrupted is None or not isinstance(stop, interrupted):
         typer.echo("socialmind: stopped", err=True)
         return CTRL_C
+    run: Interrupted = stop
     typer.echo(
-        f"socialmind: stopped at tick {stop.tick:,}; go on with "
-        f"`socialmind run --resume {quoted(stop.folder)}`",
+        f"socialmind: stopped at tick {run.tick:,}; go on with "
+        f"`socialmind run --resume {quoted(run.folder)}`",
         err=True,
     )
-    return 128 + stop.signal_number
+    return 128 + run.signal_number
 
 
 def what_memory_lacked(error: MemoryError) -> str:

@@ -31,10 +31,10 @@ class Crowded(Exception):  # noqa: N818  # the episodes catch it
     """Births found no room.
 
     Args:
-        room: how many slots each population needs.
+        room: how many slots and identities each population needs.
     """
 
-    def __init__(self, room: dict[str, int]) -> None:
+    def __init__(self, room: dict[str, tuple[int, int]]) -> None:
         super().__init__(room)
         self.room = room
 
@@ -42,7 +42,7 @@ class Crowded(Exception):  # noqa: N818  # the episodes catch it
 class Batch:
     """The worlds of all lanes, their minds, and where compiled code finds them."""
 
-    def __init__(self, episodes: Episodes, lanes: int, room: Mapping[str, int]) -> None:
+    def __init__(self, episodes: Episodes, lanes: int, room: Mapping[str, tuple[int, int]]) -> None:
         self.episodes = episodes
         self.rounds = 1
         make = episodes.model_class
@@ -53,9 +53,8 @@ class Batch:
             for _ in range(lanes)
         ]
         for model in self.models:
-            for name, slots in room.items():
-                while len(model.tables[name].rows) < slots:
-                    model.tables[name].grow()
+            for name, (slots, identities) in room.items():
+                model.tables[name].reserve(slots, identities)
         minded = [name for name, robots in episodes.robots.items() if robots.hierarchy]
         self.minds: dict[str, Minds] = {name: self._minds(name, lanes) for name in minded}
         copies: list[tuple[int, int, int]] = []
@@ -188,10 +187,14 @@ class Batch:
             alone = self.episodes.model(int(keys[job]), genome)
             while alone.over is None and alone.tick < self.episodes.ticks:
                 alone.advance(1)
-            here = self.models[0].tables
-            room = {name: len(table.rows) for name, table in alone.tables.items()}
-            if any(slots > len(here[name].rows) for name, slots in room.items()):
-                raise Crowded({n: max(room[n], len(here[n].rows)) for n in room})
+            room, more = {}, False
+            for name, table in self.models[0].tables.items():
+                slots, identities = alone.tables[name].room
+                here = table.room
+                room[name] = max(slots, here[0]), max(identities, here[1])
+                more = more or room[name] != here
+            if more:
+                raise Crowded(room)
         where = f"the episode of the world {int(keys[job])}" if job >= 0 else "an episode"
         raise known or SocialmindError(f"{where} failed")
 

@@ -90,7 +90,7 @@ class Episodes:
         self.recorded = {name: self._place(name) for name in self.record}
         self.stopped = False
         self._batch: Batch | None = None
-        self._room: dict[str, int] = {}
+        self._room: dict[str, tuple[int, int]] = {}
 
     def _place(self, name: str) -> tuple[str | None, str]:
         """Return where something to record stands: a population, or None for the model's own."""

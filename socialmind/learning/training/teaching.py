@@ -158,7 +158,8 @@ class Teaching:
         self.rows.append(
             (
                 float(number), best.score, float(scores.mean()), float(scores.std()),
-                self._best.score, float(self.ticks), time.perf_counter() - begun, *validated,
+                self._best.score, float(self.ticks), max(0.0, time.perf_counter() - begun),
+                *validated,
             )
         )  # fmt: skip
 

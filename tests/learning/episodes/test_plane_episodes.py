@@ -98,6 +98,15 @@ def test_the_number_of_lanes_does_not_matter(lanes, genomes, outcome):
     assert same(episodes(lanes=lanes).run(genomes, SEEDS), outcome)
 
 
+@pytest.mark.parametrize("room", [(1, 4096), (4096, 1)])
+def test_births_may_lack_slots_or_identities_alone(room, genomes, outcome):
+    one = episodes()
+    one._room = dict.fromkeys(["balls", "scouts"], room)
+    assert same(one.run(genomes, SEEDS), outcome)
+    found = {name: one._batch.models[0].tables[name].room for name in ("balls", "scouts")}
+    assert found == dict.fromkeys(found, (max(room[0], 256), max(room[1], 256)))
+
+
 def test_order_and_company_do_not_matter(genomes, outcome):
     one = episodes(lanes=3)
     order = [4, 1, 0, 3, 2]

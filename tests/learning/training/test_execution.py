@@ -1,6 +1,8 @@
 """Trainings: folders, attempts, killing and going on, other lessons than before."""
 
+import itertools
 import json
+import multiprocessing
 import os
 import random
 import shutil
@@ -225,6 +227,36 @@ def test_killed_at_any_moment_it_goes_on_to_the_same_end(model, tmp_path):
             break
         assert process.returncode == -signal.SIGKILL
     assert digest(out) == digest(undisturbed)
+
+
+def test_a_worker_that_is_killed_is_replaced_and_nothing_else_changes(model, tmp_path):
+    undisturbed = learn(model, "Go", generations=3, out=tmp_path / "undisturbed")
+    killed = []
+
+    def kill(news, left):
+        if not killed:
+            killed.append(multiprocessing.active_children()[-1])
+            killed[0].kill()
+
+    folder = tmp_path / "out"
+    out = learn(
+        model, "Go", generations=3, out=folder, engine="pymunk", workers=2, on_generation=kill
+    )
+    assert killed[0].exitcode == -signal.SIGKILL
+    assert digest(out) == digest(undisturbed)
+    assert not multiprocessing.active_children()
+
+
+def test_a_clock_that_leaps_changes_nothing(three, tmp_path, monkeypatch):
+    undisturbed = learn(None, three, out=tmp_path / "undisturbed")
+    for name in ("time", "perf_counter", "monotonic"):
+        leaps = itertools.cycle([0.01] * 4 + [3 * 86_400.0] + [0.01] * 5 + [-4 * 86_400.0])
+        told = itertools.accumulate(leaps, initial=1e6)
+        monkeypatch.setattr(time, name, lambda told=told: next(told))
+    out = learn(None, three, out=tmp_path / "out")
+    assert digest(out) == digest(undisturbed)
+    assert (Training(out).curve["seconds"] >= 0.0).all()
+    assert Training(out).manifest.timings["seconds"] >= 0.0
 
 
 def done(folder):
