@@ -121,6 +121,7 @@ def test_attempts_are_independent_and_can_be_added(three, tmp_path):
     added = learn(None, three, attempts=1, out=tmp_path / "added")
     resume(added, attempts=3, lessons=three)
     assert digest(added) == digest(together)
+    assert Training(added).manifest.finished == Training(together).manifest.finished == 3
     genomes = [Training(added).mind(attempt).skill("Go").genome for attempt in (1, 2, 3)]
     assert not np.array_equal(genomes[0], genomes[1])
     with pytest.raises(SocialmindError, match="3 attempts were asked for before, 2 now"):
@@ -369,6 +370,9 @@ def test_other_optimisers_and_settings_than_the_lessons_own(model, tmp_path):
     assert (record["optimiser"], record["generations"]) == ("ANNEALING", 2)
     assert record["settings"]["neighbours"] == 3
     assert digest(resume(folder)) == digest(folder)
+    fewer = learn(model, "Go", out=tmp_path / "fewer", settings={"population": 7}, generations=1)
+    (record,) = Training(fewer).manifest.lessons
+    assert (record["optimiser"], record["settings"]["population"]) == ("GENETIC", 7)
 
 
 def test_a_broken_environment_leaves_a_folder_that_says_so(lesson, robot, slopes, tmp_path):
@@ -426,3 +430,4 @@ def test_an_attempt_reads_where_it_was(three, lesson, robot, tmp_path):
     attempt = Attempt(folder / "attempts" / "1", 1, Course(three, robot, 0, "compiled"))
     assert attempt.finished
     assert attempt.done == 3
+    assert attempt.seconds > 0.0  # as it was when it was left
