@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from random_minds import MASTER, random_mind, sensor_values
 from small_minds import constant, mind, wired
 
-from socialmind.mind import Actuator, Hierarchy, MindDescription, Programmed, Skill
+from socialmind.mind import Actuator, Hierarchy, MindDescription, Minds, Programmed, Skill
 
 SHARES = st.floats(0.0, 1.0)
 INFLUENCES = st.floats(1e-290, 1.0) | st.just(0.0)  # a weighted mean of less has fewer digits
@@ -127,6 +127,27 @@ def test_a_motor_without_influence_takes_its_neutral():
     assert hierarchy.evaluate({"on": 1.0}) == {"Wheel": 1.0, "Claw": 0.75, "Lamp": 0.25}
     assert hierarchy.evaluate({"on": 0.0}) == still
     assert hierarchy.actuators() == still
+
+
+def test_a_skill_that_is_left_alone_sends_nothing_on_and_a_faint_influence_counts():
+    skills = [
+        wired("Master", {"SK:Middle": "SE:middle", "SK:Other": "SE:other"}),
+        constant("Middle", {"SK:Base": 1.0}),
+        constant("Base", {"MO:M": 1.0}),
+        constant("Other", {"MO:M": 0.25}),
+    ]
+    alone, many = Hierarchy(mind(skills), "Master"), Minds(mind(skills), "Master", 3)
+    ticks = [  # influence on Middle and on Other; the mean of 1.0 and 0.25 by them
+        (1.0, 1.0, 0.625),
+        (0.0, 0.5, 0.25),
+        (0.125, 0.0, 1.0),
+        (0.0, 0.0, 0.5),
+        (0.125, 0.25, 0.5),
+    ]
+    for middle, other, expected in ticks:
+        sensed = {"middle": middle, "other": other}
+        assert alone.evaluate(sensed) == {"M": expected}
+        assert many.evaluate(sensed)["M"].tolist() == [expected] * 3
 
 
 def test_a_master_may_stand_below_others():

@@ -226,6 +226,20 @@ def test_selling_a_tool(make, play):
     assert not np.isnan(society.humans.cogniton("ToolStock")[0])
 
 
+def test_another_price_counts_in_all_that_trade_does(make, play):
+    society = make(tool_price=100.0)
+    human, village = play.trader(society, staple=6000.0)
+    play.follow(society, "TradeWheatForTools")
+    assert (human.tools, human.wheat, village.ware, village.staple) == (11.0, 900.0, 39.0, 6100.0)
+    # (6000 - 40 * 100) / (50 * 100) = 0.4.
+    signal = 1.01 * 0.4
+    assert play.demands(village) == pytest.approx(((0.5 - signal) * 0.99, (0.25 + signal) * 0.99))
+    play.trader(society, staple=150.0)  # poor, but not too poor for this price
+    play.follow(society, "TradeToolsForWheat")
+    assert (human.tools, human.wheat, village.ware, village.staple) == (9.0, 1100.0, 41.0, 50.0)
+    assert (human.bought, human.sold) == (1, 1)
+
+
 @pytest.mark.parametrize("x", [0.0, 9.0])
 def test_no_tool_to_buy(make, x, play):
     society = make()

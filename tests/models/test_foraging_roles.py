@@ -1,6 +1,7 @@
 """Robots that find their roles: the world, its market and shocks, and what is measured of it."""
 
 import warnings
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -41,6 +42,29 @@ def test_kinds_are_treated_alike(wanted, b):
     scarce = PAYOFF.scarcity_of_a(b, 10.0 - b, wanted)
     assert scarce == pytest.approx((b / 10 - wanted) / (wanted * (1 - wanted)))
     assert PAYOFF.scarcity_of_a(10.0 - b, b, 1 - wanted) == pytest.approx(-scarce)
+
+
+def test_an_object_is_counted_by_its_kind_and_worth_more_where_that_is_scarce():
+    market = SimpleNamespace(staple=5.0, ware=4.0, perception=0.0)
+    model = SimpleNamespace(markets=[market], wanted=0.5, decay=0.25)
+    robot = SimpleNamespace(load=2, payoff=0.0, paid=False, earned=0.0)
+    PAYOFF.pay(robot, model)
+    # A B makes six of ten: A is scarcer by 0.1 / (0.5 · 0.5), and B is worth less by 0.15 times it.
+    assert (market.staple, market.ware) == (6.0, 4.0)
+    assert (market.perception, robot.payoff) == pytest.approx((0.4, 0.44))
+    robot.load = 1
+    PAYOFF.pay(robot, model)
+    assert (market.staple, market.ware) == (6.0, 5.0)
+    assert robot.payoff == pytest.approx(0.5 + 0.15 * (6 / 11 - 0.5) / 0.25)
+    assert (robot.paid, robot.earned) == (True, 2.0)
+    PAYOFF.forget(market, model)
+    assert (market.staple, market.ware) == (4.5, 3.75)
+
+
+def test_the_market_opens_with_what_is_wanted():
+    model = ForagingRoles(seed=1, foragers=4, wanted_b=0.25, hierarchy=staying())
+    # Three objects a robot, a quarter of them B.
+    assert (model.markets.staple.tolist(), model.markets.ware.tolist()) == ([3.0], [9.0])
 
 
 @pytest.mark.parametrize(("start", "in_b"), [(0, 0), (1, 9), (2, 9)])

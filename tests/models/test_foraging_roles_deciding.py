@@ -1,5 +1,7 @@
 """Who decides about roles: the learned mind, a scheme, or a simple rule, and several at once."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -120,6 +122,27 @@ def test_what_a_payoff_lacks_is_seen_beyond_the_tolerance(payoff, plenty):
     DECIDING.perceive(robot, model, "PlentyOfB")
     value = model.robots.cogniton("PlentyOfB")[0]
     assert np.isnan(value) if plenty is None else value == pytest.approx(plenty)
+
+
+def test_what_is_just_as_it_may_be_changes_nothing():
+    """The tolerance, a payoff of 0.5 and half of an odd number of robots are on the near side."""
+    model = ForagingRoles(
+        seed=3, compiled=False, programmed=1.0, start=1, foragers=2, tolerance=25.0
+    )
+    robot = model.robots[0]
+    for payoff, seen in ((0.25, False), (0.125, True)):
+        robot.payoff = payoff
+        DECIDING.perceive(robot, model, "PlentyOfB")
+        assert np.isfinite(model.robots.cogniton("PlentyOfB")[0]) == seen
+    roles = {}
+    for payoff in (0.5, 0.499):
+        greedy = SimpleNamespace(programmed=False, payoff=payoff, is_b=False)
+        greedy.hierarchy = SimpleNamespace(
+            set_variable=lambda _, role, at=payoff: roles.update({at: role})
+        )
+        DECIDING.decide(greedy, SimpleNamespace(unlearned=GREEDY), None)
+    assert roles == {0.499: 1.0}
+    assert [DECIDING.is_due(0.5, having, 9) for having in (3, 4)] == [True, False]
 
 
 def test_who_takes_up_another_role_leaves_the_old_one():

@@ -1,5 +1,7 @@
 """The economy in which roles are learned, and the mind that was."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -56,6 +58,24 @@ def test_robots_taken_away_and_added_change_what_is_wanted(mind):
         outcome = economy(mind, **terms | {"events": (event,)}).run([STAY], [3, 4, 5, 6])
         gone = outcome.score[0] == pytest.approx(-(3 / 9 + off) / 2)
         assert gone
+
+
+@pytest.mark.parametrize("start", [0, 1])
+def test_a_delivery_is_paid_as_in_the_model(start):
+    told = {}
+    staying = SimpleNamespace(
+        set_sensor=told.__setitem__, step=lambda: None, actuator=lambda name: told[name]
+    )
+    terms = ECONOMY.Terms(numbers=(9,), ratios=(1 / 2,), starts=(start,), events=(0,))
+    worlds = ECONOMY.Worlds([ECONOMY.World(1, terms, 60_000)], 1, 60_000)
+    worlds.go_on(staying)
+    # Of 27 objects half are B. They fade until one robot delivers, whose kind is then not scarce.
+    left = 13.5 * (1 - 0.0005) ** worlds.now[0]
+    counts = (left, left + 1) if start else (left + 1, left)
+    assert (worlds.count_a[0], worlds.count_b[0]) == pytest.approx(counts)
+    scarcity = (left / (2 * left + 1) - 1 / 2) / (1 / 4)
+    assert told["PAYOFF"] == pytest.approx([0.5 + 0.15 * scarcity])
+    assert told["ROLE"].tolist() == [start]
 
 
 def test_a_score_hangs_on_genome_and_world_alone(mind):

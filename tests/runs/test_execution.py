@@ -89,6 +89,12 @@ def test_rows_are_recorded_on_the_grid_and_at_the_last_tick(whole):
     assert len(first) == done.series.set_index("tick")["population"][20]
 
 
+def test_the_two_grids_need_not_fall_together(drifters, tmp_path):
+    done = Run(run(drifters, 13, every=4, agents_every=6, out=tmp_path / "run"))
+    assert list(done.series["tick"]) == [0, 4, 8, 12, 13]
+    assert sorted(set(done.agents["tick"])) == [0, 6, 12, 13]
+
+
 @pytest.mark.parametrize(
     ("ticks", "every", "agents_every"), [(0, 1, 10), (7, 1, 10), (500, 1, 10), (1001, 3, 30)]
 )
@@ -357,6 +363,7 @@ def test_extended_equals_one_long_run(drifters, whole, tmp_path, first):
     resume(folder, ticks=1003, model_class=drifters)
     assert tables_of(folder) == tables_of(whole)
     assert Run(folder).manifest.ticks == 1003
+    assert Run(folder).manifest.idle == Run(whole).manifest.idle
 
 
 def test_the_time_of_all_stretches_is_added_up(drifters, tmp_path):
@@ -393,7 +400,8 @@ def test_killed_before_the_merge_then_made_longer(drifters, whole, tmp_path):
     assert tables_of(folder) == tables_of(whole)
 
 
-def test_stopped_then_given_a_shorter_length(drifters, tmp_path, frequent_progress):
+@pytest.mark.parametrize("said", [False, True])
+def test_stopped_then_given_a_shorter_length(drifters, tmp_path, frequent_progress, said):
     out = tmp_path / "run"
     with pytest.raises(Interrupted) as stopped:
         run(
@@ -401,9 +409,72 @@ def test_stopped_then_given_a_shorter_length(drifters, tmp_path, frequent_progre
             on_progress=stop_at(400, lambda: os.kill(os.getpid(), signal.SIGINT)),
         )  # fmt: skip
     done = stopped.value.tick
+    if said:  # killed when the manifest had the length and the table not yet its last row
+        Capsule(out).update(ticks=done)
     resume(out, ticks=done, model_class=drifters)  # its last row lies where it was stopped
     short = run(drifters, done, 3, every=400, out=tmp_path / "short")
     assert tables_of(out) == tables_of(short)
+
+
+def test_made_longer_and_thought_better_of(drifters, tmp_path):
+    """The row of a last tick off the grid went when the run was reopened, and comes back."""
+    folder = run(drifters, 301, 3, every=4, agents_every=20, out=tmp_path / "run")
+    before = tables_of(folder)
+    with pytest.raises(Interrupted) as stopped:
+        resume(
+            folder, ticks=702, model_class=drifters,
+            on_progress=stop_at(0, lambda: os.kill(os.getpid(), signal.SIGINT)),
+        )  # fmt: skip
+    assert stopped.value.tick == 301
+    resume(folder, ticks=301, model_class=drifters)
+    assert tables_of(folder) == before
+
+
+def test_a_run_that_failed_and_went_on_tells_no_error(drifters, tmp_path):
+    class Failing(drifters):
+        broken = True
+
+        def series(self):
+            return {**super().series(), "one": 1 / (self.tick != 40 or not self.broken)}
+
+    with pytest.raises(ModelError):
+        run(Failing, 60, every=4, out=tmp_path / "run")
+    Failing.broken = False
+    failed = Run(tmp_path / "run").manifest
+    assert (failed.status, "division by zero" in failed.error) == ("failed", True)
+    finished = Run(resume(tmp_path / "run", model_class=Failing)).manifest
+    assert (finished.status, finished.error) == ("finished", None)
+
+
+def test_a_run_knows_all_machines_that_computed_it(drifters, tmp_path):
+    folder = run(drifters, 20, out=tmp_path / "run")
+    here = Run(folder).manifest.platforms
+    elsewhere = [{"machine": "elsewhere"}]
+    Capsule(folder).update(platforms=elsewhere)
+    for ticks in (30, 40):
+        resume(folder, ticks, model_class=drifters)
+        assert Run(folder).manifest.platforms == elsewhere + here
+
+
+def test_a_checkpoint_of_another_tick_or_other_parameters_is_not_gone_on_from(drifters, tmp_path):
+    class Altering(drifters):
+        def restore(self, state):
+            super().restore(state)
+            self._parameters["n"] += 1
+
+    altered = run(Altering, 20, out=tmp_path / "altered")
+    with pytest.raises(SocialmindError, match=r"npz: it holds other parameters or another tick"):
+        resume(altered, 30, model_class=Altering)
+    moved = run(drifters, 20, out=tmp_path / "moved")
+    path = Capsule(moved).checkpoint
+    checkpoint = Checkpoint.load(path)
+    replace(checkpoint, state={**checkpoint.state, "tick": np.array(18)}).save(path)
+    with pytest.raises(SocialmindError, match=r"npz: it holds other parameters or another tick"):
+        resume(moved, 30, model_class=drifters)
+    # One of this run, but from before its end.
+    replace(checkpoint, tick=18, state={**checkpoint.state, "tick": np.array(18)}).save(path)
+    with pytest.raises(SocialmindError, match=r"checkpoint.npz is missing or of another run"):
+        resume(moved, 30, model_class=drifters)
 
 
 def test_going_on_with_a_finished_run_changes_nothing(drifters, tmp_path):

@@ -123,6 +123,7 @@ def test_attempts_are_independent_and_can_be_added(three, tmp_path):
     added = learn(None, three, attempts=1, out=tmp_path / "added")
     resume(added, attempts=3, lessons=three)
     assert digest(added) == digest(together)
+    assert Training(added).manifest.finished == Training(together).manifest.finished == 3
     genomes = [Training(added).mind(attempt).skill("Go").genome for attempt in (1, 2, 3)]
     assert not np.array_equal(genomes[0], genomes[1])
     with pytest.raises(SocialmindError, match="3 attempts were asked for before, 2 now"):
@@ -161,6 +162,7 @@ def test_cycles_go_on_from_what_they_left(lesson, robot, tmp_path):
     longer = learn(None, round_and_round(1), out=tmp_path / "longer")
     resume(longer, lessons=round_and_round(1), cycles=3)
     assert digest(longer) == digest(at_once)
+    assert digest(resume(longer, lessons=round_and_round(1))) == digest(at_once)  # it knows 3
     curve = Training(longer).curve
     assert curve[curve["lesson"] == "Turn2"]["cycle"].tolist() == [1] * 6 + [2] * 6 + [3] * 6
     # What is known is never given up for anything worse on the same worlds.
@@ -181,16 +183,75 @@ def test_a_cycle_without_end_ends_with_its_budget(lesson, robot, tmp_path):
     assert digest(resume(folder, lessons=endless)) == digest(folder)
 
 
-@pytest.mark.parametrize("after", [1, 6, 7, 20])
-def test_stopped_between_generations_it_goes_on_to_the_same_end(three, tmp_path, after):
-    undisturbed = learn(None, three, out=tmp_path / "undisturbed")
+def stopped_after(generations):
+    """What stops a training after some generations, as Ctrl-C does."""
     told = []
 
     def interrupt(news, left):
         told.append(news)
-        if len(told) == after:
+        if len(told) == generations:
             signal.raise_signal(signal.SIGINT)
 
+    return interrupt
+
+
+@pytest.mark.parametrize("after", [5, 9])
+def test_stopped_within_a_cycle_it_has_spent_what_it_had_spent(lesson, robot, tmp_path, after):
+    again = [lesson("Go2", skill="Go"), lesson("Turn2", skill="Turn")]
+    # A generation takes about 1150 ticks and a lesson 5260: the third lesson is cut short.
+    curriculum = Curriculum([Cycle(again, budget=12_000)], mind=robot)
+    undisturbed = learn(None, curriculum, generations=4, out=tmp_path / "undisturbed")
+    lengths = Training(undisturbed).curve.groupby(["cycle", "lesson"], sort=False).size()
+    assert lengths.tolist() == [4, 4, 2]
+    with pytest.raises(TrainingInterrupted):
+        learn(None, curriculum, generations=4, out=tmp_path / "out",
+              on_generation=stopped_after(after))  # fmt: skip
+    resume(tmp_path / "out", lessons=curriculum)
+    assert digest(tmp_path / "out") == digest(undisturbed)
+
+
+def test_every_lesson_and_every_round_has_draws_of_its_own(lesson, robot, tmp_path):
+    """The same skill from scratch, under another name or another time around."""
+    one, other = lesson("Go", generations=1), lesson("Go2", skill="Go", generations=1)
+    curriculum = Curriculum([one, Cycle([other], cycles=2)], mind=robot)
+    curve = Training(learn(None, curriculum, attempts=2, out=tmp_path / "out")).curve
+    assert curve["lesson"].tolist() == ["Go", "Go2", "Go2"] * 2
+    assert curve["best"].nunique() == curve["mean"].nunique() == 6
+
+
+def test_a_graph_that_was_learned_is_kept_when_the_next_lesson_is_stopped(lesson, robot, tmp_path):
+    pytest.importorskip("neat")
+    grown = lesson("Go", optimiser="NEAT", settings={"population": 10}, generations=2)
+    curriculum = Curriculum([grown, lesson("Turn", generations=2), lesson("Top")], mind=robot)
+    undisturbed = learn(None, curriculum, out=tmp_path / "undisturbed")
+    with pytest.raises(TrainingInterrupted):
+        learn(None, curriculum, out=tmp_path / "out", on_generation=stopped_after(3))
+    resume(tmp_path / "out", lessons=curriculum)
+    assert digest(tmp_path / "out") == digest(undisturbed)
+
+
+def test_what_can_be_made_again_is_and_what_cannot_is_missed_before_anything_is_written(
+    three, tmp_path
+):
+    folder = learn(None, three, attempts=2, out=tmp_path / "out")
+    before = digest(folder)
+    shutil.rmtree(TrainingCapsule(folder).learned(2))  # as if killed before it was written
+    assert digest(resume(folder, lessons=three)) == before
+    for attempt, number in ((2, 1), (1, 3)):
+        shutil.copytree(folder, tmp_path / f"{attempt}-{number}")
+        hurt = tmp_path / f"{attempt}-{number}"
+        lost = hurt / "attempts" / str(attempt) / f"lesson-{number:03d}.npz"
+        lost.unlink()
+        manifest = (hurt / "manifest.json").read_bytes()
+        with pytest.raises(SocialmindError, match=lost.name):
+            resume(hurt, lessons=three)
+        assert (hurt / "manifest.json").read_bytes() == manifest
+
+
+@pytest.mark.parametrize("after", [1, 6, 7, 20])
+def test_stopped_between_generations_it_goes_on_to_the_same_end(three, tmp_path, after):
+    undisturbed = learn(None, three, out=tmp_path / "undisturbed")
+    interrupt = stopped_after(after)
     if after <= 18:
         with pytest.raises(TrainingInterrupted) as stopped:
             learn(None, three, out=tmp_path / "out", on_generation=interrupt)
@@ -341,6 +402,9 @@ def test_other_optimisers_and_settings_than_the_lessons_own(model, tmp_path):
     assert (record["optimiser"], record["generations"]) == ("ANNEALING", 2)
     assert record["settings"]["neighbours"] == 3
     assert digest(resume(folder)) == digest(folder)
+    fewer = learn(model, "Go", out=tmp_path / "fewer", settings={"population": 7}, generations=1)
+    (record,) = Training(fewer).manifest.lessons
+    assert (record["optimiser"], record["settings"]["population"]) == ("GENETIC", 7)
 
 
 def test_a_broken_environment_leaves_a_folder_that_says_so(lesson, robot, slopes, tmp_path):
@@ -398,3 +462,4 @@ def test_an_attempt_reads_where_it_was(three, lesson, robot, tmp_path):
     attempt = Attempt(folder / "attempts" / "1", 1, TrainingCourse(three, robot, 0, "compiled"))
     assert attempt.finished
     assert attempt.done == 3
+    assert attempt.seconds > 0.0  # as it was when it was left

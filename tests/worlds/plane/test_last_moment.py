@@ -220,6 +220,21 @@ def test_a_death_in_the_tick_of_the_reset_is_told_by_the_first_step():
     assert world.agents == ["workers_1", "workers_2"]
 
 
+def test_what_is_earned_in_the_tick_of_the_reset_is_paid_once_by_the_first_step():
+    pytest.importorskip("gymnasium")
+    pytest.importorskip("pettingzoo")
+    from socialmind.envs import PlaneEnv, PlaneParallelEnv
+
+    one = PlaneEnv(Town, parameters={"count": 1, "last": 0})
+    one.reset(seed=1)
+    assert [one.step([0.5])[1] for _ in range(3)] == [3.0, 0.0, 10.0]
+    many = PlaneParallelEnv(Town, parameters={"count": 2, "last": 0})
+    many.reset(seed=1)
+    assert [list(many.step({})[1].values()) for _ in range(3)] == [
+        [3.0, 3.0], [0.0, 0.0], [10.0, 0.0],
+    ]  # fmt: skip
+
+
 @pytest.mark.parametrize("compiled", [True, False])
 def test_the_last_look_is_at_the_world_as_it_ended(compiled):
     town = Town(seed=1, compiled=compiled, end=2)
