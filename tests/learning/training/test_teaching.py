@@ -5,7 +5,7 @@ import pytest
 
 from socialmind.errors import ModelError
 from socialmind.learning.episodes.evaluation import COMPILED, Scores
-from socialmind.learning.episodes.evaluators import Evaluators, Threads
+from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons.keys import FINAL, seeds_for
 from socialmind.learning.training.teaching import COLUMNS, VALIDATED, Teaching, check_fits
 from socialmind.mind import Programmed, Skill
