@@ -71,7 +71,7 @@ class Declaration(NamedTuple):
 
 def kept_names(model: type) -> frozenset[str]:
     """Return the names under which an instance keeps what is its own, and what it is made with."""
-    made_with = list(inspect.signature(model).parameters)[:-1]
+    made_with = list(inspect.signature(vars(model)["__init__"]).parameters)[1:-1]
     return frozenset((*Running.__annotations__, *model.__annotations__, *made_with, "world"))
 
 
