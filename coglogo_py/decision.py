@@ -202,8 +202,12 @@ class MaximumWeight(DecisionMaker):
     @staticmethod
     def probabilities(weights: Weights, bias: float) -> Weights:
         """Return 1 for the first plan of the greatest weight and 0 for the others."""
+        best = 0
+        for position in range(1, len(weights)):
+            if weights[position] > weights[best]:
+                best = position
         certain = np.zeros(len(weights))
-        certain[MaximumWeight.choose(weights, bias, 0.0)] = 1.0
+        certain[best] = 1.0
         return certain
 
 
