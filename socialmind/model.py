@@ -130,7 +130,7 @@ class Model(metaclass=ModelKind):
         making.set_values(self.context, kind.parameters, kind.variables, parameters, kind.name)
         making.ignore(self.context, kind.interruptions, self.without, kind.name)
         self.ground = making.ground_of(self, kind.declared_world)
-        self.schemes, files = making.schemes_of(self.populations, kind.folder(), scheme, kind.name)
+        self.schemes, files = making.schemes_of(self.populations, kind.folder, scheme, kind.name)
         self.tables: dict[str, Table] = making.tables_of(self, self._steerings)
         self.ground.settle_in()
         self.stream = making.new_stream(self.seed)

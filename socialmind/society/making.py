@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -68,8 +68,9 @@ def engine_named(physics: str, engines: tuple[str, ...], model: str) -> str:
         SocialmindError: the world has no such engine.
     """
     if physics not in engines:
-        why = nearest(physics, engines) if len(engines) > 1 else "it has no plane"
-        raise SocialmindError(f"physics={physics!r} for {model}; {why}")
+        if len(engines) == 1:
+            raise SocialmindError(f"physics={physics!r} for {model}, which has no plane")
+        raise SocialmindError(f"physics: found {physics!r}; {nearest(physics, engines)}")
     return physics
 
 
@@ -140,13 +141,13 @@ def size_of(context: Any, size: int | str, least: int) -> int:
 
 
 def schemes_of(
-    populations: Mapping[str, Population], folder: Path, given: Any, model: str
+    populations: Mapping[str, Population], folder: Callable[[], Path], given: Any, model: str
 ) -> tuple[dict[str, CognitiveScheme], dict[str, Path]]:
     """Return the schemes of the populations that have minds, and the files of those in files.
 
     Args:
         populations: of the model.
-        folder: the model's.
+        folder: gives the model's, if it is asked for: a class may stand in no file.
         given: schemes to use in place of its own, as `Model` takes them.
         model: the model's name.
 
@@ -168,7 +169,7 @@ def schemes_of(
         source: Any = (given or {}).get(name, population.mind)
         own = given is None or name not in given
         if not isinstance(source, CognitiveScheme):
-            path = folder / source if own else Path(source)
+            path = folder() / source if own else Path(source)
             source = CognitiveScheme.load(path, decision_makers=population.decision_makers)
             files[name] = path
         schemes[name] = source

@@ -27,7 +27,7 @@ from socialmind.worlds.plane.bodies import BALL, Body, Disc, Obstacle, Robot
 from socialmind.worlds.plane.kernel.arrays import Bodies, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
 from socialmind.worlds.plane.layout import BODY, OBSTACLE, SETTLING
-from socialmind.worlds.plane.pymunk_motion import Kind, PymunkMotion, motion_of
+from socialmind.worlds.plane.pymunk_motion import Kind, PymunkMotion
 
 DT = 1 / 30
 SAME = 1e-9
@@ -445,11 +445,6 @@ def test_a_model_chooses_its_engine():
     assert one.rovers.touched.sum() > 10
     for name in ("x", "y", "angle", "vx", "vy"):
         assert np.abs(getattr(one.rovers, name) - getattr(other.rovers, name)).max() <= RUN
-
-
-def test_a_model_without_a_plane_has_no_motion():
-    with pytest.raises(ModelError, match="no plane"):
-        motion_of(SimpleNamespace(name="Nowhere", arena=None, tables={}))
 
 
 # Degenerate shapes: who cannot be told apart, nothing, and next to nothing
