@@ -23,7 +23,7 @@ class Names:
     0
     >>> names.plan("Eat")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    coglogo_py.border.errors.MindError: no plan 'Eat' in scheme 'herd'; did you mean 'eat'? …
+    coglogo_py.border.errors.MindError: no plan 'Eat' in scheme 'herd'; did you mean 'eat'? ...
     """
 
     def __init__(self, scheme: CognitiveScheme) -> None:

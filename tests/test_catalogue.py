@@ -120,7 +120,7 @@ def test_what_is_wrong_is_said_with_file_and_line(tmp_path, text, message):
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("tutorail", "no model called tutorail; did you mean tutorial?"),
+        ("tutorail", "no model called tutorail; did you mean 'tutorial'?"),
         ("tutorial/x", "tutorial/x: no such folder; a model is a folder with a model.py"),
         ("empty", "empty: not a model, it holds no model.py; `socialmind new"),
     ],

@@ -85,6 +85,7 @@ def most_probable(maker: DecisionMaker, weights: Floats) -> int:
         maker: the decision maker.
         weights: (n,) weights of the available plans in the scheme's order, n ≥ 1.
 
+    >>> from coglogo_py import BiasedWeightedStochastic
     >>> most_probable(BiasedWeightedStochastic(2.6), np.array([9.0, 12.0, 12.0]))
     1
     """
