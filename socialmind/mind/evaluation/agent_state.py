@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, TypeVar
 
@@ -33,7 +34,7 @@ def observe(assembly: Assembly) -> None:
     sizes.setflags(write=False)
 
 
-class Readings:
+class Readings(ABC):
     """What the last evaluation of one agent's hierarchy came to."""
 
     assembly: Assembly
@@ -41,14 +42,14 @@ class Readings:
     _slot = 0
 
     @property
+    @abstractmethod
     def _read(self) -> State:
         """The arrays that hold it, in the agent's slot."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def tick(self) -> int:
         """How many evaluations there were; 0 before the first."""
-        raise NotImplementedError
 
     @property
     def skills(self) -> tuple[str, ...]:
