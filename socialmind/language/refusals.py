@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import ast
 
+_REDUCED = (
+    "write sum(… for … in … if …), or min, max, any, all, statistics.fmean of it; or a for loop"
+)
+
 REFUSED: dict[type[ast.AST], tuple[str, str]] = {
     ast.AsyncFunctionDef: ("an async function", "write a plain function"),
     ast.FunctionDef: ("a function inside a rule", "move it to the top of the file"),
@@ -31,10 +35,10 @@ REFUSED: dict[type[ast.AST], tuple[str, str]] = {
     ast.Lambda: ("lambda", "write a function at the top of the file"),
     ast.Dict: ("a dictionary", "give each entry a field, or use an array field and whole numbers"),
     ast.Set: ("a set", "use an array field of truth values"),
-    ast.ListComp: ("a list comprehension", "write a for loop that adds up or counts"),
-    ast.SetComp: ("a set comprehension", "write a for loop"),
+    ast.ListComp: ("a list comprehension", _REDUCED),
+    ast.SetComp: ("a set comprehension", _REDUCED),
     ast.DictComp: ("a dictionary comprehension", "write a for loop"),
-    ast.GeneratorExp: ("a generator expression", "write a for loop that adds up or counts"),
+    ast.GeneratorExp: ("a generator expression on its own", _REDUCED),
     ast.Await: ("await", "rules run to their end at once"),
     ast.Yield: ("yield", "return the value"),
     ast.YieldFrom: ("yield", "return the value"),
@@ -65,8 +69,6 @@ NAMES: dict[str, str] = {
     "zip": "write `for i in range(len(…))`",
     "map": "write a for loop",
     "filter": "write a for loop with an if",
-    "any": "set a flag in a for loop",
-    "all": "set a flag in a for loop",
     "list": "declare an array field: `visits: list[int] = [0] * 9`",
     "dict": "give each entry a field",
     "set": "use an array field of truth values",

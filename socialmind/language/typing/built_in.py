@@ -11,6 +11,7 @@ from socialmind.language import types
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
 from socialmind.language.typing import tables
+from socialmind.language.typing.comprehensions import REDUCTIONS, reduced
 from socialmind.language.typing.operators import typed_power
 from socialmind.language.typing.signatures import MATH, WRITTEN, Signature
 
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 def built_in(typer: Typer, node: ast.Call, name: str) -> Typed:
     """Return the call of a built-in function as both speeds run it."""
+    if name in REDUCTIONS and node.args and isinstance(node.args[0], ast.GeneratorExp):
+        return reduced(typer, node, name)
     without_keywords(typer, node, name)
     return BUILT_IN[name](typer, node)
 
@@ -157,6 +160,14 @@ def _range(typer: Typer, node: ast.Call) -> Typed:
     return typer.refuse(node, "range() as a value", "write `for i in range(…):`")
 
 
+def _of_truths(name: str) -> Callable[[Typer, ast.Call], Typed]:
+    def typed(typer: Typer, node: ast.Call) -> Typed:
+        _only(typer, node, name)
+        return reduced(typer, node, name)
+
+    return typed
+
+
 def _print(typer: Typer, node: ast.Call) -> Typed:
     if typer.program.compiled:
         typer.refuse(node, f"print() in the rule {typer.source.name!r}", NAMES["print"])
@@ -181,6 +192,8 @@ BUILT_IN: dict[str, Callable[[Typer, ast.Call], Typed]] = {
     "min": _extreme("least"),
     "max": _extreme("greatest"),
     "sum": _sum,
+    "any": _of_truths("any"),
+    "all": _of_truths("all"),
     "len": _len,
     "range": _range,
     "print": _print,

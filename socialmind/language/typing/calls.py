@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import statistics
 import types as python_types
 from typing import TYPE_CHECKING, Any
 
@@ -17,12 +18,16 @@ from socialmind.language.typing.built_in import (
     math_function,
     without_keywords,
 )
+from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.draws import typed_draw
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
+
+MEANS = (statistics.mean, statistics.fmean)
+"""What rules call for a mean: the sum, added from the first to the last, by how many there are."""
 
 
 def typed_call(typer: Typer, node: ast.Call) -> Typed:
@@ -74,6 +79,8 @@ def _called_in_module(
 
 
 def _called_value(typer: Typer, node: ast.Call, name: str, value: Any) -> Typed:
+    if value in MEANS and len(node.args) == 1:
+        return reduced(typer, node, "mean")
     if isinstance(value, python_types.FunctionType):
         return helper(typer, node, value)
     module = _module_of(value)
