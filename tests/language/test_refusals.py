@@ -188,7 +188,6 @@ STATEMENTS = {
     "x: int = 0.5": ("a fraction for a variable declared as a whole number", "int("),
     "x: float": ("a declaration without a value", "a value"),
     "x = True\n    x = 3": ("a whole number for 'x', which is a truth value", "another name"),
-    "x = y = 3": ("a = b = …", "two assignments"),
     "person.f, person.g = 1, 2": ("fields on the left", "one by one"),
     "x, y = 1, 2, 3": ("3 values for 2 variables", "one value"),
     "x, *y = 1, 2, 3": ("3 values for 2", "one value"),

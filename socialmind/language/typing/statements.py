@@ -129,9 +129,10 @@ class FunctionTyper:
     # Assignments ------------------------------------------------------------------------------
 
     def _on_assign(self, node: ast.Assign) -> ast.stmt | list[ast.stmt]:
-        if len(node.targets) > 1:
-            self.typer.refuse(node, "a = b = …", "write two assignments")
-        return self.assignment(node.targets[0], node.value, node)
+        if len(node.targets) == 1:
+            return self.assignment(node.targets[0], node.value, node)
+        before, value = self.kept(node.value)
+        return [*before, *(self.assignment(target, value, node) for target in node.targets)]
 
     def _on_annassign(self, node: ast.AnnAssign) -> ast.stmt | list[ast.stmt]:
         if node.value is None:
