@@ -75,6 +75,7 @@ class Table:
         for field in shape.fields.values():
             set_default(self.default, field)
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
+        keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
         for name in ("x", "y", "heading"):
             self.default[name] = self._kept_within(name, self.default[name])
@@ -244,8 +245,6 @@ class Table:
 
     def _kept_within(self, name: str, values: NDArray[Any]) -> NDArray[Any]:
         """Return places and headings as agents keep them, one by one as rules set them."""
-        if name == "heading":
-            return np.array([turned(one) for one in values.tolist()], float)
         keep = self._keepers.get(name)
         if keep is None:
             return values
