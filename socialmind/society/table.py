@@ -405,13 +405,9 @@ class Table:
         return {name: getattr(self, name).copy() for name in self._STATE}
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take the arrays of a checkpoint."""
+        """Take the arrays of a checkpoint, as `check_state` finds them."""
         for name in self._STATE:
             setattr(self, name, np.array(state[name]))
-        if self.rows.dtype != self.dtype:
-            raise SocialmindError(
-                f"the checkpoint's agents of {self.shape.name!r} have other fields than the model's"
-            )
         self.acting = np.zeros(len(self.rows), np.int64)
         self._see_columns()
 

@@ -120,8 +120,8 @@ class Device:
         parameters = self._parameters()
         # A tuple and a dictionary of one's own: what the caller holds may change.
         object.__setattr__(self, "sensors", (*self._names(self.sensors),))
-        object.__setattr__(self, "at", self._point(self.at))
         self._check_numbers()
+        object.__setattr__(self, "at", (float(self.at[0]), float(self.at[1])))
         settings = self._completed(parameters)
         object.__setattr__(self, "settings", settings)
         for name in parameters:
@@ -190,15 +190,11 @@ class Device:
             )
         return names
 
-    def _point(self, at: Sequence[float]) -> tuple[float, float]:
-        if not is_point(at):
-            raise self.error(f"at={shown(at)} of {self.called}", "two numbers")
-        return float(at[0]), float(at[1])
-
     def _check_numbers(self) -> None:
         reach, memory = self.reach, self.memory
         sees = isinstance(reach, str) or ((is_number(reach) or reach == math.inf) and reach > 0)
         checks = (
+            ("at", "two numbers", is_point(self.at)),
             ("reach", "a number above 0", sees),
             ("angle", "radians", is_number(self.angle)),
             ("memory", "a whole number, 0 or more", is_whole(memory) and memory >= 0),

@@ -108,7 +108,8 @@ INFORM
 
 @_inner
 def _after_minds(_model, rng):
-OBEYPHASESBUILD    return"""
+OBEY
+PHASESBUILD    return"""
 
 
 BUILD = """    if _call(_model._build, _model._plane, 0, 0) < 0:
@@ -132,7 +133,6 @@ def plane_text(plane: PlaneProgram) -> str:
     for name in sought:
         carried = _CARRIED if name in plane.shape.bodies else ""
         parts.append(_NEAREST.replace("CARRIED", carried).replace("NAME", name))
-    lines = []
     minded = []
     for name, stages in plane.stages.items():
         parts += [_stage_text(stage) for stage in stages.values()]
@@ -145,23 +145,18 @@ def plane_text(plane: PlaneProgram) -> str:
     settling = [f"    _settling_{name}(_model, rng, ended)" for name in plane.settling]
     parts.append("\n".join(["@_inner\ndef _settle_rewards(_model, rng, ended):", *settling, _END]))
     names = list(plane.stages)
-    lines += [f"    _rewards_{name}(_model, rng)" for name in names]
+    lines = [f"    _rewards_{name}(_model, rng)" for name in names]
     lines += [f"    _interruptions_{name}(_model, rng)" for name in names]
     for name in names:
         lines += ["    if _model._over == 0:", f"        _actuators_{name}(_model, rng)"]
     lines += [f"    _sensors_{name}(_model, rng)" for name in names]
     lines += ["    if _model._over != 0:", "        return"]
-    inform = "\n".join(
-        f"    if not _model._{one}_steered:\n        _inform_{one}(_model)" for one in minded
-    )
-    obey = "".join(
-        f"    if not _model._{one}_steered:\n        _obey_{one}(_model)\n" for one in minded
-    )
-    tick = _TICK.replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
-    tick = tick.replace("OBEY", obey)
+    tick = _TICK.replace("STAGES", "\n".join(lines))
+    tick = tick.replace("INFORM", _unsteered("inform", minded))
+    tick = tick.replace("OBEY", _unsteered("obey", minded))
     parts.append(tick.replace("BUILD", BUILD if plane.shifting else ""))
-    think = [f"    if not _model._{one}_steered:\n        _think_{one}(_model)" for one in minded]
-    parts.append("\n".join(["@_inner\ndef _think(_model):", *think, "    return"]))
+    think = _unsteered("think", minded)
+    parts.append(f"@_inner\ndef _think(_model):\n{think}\n    return")
     return "\n\n\n".join(parts)
 
 
@@ -176,6 +171,13 @@ TICK = """    over = _model._over
     _settle_rewards(_model, rng, _model._over != over)
 """
 """The body of a tick on a plane, in place of the phases of the schedule."""
+
+
+def _unsteered(what: str, minded: list[str]) -> str:
+    """Return the calls of a function of each population that nothing outside steers."""
+    return "\n".join(
+        f"    if not _model._{name}_steered:\n        _{what}_{name}(_model)" for name in minded
+    )
 
 
 def _array_view(name: str, array: str) -> str:
@@ -206,13 +208,7 @@ def _stage_text(stage: Stage) -> str:
         "            continue",
         "        agent = rows[slot]",
     ]
-    lines += [f"        {line}" for line in _prelude(stage)]
-    for number, seek in enumerate(stage.seeks):
-        lines += [f"        {line}" for line in _seek_lines(stage, number, seek)]
-    for call in stage.calls:
-        lines += [f"        {line}" for line in _call_lines(stage, call)]
-    lines += [f"        {line}" for line in _coda(stage)]
-    return "\n".join(lines)
+    return "\n".join(lines + _of_one(stage))
 
 
 def _settling_text(stage: Stage) -> str:
@@ -237,21 +233,18 @@ def _settling_text(stage: Stage) -> str:
         "        if not ended and alive[slot]:",
         "            continue",
         "        agent = rows[slot]",
-        "        due = 0.0",
     ]
-    body = _prelude(stage)
+    return "\n".join(lines + _of_one(stage))
+
+
+def _of_one(stage: Stage) -> list[str]:
+    """Return what one robot goes through in a stage, as the lines of a loop."""
+    lines = _prelude(stage)
     for number, seek in enumerate(stage.seeks):
-        body += _seek_lines(stage, number, seek)
+        lines += _seek_lines(stage, number, seek)
     for call in stage.calls:
-        body += _call_lines(stage, call)
-    body += [
-        "agent.reward += due",
-        "agent.score += due",
-        "if not alive[slot]:",
-        "    counters[_bookkeeping.GONE] += 1",
-        "    counters.view(np.float64)[_bookkeeping.GONE_SCORE] += agent.score",
-    ]
-    return "\n".join(lines + [f"        {line}" for line in body])
+        lines += _call_lines(stage, call)
+    return [f"        {line}" for line in lines + _coda(stage)]
 
 
 def _prelude(stage: Stage) -> list[str]:
@@ -269,6 +262,8 @@ def _prelude(stage: Stage) -> list[str]:
             *(f"    agent.{call.memory}[:] = 0.0" for call in stage.calls if call.memory),
             "    pass",
         ]
+    if stage.name == "settling":
+        lines.append("due = 0.0")
     if stage.name == "actuators":
         lines += ["agent.push_x = 0.0", "agent.push_y = 0.0", "agent.torque = 0.0"]
     return lines
@@ -279,6 +274,14 @@ def _coda(stage: Stage) -> list[str]:
         return ["agent.score += agent.reward", "agent.restarted = False"]
     if stage.name == "actuators":
         return ["agent.before[:] = agent.commands"]
+    if stage.name == "settling":
+        return [
+            "agent.reward += due",
+            "agent.score += due",
+            "if not alive[slot]:",
+            "    counters[_bookkeeping.GONE] += 1",
+            "    counters.view(np.float64)[_bookkeeping.GONE_SCORE] += agent.score",
+        ]
     return []
 
 
