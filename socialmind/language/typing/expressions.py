@@ -194,14 +194,10 @@ class ExpressionTyper:
 
     def _on_constant(self, node: ast.Constant) -> Typed:
         value = node.value
-        if isinstance(value, bool):
-            return constant(value, node), types.BOOL
-        if isinstance(value, int):
-            if not -(2**63) <= value < 2**63:
-                self.refuse(node, f"the number {value}", "write it as a float", "at most 64 bits")
-            return constant(value, node), types.INT
-        if isinstance(value, float):
-            return constant(value, node), types.FLOAT
+        if isinstance(value, int) and not -(2**63) <= value < 2**63:
+            self.refuse(node, f"the number {value}", "write it as a float", "at most 64 bits")
+        if isinstance(value, bool | int | float):
+            return constant(value, node), SCALARS[type(value)]
         if isinstance(value, str):
             return constant(value, node), types.TextType(value)
         if value is None:

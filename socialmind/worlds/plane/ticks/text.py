@@ -44,28 +44,25 @@ _CARRIED = """if row.carrier_kind >= 0:
 
 _MINDS = """@_inner
 def _inform_NAME(_model):
-    mind = _record_NAME(_model)
-    state = _state_NAME(mind)
+    state = _state_NAME(_record_NAME(_model))
     lanes = state.fresh.shape[1]
     rows = _rows_NAME(_model)
     alive = _alive_NAME(_model)
     senses = _senses_NAME(_model)
     for slot in range(len(rows)):
+        number = _model._NAME_first + slot
         if alive[slot]:
             readings = rows[slot].readings
-            number = _model._NAME_first + slot
             for place in range(len(senses)):
                 state.sensors[number // lanes, place, number % lanes] = readings[senses[place]]
-        elif state.group.shape[1] > 0:
-            number = _model._NAME_first + slot
+        else:
             for shared in range(state.group.shape[1]):  # the dead are in no group
                 state.group[number // lanes, shared, number % lanes] = -1
 
 
 @_inner
 def _obey_NAME(_model):
-    mind = _record_NAME(_model)
-    state = _state_NAME(mind)
+    state = _state_NAME(_record_NAME(_model))
     lanes = state.fresh.shape[1]
     rows = _rows_NAME(_model)
     alive = _alive_NAME(_model)
