@@ -23,9 +23,10 @@ from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
-    from coglogo_py import Mind, Society
+    from coglogo_py import Mind
     from socialmind.agents.running import Running
     from socialmind.language.program import Program
+    from socialmind.mind.contract import CognitonMinds
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
 
@@ -63,7 +64,7 @@ class Table:
         model: Running,
         shape: PopulationShape,
         size: int,
-        society: Society | None,
+        society: CognitonMinds | None,
         minds: Callable[[int], PopulationMinds] | None = None,
     ) -> None:
         self.model = model

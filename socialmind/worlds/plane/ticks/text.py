@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from socialmind.compiling.layout import view_function_text
 from socialmind.worlds.plane.ticks.stages import PLACED, Call, PlaneProgram, Seek, Stage
 
 HEAD = """import math as _math
@@ -135,8 +136,7 @@ def plane_text(plane: PlaneProgram) -> str:
         parts += [_stage_text(stage) for stage in stages.values()]
         if plane.shape.robots[name].hierarchy:
             minded.append(name)
-            parts.append(_array_view(name, "senses"))
-            parts.append(_array_view(name, "motors"))
+            parts += [view_function_text(name, one, "int64", 1) for one in ("senses", "motors")]
             parts.append(_MINDS.replace("NAME", name))
     parts += [_settling_text(stage) for stage in plane.settling.values()]
     settling = [f"    _settling_{name}(_model, rng, ended)" for name in plane.settling]
@@ -174,14 +174,6 @@ def _unsteered(what: str, minded: list[str]) -> str:
     """Return the calls of a function of each population that nothing outside steers."""
     return "\n".join(
         f"    if not _model._{name}_steered:\n        _{what}_{name}(_model)" for name in minded
-    )
-
-
-def _array_view(name: str, array: str) -> str:
-    place = f"_model._{name}_{array}"
-    return (
-        f"@_inner\ndef _{array}_{name}(_model):\n"
-        f"    return carray(_as_pointer({place}), ({place}_0,), np.int64)"
     )
 
 
