@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 
-OF_AGENTS = ("id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy")
-TAKEN_NAMES = KEPT_BY_TABLES.union(OF_AGENTS)
+_OF_AGENTS = ("id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy")
+TAKEN_NAMES = KEPT_BY_TABLES.union(_OF_AGENTS)
 """What an agent, and a population's table, keep under these names beside its methods."""
 
 
