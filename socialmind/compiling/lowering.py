@@ -192,10 +192,9 @@ class _Lowering(ast.NodeTransformer):
     # Agents -----------------------------------------------------------------------------------
 
     def lower_id(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.Attribute(self.visit(node.value), "_id", ast.Load())
+        return ast.Attribute(self.visit(node.value), f"_{mark[0]}", ast.Load())
 
-    def lower_plan(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.Attribute(self.visit(node.value), "_plan", ast.Load())
+    lower_plan = lower_id
 
     def lower_no_plan(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Constant(-1)

@@ -8,6 +8,7 @@ from socialmind.compiling.layout import (
     dtype_text,
     population_arrays,
     row_dtype,
+    view_function_text,
     view_text,
 )
 from socialmind.language.shape import PopulationShape
@@ -211,8 +212,7 @@ def population_text(population: PopulationShape, own_maker: bool) -> str:
     for array, (kind, dimensions) in population_arrays(population).items():
         if array.startswith(("scheme_", "minds_")):
             continue
-        view = view_text(name, array, kind, dimensions)
-        parts.append(f"@_inner\ndef _{array}_{name}(_model):\n    return {view}")
+        parts.append(view_function_text(name, array, kind, dimensions))
     fills = {
         "NEW_MIND": "pass",
         "HATCHED_MIND": "pass",

@@ -23,9 +23,10 @@ from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
-    from coglogo_py import Mind, Society
+    from coglogo_py import Mind
     from socialmind.agents.running import Running
     from socialmind.language.program import Program
+    from socialmind.mind.contract import CognitonMinds
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
 
@@ -63,7 +64,7 @@ class Table:
         model: Running,
         shape: PopulationShape,
         size: int,
-        society: Society | None,
+        society: CognitonMinds | None,
         minds: Callable[[int], PopulationMinds] | None = None,
     ) -> None:
         self.model = model
@@ -75,6 +76,7 @@ class Table:
         for field in shape.fields.values():
             set_default(self.default, field)
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
+        keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
         for name in ("x", "y", "heading"):
             self.default[name] = self._kept_within(name, self.default[name])
@@ -244,8 +246,6 @@ class Table:
 
     def _kept_within(self, name: str, values: NDArray[Any]) -> NDArray[Any]:
         """Return places and headings as agents keep them, one by one as rules set them."""
-        if name == "heading":
-            return np.array([turned(one) for one in values.tolist()], float)
         keep = self._keepers.get(name)
         if keep is None:
             return values
@@ -406,13 +406,9 @@ class Table:
         return {name: getattr(self, name).copy() for name in self._STATE}
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take the arrays of a checkpoint."""
+        """Take the arrays of a checkpoint, as `check_state` finds them."""
         for name in self._STATE:
             setattr(self, name, np.array(state[name]))
-        if self.rows.dtype != self.dtype:
-            raise SocialmindError(
-                f"the checkpoint's agents of {self.shape.name!r} have other fields than the model's"
-            )
         self.acting = np.zeros(len(self.rows), np.int64)
         self._see_columns()
 

@@ -132,16 +132,15 @@ def _extreme(name: str) -> Callable[[Typer, ast.Call], Typed]:
 
 def _sum(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.several(_only(typer, node, "sum"))
-    if isinstance(kind, types.TableType) and kind.item in (types.BOOL, types.INT):
-        return call(
-            "_total_int", [tables.written(tuple(map(int, kind.values)), node)], node
-        ), types.INT
-    if isinstance(kind, types.TableType) and kind.item == types.FLOAT:
-        return call("_total", [value, constant(0.0, node)], node), types.FLOAT
-    if not isinstance(kind, types.ArrayType):
+    if not isinstance(kind, types.TableType | types.ArrayType):
         typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
-    if kind.of == types.FLOAT:
+    of = kind.item if isinstance(kind, types.TableType) else kind.of
+    if of not in types.NUMBERS:
+        typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
+    if of == types.FLOAT:
         return call("_total", [value, constant(0.0, node)], node), types.FLOAT
+    if isinstance(kind, types.TableType):
+        value = tables.written(tuple(map(int, kind.values)), node)
     return call("_total_int", [value], node), types.INT
 
 
