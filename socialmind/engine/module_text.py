@@ -26,12 +26,14 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             puts its function into the module as `_own_<population>`.
     """
     shape = program.shape
-    parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {dtype_text(model_dtype(shape))}"]
+    record = dtype_text(model_dtype(shape, program.world_columns))
+    parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
     for population in shape.populations.values():
-        parts.append(population_text(population, population.name in own_makers))
+        leaving = shape.world.leaving(population.name)
+        parts.append(population_text(population, population.name in own_makers, leaving))
     minded = [one for one in shape.populations.values() if one.hierarchy]
     if minded:
         from socialmind.mind.code import text as minds

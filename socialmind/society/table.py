@@ -333,6 +333,7 @@ class Table:
         """Take an agent out of the world; its mind leaves its groups."""
         slot = agent._slot
         if self.alive[slot]:
+            self.model.ground.leave(self, slot)
             bookkeeping.died(self.counters, self.alive, self.slot_of, slot, agent.id)
             if self.society is not None:
                 self.mind_of(slot).die()

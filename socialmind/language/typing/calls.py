@@ -20,6 +20,7 @@ from socialmind.language.typing.built_in import (
 from socialmind.language.typing.draws import typed_draw
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
+from socialmind.language.typing.world_calls import world_call
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -274,12 +275,20 @@ def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: types.WorldType, 
     if name == "patch" and world.patch is not None:
         arguments = fitted(typer, node, "patch", Signature((types.FLOAT, types.FLOAT), types.NONE))
         return method_call(node, base, name, arguments, ("patch_at",)), types.PatchType()
+    if name in world.calls:
+        return world_call(typer, node, base, name)
     if name in world.commands:
         return helper(typer, node, world.commands[name], first=[(base, kind)])
     if name in ("in_radius", "patches"):
         loop = "patches" if name == "patches" else "in_radius(agent, radius)"
         typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{loop}:`")
     advice = hints.for_world(
-        typer, name, [*world.commands, *(("patch", "in_radius") if world.patch is not None else ())]
+        typer,
+        name,
+        [
+            *world.commands,
+            *world.calls,
+            *(("patch", "in_radius") if world.patch is not None else ()),
+        ],
     )
     return typer.refuse(node, f"the world's {name}()", advice)

@@ -8,15 +8,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.border.errors import shown
 from socialmind.agents.attributes import field_property, held_array, unknown
 from socialmind.columns import check_fields, column
 from socialmind.compiling.layout import row_dtype
+from socialmind.compiling.lowering import SPACE
 from socialmind.errors import SocialmindError, ValueRefusedError
 from socialmind.fields import Field, presence, set_default
+from socialmind.language.arithmetic import brought_back
 from socialmind.values import fitted, fitted_column
-from socialmind.worlds.torus.geometry import patch_index, patches_in_radius
+from socialmind.worlds.grid import geometry
+from socialmind.worlds.grid.geometry import patch_index, patches_in_radius
 
-TAKEN_NAMES = frozenset(("x", "y", "columns", "fields", "high", "low", "row_class", "rows", "size"))
+TAKEN_NAMES = frozenset(("x", "y", "columns", "fields", "numbers", "row_class", "rows"))
 """What a patch, and the world, keep under these names beside the world's methods."""
 
 
@@ -31,13 +35,13 @@ class PatchRow:
 
     @property
     def x(self) -> int:
-        """The column, low … high."""
-        return self._place // self._world.size + self._world.low
+        """The column, low_x … high_x."""
+        return self._place // self._world.height + self._world.low_x
 
     @property
     def y(self) -> int:
-        """The row, low … high."""
-        return self._place % self._world.size + self._world.low
+        """The row, low_y … high_y."""
+        return self._place % self._world.height + self._world.low_y
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _patch_of, (self._world, self._place)
@@ -90,29 +94,37 @@ def held_patch_class(bare: type[PatchRow], fields: dict[str, Field]) -> type[Hel
     return type("Patch", (HeldPatch, bare), members)
 
 
-class Grid:
-    """The torus of a running model.
+class PatchWorld:
+    """The patches of a running model.
 
     It is what `model.world` gives: its size, a patch, the patches around an agent, and each field
-    of the patches as a NumPy array of shape (size, size), column by column from the south-west,
+    of the patches as a NumPy array of shape (width, height), column by column from the south-west,
     which is a copy. Assigning to the field writes it:
 
-        model.world.size, model.world.low, model.world.high
+        model.world.width, model.world.low_x, model.world.high_x
         model.world.patch(3, -2).taken
-        model.world.taken[x - model.world.low, y - model.world.low]
+        model.world.taken[x - model.world.low_x, y - model.world.low_y]
         model.world.taken = False
+
+    Where agents may stand, and how they move, rules and users call alike: `geometry` has it.
 
     Args:
         fields: the fields of a patch.
-        size: patches along a side.
+        numbers: where it is, by the names under which rules read it; see `extent`.
     """
 
-    def __init__(self, fields: dict[str, Field], size: int) -> None:
+    width: int
+    height: int
+    low_x: int
+    low_y: int
+
+    def __init__(self, fields: dict[str, Field], numbers: Mapping[str, int]) -> None:
         self.fields = fields
-        self.size = size
-        self.low = -(size // 2)
-        self.high = self.low + size - 1
-        self.rows = np.zeros(size * size, row_dtype(fields, None))
+        self.numbers = dict(numbers)
+        for name, value in numbers.items():
+            object.__setattr__(self, name, value)
+        self._space = tuple(self.numbers[name] for name in SPACE)
+        self.rows = np.zeros(self.width * self.height, row_dtype(fields, None))
         for field in fields.values():
             set_default(self.rows, field)
         self._bare = patch_class(fields)
@@ -125,7 +137,7 @@ class Grid:
         self.columns = {name: self.rows[name] for name in names}
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _grid_of, (self.fields, self.size, self.rows)
+        return _world_of, (type(self), self.fields, self.numbers, self.snapshot())
 
     def __getattr__(self, name: str) -> NDArray[Any]:
         """Return a field of all patches: a copy, and read-only."""
@@ -141,7 +153,7 @@ class Grid:
         return column(values, f"society.world.{name}")
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set a field of all patches: one value for all, or an array (size, size)."""
+        """Set a field of all patches: one value for all, or an array (width, height)."""
         fields = self.__dict__.get("fields", {})
         if name in fields:
             self.set(**{name: value})
@@ -154,8 +166,8 @@ class Grid:
         """Set fields of all patches.
 
         Args:
-            fields: by name, one value for all, or an array (size, size), column by column from the
-                south-west, as the field itself is given.
+            fields: by name, one value for all, or an array (width, height), column by column from
+                the south-west, as the field itself is given.
 
         Raises:
             UnknownNameError: there is no such field.
@@ -163,14 +175,15 @@ class Grid:
         """
         check_fields(fields, self.fields, "the world")
         checked = {}
+        sides = self.width, self.height
         for name, values in fields.items():
             shape = np.shape(values)
-            if len(shape) >= 2 and shape[:2] == (self.size, self.size):
-                values = np.asarray(values).reshape((self.size * self.size, *shape[2:]))
+            if len(shape) >= 2 and shape[:2] == sides:
+                values = np.asarray(values).reshape((len(self.rows), *shape[2:]))
             elif len(shape) > (self.fields[name].size is not None):
                 raise ValueRefusedError(
                     f"the field {name!r} of the world: found the shape {shape}; expected "
-                    f"{(self.size, self.size)}, or one value for all"
+                    f"{sides}, or one value for all"
                 )
             checked[name] = fitted_column(
                 self.fields[name],
@@ -185,9 +198,9 @@ class Grid:
                 self.columns[presence(name)][:] = there
 
     def layer(self, name: str) -> NDArray[Any]:
-        """Return a column of the patches themselves, (size, size), not checked when written."""
+        """Return a column of the patches themselves, (width, height), not checked when written."""
         found = self.columns[name]
-        return found.reshape((self.size, self.size, *found.shape[1:]))
+        return found.reshape((self.width, self.height, *found.shape[1:]))
 
     def hand_out(self, bare: bool) -> None:
         """Give out patches as rules hold them, or, as else, as users do."""
@@ -195,7 +208,11 @@ class Grid:
 
     def patch(self, x: float, y: float) -> PatchRow:
         """Return the patch around a point."""
-        return self.row_class(self, int(patch_index(x, y, self.low, self.size)))
+        return self.row_class(self, self.place_of(x, y))
+
+    def place_of(self, x: float, y: float) -> int:
+        """Return the place of the patch around a point among all patches."""
+        return int(patch_index(x, y, *self._space))
 
     def in_radius(self, agent: Any, radius: float) -> Iterator[PatchRow]:
         """Yield the patches whose centre is at most a radius from an agent or a patch."""
@@ -203,7 +220,7 @@ class Grid:
 
     def around(self, x: float, y: float, radius: float) -> Iterator[PatchRow]:
         """Yield the patches whose centre is at most a radius from a point."""
-        for place in patches_in_radius(x, y, radius, self.low, self.size):
+        for place in patches_in_radius(x, y, radius, *self._space):
             yield self.row_class(self, place)
 
     @property
@@ -211,6 +228,72 @@ class Grid:
         """Yield all patches, column by column."""
         for place in range(len(self.rows)):
             yield self.row_class(self, place)
+
+    # Moving ---------------------------------------------------------------------------------------
+
+    distance = geometry.distance
+    towards = geometry.towards
+    face = geometry.face
+    right = geometry.right
+    left = geometry.left
+    is_on = geometry.is_on
+    is_inside = geometry.is_inside
+    can_move = geometry.can_move
+    forward = geometry.forward
+    walk_to = geometry.walk_to
+
+    def move_to(self, agent: Any, x: float, y: float) -> None:
+        """Put an agent at a point, brought back into the world where that wraps.
+
+        Raises:
+            ValueRefusedError: the point lies outside the world; nothing was done.
+        """
+        whose = f"agent {agent.id} of {agent._table.shape.name!r}"
+        new_x, new_y = self.kept("x", x, whose), self.kept("y", y, whose)
+        agent.x = new_x
+        agent.y = new_y
+
+    def kept(self, axis: str, value: float, whose: str) -> float:
+        """Return a coordinate as agents keep it.
+
+        Args:
+            axis: "x" or "y".
+            value: the coordinate.
+            whose: for an error.
+
+        Raises:
+            ValueRefusedError: it lies beyond a wall.
+        """
+        if axis == "x":
+            low, size, wraps = self.low_x, self.width, self.numbers["wraps_x"]
+        else:
+            low, size, wraps = self.low_y, self.height, self.numbers["wraps_y"]
+        if wraps:
+            return float(brought_back(value, low, size))
+        if not geometry.between(value, low, size):
+            raise ValueRefusedError(
+                f"{axis} of {whose}: found {shown(value)}, which lies outside the world; expected "
+                f"{low - 0.5} up to below {low + size - 0.5}; ask world.is_inside(x, y) before"
+            )
+        return float(value)
+
+    # State ----------------------------------------------------------------------------------------
+
+    def snapshot(self) -> dict[str, NDArray[Any]]:
+        """Return copies of the arrays that a checkpoint keeps."""
+        return {"rows": self.rows.copy()}
+
+    def misfit(self, state: Mapping[str, Any]) -> str | None:
+        """Say what is wrong with arrays that are offered as a state, or None."""
+        for name, own in self.snapshot().items():
+            if name not in state:
+                return f"world.{name} holds nothing"
+            found = np.asarray(state[name])
+            if found.dtype != own.dtype:
+                return f"world.{name} holds other fields than the model has"
+            if found.shape != own.shape:
+                return f"world.{name} holds the shape {found.shape}"
+        return None
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take the patches of a checkpoint."""
@@ -220,7 +303,12 @@ class Grid:
         self._see_columns()
 
 
-def _grid_of(fields: dict[str, Field], size: int, rows: NDArray[Any]) -> Grid:
-    grid = Grid(fields, size)
-    grid.restore({"rows": rows})
-    return grid
+def _world_of(
+    kind: type[PatchWorld],
+    fields: dict[str, Field],
+    numbers: Mapping[str, int],
+    state: Mapping[str, NDArray[Any]],
+) -> PatchWorld:
+    world = kind(fields, numbers)
+    world.restore(state)
+    return world
