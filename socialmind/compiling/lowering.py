@@ -11,6 +11,7 @@ import ast
 import copy
 from typing import Any
 
+from socialmind.compiling.aggregates import aggregate_name
 from socialmind.fields import Field, presence
 from socialmind.language.program import TypedFunction
 from socialmind.language.shape import ModelShape
@@ -236,6 +237,10 @@ class _Lowering(ast.NodeTransformer):
 
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
     lower_run_plan = lower_method
+
+    def lower_aggregate(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        population, what, field = mark[1:]
+        return _call(aggregate_name(population, what, field))
 
     def lower_mind(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower a mind or a hierarchy, or what it is asked by a function of the same name."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from socialmind.compiling.aggregates import aggregate_name, aggregate_text
 from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
@@ -34,6 +35,8 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     for population in shape.populations.values():
         leaving = shape.world.leaving(population.name)
         parts.append(population_text(population, population.name in own_makers, leaving))
+    for name, what, field in program.aggregates:
+        parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
     minded = [one for one in shape.populations.values() if one.hierarchy]
     if minded:
         from socialmind.mind.code import text as minds

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import close, nearest
 from socialmind.language import hints, types
+from socialmind.language.aggregates import AGGREGATES
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
 from socialmind.language.typing.built_in import (
@@ -20,7 +21,7 @@ from socialmind.language.typing.built_in import (
 from socialmind.language.typing.draws import typed_draw
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
-from socialmind.language.typing.world_calls import world_call
+from socialmind.language.typing.world_calls import population_aggregate, world_call
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -262,7 +263,13 @@ def _population(
         if len(index) != 1:
             typer.refuse(node, "contains() of other than one identity", "write contains(id)")
         return method_call(node, base, name, index, ("contains", kind.population)), types.BOOL
-    advice = close(name, ("create", "one_of", "contains")) if name not in hints.POPULATION else None
+    if name in AGGREGATES:
+        return population_aggregate(typer, node, base, kind, name)
+    advice = (
+        close(name, ("create", "one_of", "contains", *AGGREGATES))
+        if name not in hints.POPULATION
+        else None
+    )
     return typer.refuse(
         node,
         f"{name}() of {kind}",

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from socialmind.errors import nearest
 from socialmind.fields import Field
 from socialmind.language import types
+from socialmind.language.aggregates import number_fields
 from socialmind.language.nodes import Typed, constant
 from socialmind.language.shape import AGENT, FIELD
 from socialmind.language.typing.minds import method_call
@@ -51,18 +53,30 @@ def world_call(typer: Typer, node: ast.Call, base: ast.expr, name: str) -> Typed
     return method_call(node, base, name, arguments, ("world_call", name, *keys)), result
 
 
+def population_aggregate(
+    typer: Typer, node: ast.Call, base: ast.expr, kind: types.PopulationType, name: str
+) -> Typed:
+    """Return the sum, mean, smallest or largest of a field of a population, and its type."""
+    population = kind.population
+    if len(node.args) != 1 or node.keywords:
+        typer.refuse(node, f"{name}() like this", f'write model.{population}.{name}("field")')
+    kinds = (float, int, bool) if name in ("sum", "mean") else (float, int)
+    fields = typer.shape.populations[population].fields
+    field = number_field(typer, node.args[0], fields, f"agents of {population!r}", kinds)
+    typer.program.sums_up(population, name, field)
+    argument = constant(field.name, node.args[0])
+    made = method_call(node, base, name, [argument], ("aggregate", population, name, field.name))
+    return made, types.FLOAT if name == "mean" else of_field(field)
+
+
 def number_field(
-    typer: Typer, node: ast.expr, fields: object, whose: str, kinds: tuple[type, ...]
+    typer: Typer, node: ast.expr, fields: Mapping[str, Field], whose: str, kinds: tuple[type, ...]
 ) -> Field:
     """Return the field whose name is written, which must hold one number."""
     _, kind = typer.expression(node)
     if not isinstance(kind, types.TextType):
         typer.refuse(node, f"{kind} as the name of a field", "write the field's name as a text")
-    known = {
-        one.name: one
-        for one in fields.values()  # type: ignore[attr-defined]  # a mapping
-        if one.size is None and not one.optional and not one.choices and one.kind in kinds
-    }
+    known = number_fields(fields, kinds)
     if kind.value not in known:
         named = " or ".join(one.__name__ for one in kinds)
         typer.refuse(

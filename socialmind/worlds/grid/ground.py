@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py.border.errors import shown
@@ -16,6 +17,7 @@ from socialmind.compiling.lowering import PLACES
 from socialmind.errors import RuleError, SocialmindError, ValueRefusedError
 from socialmind.worlds.contract import Functions, Ground
 from socialmind.worlds.grid.extent import values_of
+from socialmind.worlds.grid.fields import SCRATCH, scratch_size
 from socialmind.worlds.grid.one_per_patch import INSTEAD, NOWHERE, OnePerPatch
 from socialmind.worlds.grid.patches import PatchWorld
 
@@ -53,6 +55,9 @@ class GridGround(Ground):
         self.world: Any = kind(dict(shape.patch), numbers)
         self.alone = shape.alone is not None
         self._restored = False
+        self._scratch: NDArray[Any] | None = None
+        if SCRATCH[0] in society.program.world_columns:
+            self._scratch = np.zeros(scratch_size(width, height))
 
     def settle_in(self) -> None:
         """Let a world in which patches have room for one know the agents."""
@@ -68,6 +73,8 @@ class GridGround(Ground):
     def arrays(self) -> Mapping[str, NDArray[Any]]:
         """Return the rows of the patches, and who stands on them."""
         arrays = {"patches": self.world.rows}
+        if self._scratch is not None:
+            arrays[SCRATCH[0]] = self._scratch
         return arrays | self.world.holding() if self.alone else arrays
 
     def connect(self, context: Any) -> None:

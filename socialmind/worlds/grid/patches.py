@@ -15,9 +15,11 @@ from socialmind.compiling.layout import row_dtype
 from socialmind.compiling.lowering import SPACE
 from socialmind.errors import SocialmindError, ValueRefusedError
 from socialmind.fields import Field, presence, set_default
+from socialmind.language.aggregates import aggregated, field_called
 from socialmind.language.arithmetic import brought_back
 from socialmind.values import fitted, fitted_column
 from socialmind.worlds.grid import geometry
+from socialmind.worlds.grid.fields import diffused, share_of
 from socialmind.worlds.grid.geometry import patch_index, patches_in_radius
 
 TAKEN_NAMES = frozenset(("x", "y", "columns", "fields", "numbers", "row_class", "rows"))
@@ -228,6 +230,64 @@ class PatchWorld:
         """Yield all patches, column by column."""
         for place in range(len(self.rows)):
             yield self.row_class(self, place)
+
+    # Steps over fields ----------------------------------------------------------------------------
+
+    def diffuse(self, field: str, share: float) -> None:
+        """Let each patch give a share of a field to its 8 neighbours, as NetLogo does.
+
+        Args:
+            field: the name of a field of numbers with fractions.
+            share: 0 … 1; each neighbour gets an eighth, what is for none stays.
+
+        Raises:
+            UnknownNameError: there is no such field.
+            ValueError: the share lies beyond 0 … 1.
+        """
+        self._spread(field, share, 8)
+
+    def diffuse4(self, field: str, share: float) -> None:
+        """Let each patch give a share of a field to its 4 neighbours; see `diffuse`."""
+        self._spread(field, share, 4)
+
+    def _spread(self, field: str, share: float, count: int) -> None:
+        layer = self.layer(field_called(field, self.fields, "patches", (float,)).name)
+        wraps = self.numbers["wraps_x"], self.numbers["wraps_y"]
+        layer[...] = diffused(layer, share_of(share), count, *wraps)
+
+    def evaporate(self, field: str, share: float) -> None:
+        """Take a share of a field from each patch.
+
+        Args:
+            field: the name of a field of numbers with fractions.
+            share: 0 … 1.
+
+        Raises:
+            UnknownNameError: there is no such field.
+            ValueError: the share lies beyond 0 … 1.
+        """
+        layer = self.layer(field_called(field, self.fields, "patches", (float,)).name)
+        layer[...] = layer * (1.0 - share_of(share))
+
+    def sum(self, field: str) -> Any:
+        """Return the sum of a field, added from the first patch to the last."""
+        return self._aggregated("sum", field)
+
+    def mean(self, field: str) -> float:
+        """Return the mean of a field."""
+        return float(self._aggregated("mean", field))
+
+    def min(self, field: str) -> Any:
+        """Return the smallest value of a field."""
+        return self._aggregated("min", field)
+
+    def max(self, field: str) -> Any:
+        """Return the largest value of a field."""
+        return self._aggregated("max", field)
+
+    def _aggregated(self, what: str, field: str) -> Any:
+        found = field_called(field, self.fields, "patches", (float, int, bool))
+        return aggregated(what, self.columns[found.name].tolist(), found, "a world without patches")
 
     # Moving ---------------------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ from socialmind.compiling.layout import dtype_text, row_dtype
 from socialmind.compiling.lowering import PLACES, SPACE
 from socialmind.fields import Field
 from socialmind.language.shape import WorldShape, WorldText
+from socialmind.worlds.grid import fields as steps
 from socialmind.worlds.grid import one_per_patch
 from socialmind.worlds.grid.geometry import COMMANDS, LOOKING
 
@@ -46,11 +47,12 @@ class GridShape(WorldShape):
         own = [text.removeprefix("_model._") for text in numbers.values() if _is_column(text)]
         self.columns = (*dict.fromkeys(own), "patches")
         self.commands = COMMANDS
+        self.calls = steps.CALLS
         if alone is not None:
             self.numbers |= one_per_patch.NUMBERS
             self.columns += one_per_patch.COLUMNS
             self.commands = LOOKING | one_per_patch.MOVING
-            self.calls = one_per_patch.CALLS
+            self.calls = {**steps.CALLS, **one_per_patch.CALLS}
 
     def kept_within(self, population: str, field: str) -> tuple[str, ...]:
         """Return what brings a place back over the border, or refuses one beyond a wall."""
@@ -75,16 +77,17 @@ class GridShape(WorldShape):
             "HEIGHT": self.numbers["height"],
             "DTYPE": dtype_text(row_dtype(self.patch, None)),  # last: it holds users' names
         }
-        before = _filled(_BEFORE, fills)
+        before = [_filled(_BEFORE, fills)]
+        before.append(steps.text(program.world_calls, self.patch, self.numbers))
         if self.alone is None:
-            return WorldText(before)
+            return WorldText("\n\n\n".join(filter(None, before)))
         kept = {}
         for axis in PLACES:
             keep, low, side = self.kept_within("", axis)
             kept[f"KEEP_{axis.upper()}"] = f"{keep}({axis}, {low}, {side})"
         space = ", ".join(self.numbers[name] for name in SPACE)
-        own = one_per_patch.text(self.alone, {"SPACE": space, **kept})
-        return WorldText(f"{before}\n\n\n{own}", "", one_per_patch.TICK)
+        before.append(one_per_patch.text(self.alone, {"SPACE": space, **kept}))
+        return WorldText("\n\n\n".join(filter(None, before)), "", one_per_patch.TICK)
 
 
 def _is_column(text: str) -> bool:
