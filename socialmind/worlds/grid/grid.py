@@ -61,6 +61,13 @@ class Grid(World):
         self.one_per_patch = one_per_patch
         self.numbers = of_grid(wraps)
 
+    def __str__(self) -> str:
+        """What listings call it."""
+        width, height = self.sizes[0], self.sizes[-1]
+        borders = f", wraps {self.wraps}" if isinstance(self.wraps, str) else ", walls"
+        borders = "" if self.wraps is True else borders
+        return f"{type(self).__name__} of {width} × {height} patches{borders}"
+
     def check(self) -> None:
         """Refuse borders, a corner and patches that are none, and names that are taken.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from socialmind.compiling.layout import row_dtype
 from socialmind.compiling.lowering import SPACE
 from socialmind.errors import SocialmindError, ValueRefusedError
 from socialmind.fields import Field, presence, set_default
-from socialmind.language.aggregates import aggregated, field_called
+from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import brought_back
 from socialmind.values import fitted, fitted_column
 from socialmind.worlds.grid import geometry
@@ -107,6 +108,7 @@ class PatchWorld:
         model.world.patch(3, -2).taken
         model.world.taken[x - model.world.low_x, y - model.world.low_y]
         model.world.taken = False
+        model.world.sum("food"), also mean, min, max: as rules compute them, patch by patch
 
     Where agents may stand, and how they move, rules and users call alike: `geometry` has it.
 
@@ -141,11 +143,13 @@ class PatchWorld:
     def __reduce__(self) -> tuple[Any, ...]:
         return _world_of, (type(self), self.fields, self.numbers, self.snapshot())
 
-    def __getattr__(self, name: str) -> NDArray[Any]:
+    def __getattr__(self, name: str) -> Any:
         """Return a field of all patches: a copy, and read-only."""
         fields = self.__dict__.get("fields", {})
         if name.startswith("_"):
             raise AttributeError(f"no attribute {name!r}")
+        if name in AGGREGATES and name not in fields:
+            return partial(self._aggregated, name)
         if name not in fields:
             raise unknown(name, "world", type(self), fields)
         values = self.layer(name).copy()
@@ -268,22 +272,6 @@ class PatchWorld:
         """
         layer = self.layer(field_called(field, self.fields, "patches", (float,)).name)
         layer[...] = layer * (1.0 - share_of(share))
-
-    def sum(self, field: str) -> Any:
-        """Return the sum of a field, added from the first patch to the last."""
-        return self._aggregated("sum", field)
-
-    def mean(self, field: str) -> float:
-        """Return the mean of a field."""
-        return float(self._aggregated("mean", field))
-
-    def min(self, field: str) -> Any:
-        """Return the smallest value of a field."""
-        return self._aggregated("min", field)
-
-    def max(self, field: str) -> Any:
-        """Return the largest value of a field."""
-        return self._aggregated("max", field)
 
     def _aggregated(self, what: str, field: str) -> Any:
         found = field_called(field, self.fields, "patches", (float, int, bool))
