@@ -44,9 +44,11 @@ PEOPLE = "x,y,heading,wheat,age,happy,spouse\n1,2,450,2.5,30,true,\n-4,0,0,3,31,
 
 @pytest.fixture
 def town(tmp_path):
-    (tmp_path / "model.py").write_text(MODEL)
-    (tmp_path / "people.csv").write_text(PEOPLE)
-    return load_model(str(tmp_path))
+    folder = tmp_path / "town"
+    folder.mkdir()
+    (folder / "model.py").write_text(MODEL)
+    (folder / "people.csv").write_text(PEOPLE)
+    return load_model(str(folder))
 
 
 class Person(Agent):
@@ -78,7 +80,7 @@ def test_a_run_records_its_hash_and_is_replayed(town, tmp_path):
     assert "model/people.csv" in manifest["model"]["sources"]["files"]
     assert (folder / "source" / "model" / "people.csv").read_text() == PEOPLE
     assert replay(folder).equal and not replay(folder).notes
-    (tmp_path / "people.csv").write_text(PEOPLE.replace("2.5", "9.5"))
+    (tmp_path / "town" / "people.csv").write_text(PEOPLE.replace("2.5", "9.5"))
     again = replay(folder)
     assert not again.equal
     assert any("people.csv: is not the file that the run" in note for note in again.notes)

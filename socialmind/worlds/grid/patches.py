@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,9 @@ from socialmind.values import fitted, fitted_column
 from socialmind.worlds.grid import geometry
 from socialmind.worlds.grid.fields import diffused, share_of
 from socialmind.worlds.grid.geometry import patch_index, patches_in_radius
+from socialmind.worlds.grid.rasters import raster
 
+HERE = Path()
 TAKEN_NAMES = frozenset(("x", "y", "columns", "fields", "numbers", "row_class", "rows"))
 """What a patch, and the world, keep under these names beside the world's methods."""
 
@@ -202,6 +205,33 @@ class PatchWorld:
             self.columns[name][:] = found
             if self.fields[name].optional:
                 self.columns[presence(name)][:] = there
+
+    def load(
+        self,
+        field: str,
+        source: Any,
+        low: float | None = None,
+        high: float | None = None,
+        folder: Path = HERE,
+    ) -> None:
+        """Set a field of all patches from a map.
+
+        Args:
+            field: its name.
+            source: a CSV file of numbers or a picture, of which the top is north, each with a
+                value for each patch; or an array, (width, height), by column from the south-west.
+            low: what black is in a picture; 0 unless given.
+            high: what white is; 1 unless given.
+            folder: where files lie, unless their path is absolute; the working folder.
+
+        Raises:
+            UnknownNameError: there is no such field.
+            SocialmindError: the file cannot be read, is of another size, or holds what the field
+                cannot; nothing was written.
+        """
+        check_fields([field], self.fields, "the world")
+        sides = self.width, self.height
+        self.set(**{field: raster(source, self.fields[field], *sides, low, high, folder)})
 
     def layer(self, name: str) -> NDArray[Any]:
         """Return a column of the patches themselves, (width, height), not checked when written."""
