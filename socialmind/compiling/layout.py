@@ -65,15 +65,22 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
     return np.dtype(columns or [("_empty", "i1")], align=population is not None)
 
 
-def model_dtype(shape: ModelShape) -> np.dtype[Any]:
-    """Return the model's record: parameters, variables, and where everything else is."""
+def model_dtype(shape: ModelShape, more: tuple[str, ...] = ()) -> np.dtype[Any]:
+    """Return the model's record: parameters, variables, and where everything else is.
+
+    Args:
+        shape: the model's.
+        more: columns that what its rules call of the world needs.
+    """
     columns: Columns = []
     for field in [*shape.parameters.values(), *shape.variables.values()]:
         columns += field.dtype
     plain = "tick stream idle idle_agent idle_tick world_size world_low world_high patches"
     columns += [(f"_{name}", "i8") for name in plain.split()]
     # Those of patches stand in every record: a checkpoint holds it as it is.
-    columns += [(f"_{one}", "i8") for one in shape.world.columns if one not in plain.split()]
+    columns += [
+        (f"_{one}", "i8") for one in (*shape.world.columns, *more) if one not in plain.split()
+    ]
     for population in shape.populations.values():
         name = population.name
         columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]

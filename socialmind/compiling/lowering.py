@@ -11,13 +11,16 @@ import ast
 import copy
 from typing import Any
 
+from socialmind.compiling.aggregates import aggregate_name
 from socialmind.fields import Field, presence
 from socialmind.language.program import TypedFunction
 from socialmind.language.shape import ModelShape
 from socialmind.language.syntax import parsed
 
 PLACES = ("x", "y")
-"""The fields of an agent that are brought back into a torus wherever they are set."""
+"""The fields of an agent that are kept in the world wherever they are set."""
+SPACE = ("low_x", "low_y", "width", "height", "wraps_x", "wraps_y")
+"""The numbers of a world with patches that say where these are."""
 
 
 def lowered(function: TypedFunction, shape: ModelShape | None = None) -> str:
@@ -46,6 +49,10 @@ def _name(name: str) -> ast.Name:
 
 def _call(name: str, *arguments: ast.expr) -> ast.Call:
     return ast.Call(_name(name), [_name("_model"), *arguments], [])
+
+
+def _is_text(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str)
 
 
 def _widened(value: ast.expr, field: Field) -> ast.expr:
@@ -171,18 +178,29 @@ class _Lowering(ast.NodeTransformer):
     lower_world = lower_population
 
     def lower_world_number(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
-        return _parsed(f"_model._world_{mark[1]}")
+        return self.world_number(mark[1])
+
+    def world_number(self, name: str) -> Any:
+        """Return how compiled code finds a number of the world."""
+        return _parsed(self.world.numbers[name])  # type: ignore[union-attr]  # rules of a world
+
+    def space(self) -> list[ast.expr]:
+        """Return where the patches are, as the functions that look for them take it."""
+        return [self.world_number(name) for name in SPACE]
 
     def lower_patch_place(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        operator = "//" if mark[1] == "x" else "%"
-        made = _parsed(f"_place {operator} _model._world_size + _model._world_low")
-        made.left.left = self.visit(node.value)
-        return made
+        operator: ast.operator = ast.FloorDiv() if mark[1] == "x" else ast.Mod()
+        place = ast.BinOp(self.visit(node.value), operator, self.world_number("height"))
+        return ast.BinOp(place, ast.Add(), self.world_number(f"low_{mark[1]}"))
 
     def lower_patch_at(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]
-        low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
-        return ast.Call(_name("_patch_index"), [*arguments, low, size], [])
+        return ast.Call(_name("_patch_index"), [*arguments, *self.space()], [])
+
+    def lower_world_call(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        """Lower a call of the world's by a function of its name; texts are part of the name."""
+        arguments = [self.visit(one) for one in node.args if not _is_text(one)]
+        return _call("_".join(("_world", *mark[1:])), *arguments)
 
     def lower_element(self, node: ast.expr, mark: tuple[Any, ...]) -> Any:
         """Lower an element of an array; truth values are bytes there."""
@@ -219,6 +237,10 @@ class _Lowering(ast.NodeTransformer):
 
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
     lower_run_plan = lower_method
+
+    def lower_aggregate(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        population, what, field = mark[1:]
+        return _call(aggregate_name(population, what, field))
 
     def lower_mind(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower a mind or a hierarchy, or what it is asked by a function of the same name."""
@@ -279,9 +301,10 @@ class _Lowering(ast.NodeTransformer):
     def lower_patches(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
         self.generic_visit(node)
         call: Any = node.iter
-        low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
         if call.func.id == "_all_patches":
-            node.iter = _parsed("_range(_model._world_size * _model._world_size)")
+            width, height = self.world_number("width"), self.world_number("height")
+            node.iter = ast.Call(_name("_range"), [ast.BinOp(width, ast.Mult(), height)], [])
         else:
-            node.iter = ast.Call(_name("_patches_in_radius"), [*call.args[1:], low, size], [])
+            arguments = [*call.args[1:], *self.space()]
+            node.iter = ast.Call(_name("_patches_in_radius"), arguments, [])
         return node

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from socialmind.compiling.aggregates import aggregate_name, aggregate_text
 from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
@@ -26,12 +27,16 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             puts its function into the module as `_own_<population>`.
     """
     shape = program.shape
-    parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {dtype_text(model_dtype(shape))}"]
+    record = dtype_text(model_dtype(shape, program.world_columns))
+    parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
     for population in shape.populations.values():
-        parts.append(population_text(population, population.name in own_makers))
+        leaving = shape.world.leaving(population.name)
+        parts.append(population_text(population, population.name in own_makers, leaving))
+    for name, what, field in program.aggregates:
+        parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
     minded = [one for one in shape.populations.values() if one.hierarchy]
     if minded:
         from socialmind.mind.code import text as minds

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from socialmind.errors import ModelError, close, nearest
+from socialmind.fields import Field
 from socialmind.language import arithmetic
 from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import Names, RuleSource, rule_source
@@ -80,6 +81,8 @@ class Program:
         self.functions: dict[str, TypedFunction] = {}
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
         self.births: list[str] = []
+        self.world_calls: list[tuple[str, ...]] = []
+        self.aggregates: list[tuple[str, str, Field]] = []
         self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
         self._sources: dict[Callable[..., Any], RuleSource] = {}
         self._modules: dict[python_types.ModuleType, Names] = {}
@@ -201,6 +204,24 @@ class Program:
         """Note that rules bring new agents into a population."""
         if population not in self.births:
             self.births.append(population)
+
+    def sums_up(self, population: str, what: str, field: Field) -> None:
+        """Note that rules sum up a field of a population."""
+        if (population, what, field) not in self.aggregates:
+            self.aggregates.append((population, what, field))
+
+    def calls_world(self, *call: str) -> None:
+        """Note that rules call something of the world: its name, then populations and fields."""
+        if call not in self.world_calls:
+            self.world_calls.append(call)
+
+    @property
+    def world_columns(self) -> tuple[str, ...]:
+        """The columns of the model's record that what its rules call of the world needs."""
+        calls = self.shape.world.calls
+        return tuple(
+            dict.fromkeys(one for call in self.world_calls for one in calls[call[0]].columns)
+        )
 
     def changes(self, population: str) -> None:
         """Note that a function writes fields of a population, or brings births or deaths."""

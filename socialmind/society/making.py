@@ -104,8 +104,7 @@ def ground_of(society: Running, world: World) -> Ground:
     Raises:
         SocialmindError: the parameter that gives its size is less than 1.
     """
-    size = None if world.size is None else size_of(society.context, world.size, 1)
-    return world.ground(society, size)
+    return world.ground(society, *(size_of(society.context, one, 1) for one in world.sizes))
 
 
 def names_in_minds(society: Running, files: Mapping[str, Path]) -> dict[str, NDArray[np.int64]]:

@@ -17,6 +17,7 @@ from socialmind.columns import check_fields, column, columns_of
 from socialmind.compiling.layout import row_dtype
 from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
 from socialmind.fields import Field, presence, set_default
+from socialmind.language.aggregates import aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
 from socialmind.society.connection import plan_functions
@@ -301,6 +302,30 @@ class Table:
             self, int(bookkeeping.nth_living(self.counters, self.order, self.alive, place))
         )
 
+    # Sums over a field ------------------------------------------------------------------------
+
+    def sum(self, field: str) -> Any:
+        """Return the sum of a field of the living, added in order of birth; 0 where none lives."""
+        return self._aggregated("sum", field)
+
+    def mean(self, field: str) -> float:
+        """Return the mean of a field of the living."""
+        return float(self._aggregated("mean", field))
+
+    def min(self, field: str) -> Any:
+        """Return the smallest value of a field of the living."""
+        return self._aggregated("min", field)
+
+    def max(self, field: str) -> Any:
+        """Return the largest value of a field of the living."""
+        return self._aggregated("max", field)
+
+    def _aggregated(self, what: str, name: str) -> Any:
+        whose = f"agents of {self.shape.name!r}"
+        field = field_called(name, self.shape.fields, whose, (float, int, bool))
+        values = self.columns[field.name][self.slots].tolist()
+        return aggregated(what, values, field, "a population without agents")
+
     # Births and deaths ------------------------------------------------------------------------
 
     def create(self) -> Any:
@@ -333,6 +358,7 @@ class Table:
         """Take an agent out of the world; its mind leaves its groups."""
         slot = agent._slot
         if self.alive[slot]:
+            self.model.ground.leave(self, slot)
             bookkeeping.died(self.counters, self.alive, self.slot_of, slot, agent.id)
             if self.society is not None:
                 self.mind_of(slot).die()

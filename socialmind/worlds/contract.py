@@ -1,4 +1,4 @@
-"""What a world gives a society. Torus, plane and none meet it, and so does any that is added.
+"""What a world gives a society. Grid, plane and none meet it, and so does any that is added.
 
 A world is three things: its declaration, which a modeller writes (`World`); its shape, which rules
 are typed and compiled against (`socialmind.language.shape.WorldShape`); and the ground of a running
@@ -31,12 +31,13 @@ class World:
     """The declaration of a world, as the attribute `world` of a model; this one is none.
 
     Attributes:
-        size: a number that decides its memory, or the parameter of whole numbers that gives it.
+        sizes: what decides its memory, each a number or the parameter of whole numbers that gives
+            it, 1 or more.
         devices: what a model may declare for it beside its populations: attribute and class.
         has_episodes: whether interruptions end a run there, and not `stop_when`.
     """
 
-    size: int | str | None = None
+    sizes: tuple[int | str, ...] = ()
     devices: Mapping[str, type] = {}  # never changed
     has_episodes = False
 
@@ -67,12 +68,12 @@ class World:
                 )
         return WorldShape()
 
-    def ground(self, society: Running, size: int | None) -> Ground:
+    def ground(self, society: Running, *sizes: int) -> Ground:
         """Return the world of a running society, whose tables are not made yet.
 
         Args:
             society: the society.
-            size: what `size` comes to there.
+            sizes: what `sizes` come to there.
         """
         return Ground(society)
 
@@ -137,6 +138,13 @@ class Ground:
         It takes the value and, for an error, whose it is.
         """
         return None
+
+    def put(self, agent: Any, x: float, y: float) -> None:
+        """Move an agent, as from outside the rules."""
+        agent.x, agent.y = x, y
+
+    def leave(self, table: Any, slot: int) -> None:
+        """Take note that the agent in a slot of a table dies."""
 
     def hand_out(self, bare: bool) -> None:
         """Give out parts of the world as rules hold them, bare, or, as else, as users do."""

@@ -260,7 +260,7 @@ STATEMENTS = {
     "person.i = rng.integers(0.5)": ("a fraction for rng.integers()", "int("),
     "person.f = rng.uniform(low=0, high=1)": ("rng.uniform() with low=", "without"),
     "person.f = rng.uniform(0, 1, 2)": ("3 arguments for rng.uniform()", "rng.uniform(low, high)"),
-    "person.f = model.world.wide": ("the world's 'wide'", "size"),
+    "person.f = model.world.wide": ("the world's 'wide'", "did you mean 'width'?"),
     "model.world.jump(person)": ("the world's jump()", "there is"),
     "x = model.world.patches": ("the world's 'patches' as a value", "for patch in"),
     "x = model.world.in_radius(person, 2)": ("in_radius as a value", "for patch in"),
@@ -307,7 +307,7 @@ STATEMENTS = {
     "person.i = model.persons.count()": ("count() of the population", "len(model.persons)"),
     "model.persons.f += 1": ("'f' of the population", "for other in model.persons:"),
     "if model.persons:\n        pass": ("the population 'persons' as", "len(model.persons) > 0"),
-    "person.f = model.world.width": ("the world's 'width'", "model.world.size"),
+    "person.f = model.world.breadth": ("the world's 'breadth'", "there is size, low"),
     "for p in model.world.neighbors(person):\n        pass": (
         "the world's neighbors()",
         "in_radius(person, 1.5)",

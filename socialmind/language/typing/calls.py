@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import close, nearest
 from socialmind.language import hints, types
+from socialmind.language.aggregates import AGGREGATES
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
 from socialmind.language.typing.built_in import (
@@ -22,6 +23,7 @@ from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.draws import typed_draw
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
+from socialmind.language.typing.world_calls import population_aggregate, world_call
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -268,7 +270,13 @@ def _population(
         if len(index) != 1:
             typer.refuse(node, "contains() of other than one identity", "write contains(id)")
         return method_call(node, base, name, index, ("contains", kind.population)), types.BOOL
-    advice = close(name, ("create", "one_of", "contains")) if name not in hints.POPULATION else None
+    if name in AGGREGATES:
+        return population_aggregate(typer, node, base, kind, name)
+    advice = (
+        close(name, ("create", "one_of", "contains", *AGGREGATES))
+        if name not in hints.POPULATION
+        else None
+    )
     return typer.refuse(
         node,
         f"{name}() of {kind}",
@@ -281,12 +289,20 @@ def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: types.WorldType, 
     if name == "patch" and world.patch is not None:
         arguments = fitted(typer, node, "patch", Signature((types.FLOAT, types.FLOAT), types.NONE))
         return method_call(node, base, name, arguments, ("patch_at",)), types.PatchType()
+    if name in world.calls:
+        return world_call(typer, node, base, name)
     if name in world.commands:
         return helper(typer, node, world.commands[name], first=[(base, kind)])
     if name in ("in_radius", "patches"):
         loop = "patches" if name == "patches" else "in_radius(agent, radius)"
         typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{loop}:`")
     advice = hints.for_world(
-        typer, name, [*world.commands, *(("patch", "in_radius") if world.patch is not None else ())]
+        typer,
+        name,
+        [
+            *world.commands,
+            *world.calls,
+            *(("patch", "in_radius") if world.patch is not None else ()),
+        ],
     )
     return typer.refuse(node, f"the world's {name}()", advice)

@@ -302,7 +302,7 @@ class ExpressionTyper:
             numbers = self.shape.world.numbers
             if node.attr in numbers:
                 return marked(new, ("world_number", node.attr)), types.INT
-            remedy = hints.for_world(self, node.attr, numbers)
+            remedy = hints.for_world(self, node.attr, tuple(numbers))
             if node.attr == "patches":
                 remedy = "write `for patch in model.world.patches:`"
             self.refuse(node, f"the world's {node.attr!r} as a value", remedy)

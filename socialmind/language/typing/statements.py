@@ -277,6 +277,9 @@ class FunctionTyper:
                 )
             if mark[0] == "agent":
                 self.program.changes(mark[1])
+                instead = self.program.shape.world.instead_of_setting(mark[1], reading.attr)
+                if instead is not None:
+                    self.typer.refuse(target, f"a new value for {reading.attr!r} alone", instead)
             reading.ctx = ast.Store()
             return reading, kind, f"the field {reading.attr!r}"
         if not isinstance(reading, ast.Subscript) or isinstance(kind, types.RowType):

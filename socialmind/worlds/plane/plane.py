@@ -77,7 +77,7 @@ class Plane(World):
         shape = plane_shape(self, model.populations, model.rewards, model.interruptions, place)
         return PlaneWorld(shape)
 
-    def ground(self, society: Running, size: int | None) -> Ground:
+    def ground(self, society: Running, *sizes: int) -> Ground:
         """Return the plane of a running society."""
         return Arena(society)
 
