@@ -27,6 +27,7 @@ BOOL = Type("a truth value")
 INT = Type("a whole number")
 FLOAT = Type("a number")
 NONE = Type("None")
+NOBODY = Type("None, where an agent may be")
 MODEL = Type("the model")
 RNG = Type("the random stream")
 NUMBERS = (BOOL, INT, FLOAT)
@@ -58,6 +59,25 @@ class RowType(_OfPopulation):
     """An agent of a population."""
 
     words = "an agent of {population!r}"
+
+
+class MaybeRowType(_OfPopulation):
+    """An agent of a population, or None."""
+
+    words = "an agent of {population!r} or None"
+
+
+class FoundType(_OfPopulation):
+    """The agents of a population that were found around somebody."""
+
+    words = "a set of agents of {population!r}"
+
+
+@dataclass(frozen=True)
+class PatchesType(_Called):
+    """The patches that were found around somebody."""
+
+    words = "a set of patches"
 
 
 class MindType(_OfPopulation):
@@ -157,6 +177,9 @@ AnyType = (
     | OptionalType
     | ArrayType
     | RowType
+    | MaybeRowType
+    | FoundType
+    | PatchesType
     | MindType
     | HierarchyType
     | PopulationType
@@ -182,6 +205,12 @@ def unified(one: AnyType, other: AnyType) -> AnyType | None:
         return one
     if {one, other} == {INT, FLOAT}:
         return FLOAT
+    if {one, other} <= {NOBODY, NONE}:
+        return NOBODY
+    agents = [kind for kind in (one, other) if isinstance(kind, RowType | MaybeRowType)]
+    if agents and all(kind in (NOBODY, NONE) or kind in agents for kind in (one, other)):
+        population = agents[0].population
+        return MaybeRowType(population) if agents[-1].population == population else None
     if isinstance(one, TupleType) and isinstance(other, TupleType):
         if len(one.items) != len(other.items):
             return None
