@@ -315,7 +315,7 @@ class _Lowering(ast.NodeTransformer):
     def lower_nearest(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args[1:]]
         radius = arguments[1:] or [_parsed("np.inf")]
-        return _call(f"_nearest_{mark[1]}_{mark[2]}", arguments[0], *radius)
+        return _call(f"_near_first_{mark[1]}_{mark[2]}", arguments[0], *radius)
 
     def lower_count_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         return ast.BinOp(

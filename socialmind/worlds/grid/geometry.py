@@ -226,10 +226,24 @@ def is_on(world: Any, agent: Any, x: float, y: float) -> bool:
 
 
 def offset(world: Any, agent: Any, other: Any) -> tuple[float, float]:
-    """Return how far another agent or patch lies to the right of an agent, and how far up."""
-    dx = apart(other.x - agent.x, world.width, world.wraps_x)
-    dy = apart(other.y - agent.y, world.height, world.wraps_y)
+    """Return how far another agent or patch lies to the right of an agent, and how far up.
+
+    It is the short way round where the world wraps: within (−width / 2, width / 2).
+    """
+    dx = between_inside(other.x - agent.x, world.width, world.wraps_x)
+    dy = between_inside(other.y - agent.y, world.height, world.wraps_y)
     return dx, dy
+
+
+def between_inside(difference: float, size: int, wraps: int) -> float:
+    """Return `apart` of two coordinates that both lie in the world."""
+    if wraps:
+        half = size / 2
+        if difference > half:
+            return difference - size
+        if difference < -half:
+            return difference + size
+    return difference
 
 
 # Moving ----------------------------------------------------------------------------------------
