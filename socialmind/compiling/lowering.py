@@ -318,9 +318,7 @@ class _Lowering(ast.NodeTransformer):
         return _call(f"_near_first_{mark[1]}_{mark[2]}", arguments[0], *radius)
 
     def lower_count_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.BinOp(
-            self.visit(node.args[0]), ast.Sub(), _call(f"_near_begin_{mark[1]}")
-        )
+        return ast.BinOp(self.visit(node.args[0]), ast.Sub(), _call(f"_near_begin_{mark[1]}"))
 
     def lower_one_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         return _call(f"_near_one_{mark[1]}", *[self.visit(one) for one in node.args])

@@ -52,7 +52,9 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         parts.append(f"@_inner\n{lowered(function, shape, program.sought)}")
     for name, plans in program.plans.items():
         parts.append(plans_text(name, list(plans.values())))
-    parts += [_phase_text(shape, phase, program.sought) for phase in (*program.setup, *program.schedule)]
+    parts += [
+        _phase_text(shape, phase, program.sought) for phase in (*program.setup, *program.schedule)
+    ]
     listing = "".join(f"    _near_list_{name}(_model)\n" for name in program.sought)
     setup, schedule = listing + _calls(program.setup), listing + _calls(program.schedule)
     tick = world.tick.replace("PHASES", schedule)

@@ -90,7 +90,9 @@ def _asked(
     elif isinstance(kind, types.PatchType):
         asker = "patch"
     else:
-        typer.refuse(node, f"{owner}.{_name(node)}() of {kind}", f"{advice}: of an agent or a patch")
+        typer.refuse(
+            node, f"{owner}.{_name(node)}() of {kind}", f"{advice}: of an agent or a patch"
+        )
     numbers = [
         typer.fitted(given[one], _NUMBERS[one], f"the {one}") for one in names if one in given
     ]

@@ -310,9 +310,7 @@ def died(cells: Any, entries: Any, heads: Any, spots: Any, slot: int) -> None:
 
 
 @register_jitable
-def moved(
-    cells: Any, entries: Any, heads: Any, spots: Any, slot: int, x: float, y: float
-) -> None:
+def moved(cells: Any, entries: Any, heads: Any, spots: Any, slot: int, x: float, y: float) -> None:
     """Take note of where an agent stands now; the dead are in no list."""
     spot = spots[slot]
     if spot < 0:

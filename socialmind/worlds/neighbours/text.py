@@ -243,5 +243,5 @@ def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
         for asker, (x, y, spot) in askers.items():
             part = _ASKED_BY.replace("ASKER", asker).replace("SPOT", spot)
             parts.append(part.replace("WHO_X", x).replace("WHO_Y", y))
-        parts[-1 - len(askers):] = [one.replace("NAME", name) for one in parts[-1 - len(askers):]]
+        parts[-1 - len(askers) :] = [one.replace("NAME", name) for one in parts[-1 - len(askers) :]]
     return "\n\n\n".join(parts)

@@ -129,7 +129,9 @@ class PlaneWorld(WorldShape):
         """Return the stages of a tick, and many worlds in lockstep."""
         deciding = [name for name, one in program.shape.populations.items() if one.minded]
         plane = program.world
-        return WorldText("", plane_text(plane, program.sought), TICK, lockstep_text(plane, deciding))
+        return WorldText(
+            "", plane_text(plane, program.sought), TICK, lockstep_text(plane, deciding)
+        )
 
 
 def _is_number(value: Any) -> bool:

@@ -76,7 +76,9 @@ class NaiveFlock:
         return Found(one for one in self.others(who) if self.world.moves(who, one) == (0, 0))
 
     def neighbours(self, who, steps=1):
-        return Found(one for one in self.others(who) if 0 < max(self.world.moves(who, one)) <= steps)
+        return Found(
+            one for one in self.others(who) if 0 < max(self.world.moves(who, one)) <= steps
+        )
 
     def neighbours4(self, who):
         return Found(one for one in self.others(who) if sum(self.world.moves(who, one)) == 1)

@@ -159,7 +159,11 @@ def plane_text(plane: PlaneProgram, looked_for: tuple[str, ...] = ()) -> str:
         f"    if not _model._{one}_steered:\n        _obey_{one}(_model)\n" for one in minded
     )
     listing = "".join(f"    _near_list_{name}(_model)\n" for name in looked_for)
-    tick = _TICK.replace("LISTING", listing).replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
+    tick = (
+        _TICK.replace("LISTING", listing)
+        .replace("STAGES", "\n".join(lines))
+        .replace("INFORM", inform)
+    )
     tick = tick.replace("OBEY", obey)
     parts.append(tick.replace("BUILD", BUILD if plane.shifting else ""))
     think = [f"    if not _model._{one}_steered:\n        _think_{one}(_model)" for one in minded]
