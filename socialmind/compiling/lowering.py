@@ -349,8 +349,9 @@ class _Lowering(ast.NodeTransformer):
 
     def block(self, statements: list[ast.stmt]) -> list[ast.stmt]:
         """Return statements for numba."""
-        made: list[ast.stmt] = self.generic_visit(ast.Module(statements, [])).body
-        return made
+        made = ast.Module(statements, [])
+        self.generic_visit(made)
+        return made.body
 
     def patches_asked(self, node: Any) -> tuple[str, str, list[ast.expr]]:
         """Return what patches are around whom, by whom it is asked, and with what."""

@@ -7,7 +7,14 @@ them: they only say where to look, the question is asked exactly, and what is fo
 of birth. So nothing of the index is state.
 
 The entries of a cell lie side by side in memory at the begin of a tick. Then agents that move, are
-born or die are taken out of lists and put into others.
+born or die are taken out of lists and put into others. The arrays of an index, in what follows:
+
+- cells: how the world is cut; `low`, `size` and `wraps` of an axis are the world's.
+- entries: an agent's place, and the spots of those before and behind it in its cell.
+- heads: the spot of the first in each cell, −1 where there is none.
+- spots: where in the entries the agent of a slot is, −1 for the dead.
+- found: a stack of what was found, as places in the order of birth.
+- rows, counters, order, alive: the population's, as `agents.bookkeeping` has them.
 """
 
 from __future__ import annotations
@@ -152,15 +159,9 @@ def cut(
     wraps_y: int,
     whole: int,
 ) -> None:
-    """Cut the world into cells for so many agents.
+    """Cut a rectangle, which most agents are in, into cells for the living.
 
-    Args:
-        cells: where the cut is noted.
-        living: how many agents there are.
-        room: how many cells there may be.
-        low_x, low_y, width, height: the rectangle that agents are in, or most of them.
-        wraps_x, wraps_y: whether an end of it lies beside the other.
-        whole: whether the world has patches, which its ends do not cut.
+    There is room for so many cells; a world that is whole has patches, which its ends do not cut.
     """
     area = AGENTS_A_CELL * width * height / max(living, 1)
     side_y = min(math.sqrt(area), height)
@@ -215,16 +216,7 @@ def list_all(
     cells: Any, entries: Any, heads: Any, spots: Any, rows: Any, counters: Any, order: Any,
     alive: Any,
 ) -> None:  # fmt: skip
-    """List the living in their cells, in order of birth.
-
-    Args:
-        cells: how the world is cut.
-        entries: where agents stand, and the spots of those before and behind it in its cell.
-        heads: the spot of the first in each cell, −1 where there is none.
-        spots: where in the entries the agent of a slot is, −1 for the dead.
-        rows: the agents, by slot.
-        counters, order, alive: the population's, as bookkeeping has them.
-    """
+    """List the living in their cells, in order of birth."""
     number = cells.cells_x * cells.cells_y
     for cell in range(number):
         heads[cell] = 0
@@ -332,7 +324,7 @@ def cells_around(cells: Any, x: float, y: float, turn: int) -> int:
 
 
 # Questions ----------------------------------------------------------------------------------------
-# What is found is pushed on a stack, as places in the order of birth, above what loops around are going over.
+# What is found is pushed on a stack, above what the loops around go over.
 
 
 @register_jitable
@@ -349,12 +341,7 @@ def find_near(
 ) -> int:
     """Push all at most a radius from a place, in no order; return where they end on the stack.
 
-    Args:
-        cells, entries, heads: the index.
-        found: the stack.
-        x, y: the place.
-        radius: at most so far, the short way round where the world wraps.
-        spot: the entry of the agent that asks, which is not found; −1 for none.
+    The agent at `spot` asks, and is not found; it is −1 where no agent of the population asks.
     """
     limit = radius * radius
     column, columns = columns_near(cells, x, radius)
@@ -409,10 +396,8 @@ def find_on_patches(
 ) -> int:  # fmt: skip
     """Push all on the patches around a place; return where they end on the stack.
 
-    Args:
-        cells, entries, heads, found, x, y, spot: as `find_near` takes them.
-        steps: at most so many king's moves away.
-        kind: 0 with the patch of the place, 8 without it, 4 for those that share a side.
+    They are at most so many king's moves away. The kind is 0 with the patch of the place, 8 without
+    it, and 4 for the patches that share a side with it. `find_near` says what `spot` is.
     """
     low_x, width = math.floor(cells.low_x + 0.5), int(cells.size_x)
     low_y, height = math.floor(cells.low_y + 0.5), int(cells.size_y)
@@ -475,10 +460,10 @@ def nearest(
                     dx = dx - width if dx > half_x else (dx + width if dx < -half_x else dx)
                     dy = dy - height if dy > half_y else (dy + height if dy < -half_y else dy)
                     away = dx * dx + dy * dy
-                    if away <= limit and one != spot:
-                        if best < 0 or away < limit or entry.place < best:
-                            best = entry.place
-                            limit = away
+                    nearer = away < limit or (away == limit and (best < 0 or entry.place < best))
+                    if nearer and one != spot:
+                        best = entry.place
+                        limit = away
                     one = entry.next
                 row += 1
                 if row == cells_y:
@@ -494,12 +479,9 @@ def nearest(
 
 @register_jitable
 def in_order(found: Any, begin: int, end: int, marks: Any) -> None:
-    """Bring what was pushed into the order of birth.
+    """Bring what was pushed, from begin to end, into the order of birth.
 
-    Args:
-        found: the stack.
-        begin, end: where what was pushed stands on it.
-        marks: a bit for each place in the order of birth, all 0, and so they are left.
+    The marks are a bit for each place in that order, all 0, and so they are left.
     """
     if end - begin > FEW:
         first = last = found[begin] >> 6

@@ -1,4 +1,4 @@
-"""Societies as plain lists, on which rules run as they are: what is near whom, asked of everybody."""
+"""Societies as plain lists, on which rules run as they are: who is near is asked of everybody."""
 
 import math
 from itertools import count

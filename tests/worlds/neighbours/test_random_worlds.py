@@ -200,7 +200,8 @@ class Naive:
 
 SIZES = [(1, 1), (1, 2), (2, 1), (2, 2), (2, 3), (3, 3), (4, 1), (5, 4), (3, 11), (9, 8), (20, 17)]
 """Of worlds; each is tried with few and with many agents."""
-CROWDS = [(2, 4), (6, 14), (25, 60)]
+CROWDS = [(2, 4, 150), (6, 14, 150), (25, 60, 8)]
+"""Of birds: at least, at most, and for how many ticks."""
 
 
 def found(society):
@@ -214,24 +215,22 @@ def found(society):
 def test_all_find_the_same(kind, wraps):
     seed = 0
     for width, height in SIZES:
-        for least, most in CROWDS:
+        for least, most, ticks in CROWDS:
             seed += 1
             given = {"width": width, "height": height, "least": least, "most": most}
             fast, slow = (kind(seed=seed, compiled=one, **given) for one in (True, False))
             naive = Naive(fast, wraps)
-            ticks = 160 if most < 20 else 20
             for tick in range(ticks):
                 fast.advance()
                 naive.advance()
                 assert found(fast) == found(naive), (given, tick)
-                if tick < ticks // 8:
+                if tick < ticks // 10:
                     slow.advance()
                     assert found(slow) == found(naive), (given, tick)
 
 
 def test_the_worlds_are_ten_thousand():
-    ticks = sum(160 if most < 20 else 20 for _ in SIZES for _, most in CROWDS)
-    assert 3 * ticks > 10_000
+    assert 3 * len(SIZES) * sum(ticks for _, _, ticks in CROWDS) > 10_000
 
 
 def test_a_resumed_run_is_the_run():
