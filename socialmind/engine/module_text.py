@@ -16,7 +16,6 @@ from socialmind.engine.access import AGENTS, call_text, plans_text, population_t
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
 from socialmind.streams import ORDER_TAG
-from socialmind.worlds.neighbours import text as neighbours
 
 
 def module_text(program: Program, own_makers: frozenset[str]) -> str:
@@ -37,7 +36,10 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         leaving = shape.world.leaving(population.name)
         own, sought = population.name in own_makers, population.name in program.sought
         parts.append(population_text(population, own, leaving, sought))
-    parts.append(neighbours.text(shape, program.sought))
+    if program.sought:
+        from socialmind.worlds.neighbours.text import text
+
+        parts.append(text(shape, program.sought))
     for name, what, field in program.aggregates:
         parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
     minded = [one for one in shape.populations.values() if one.hierarchy]

@@ -214,8 +214,6 @@ def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
         shape: the model's.
         sought: the populations.
     """
-    if not sought:
-        return ""
     *rectangle, wraps_x, wraps_y, whole = shape.world.extent
     found = "_neighbours.bounds(rows, counters, order, alive)"
     own = {

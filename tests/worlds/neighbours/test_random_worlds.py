@@ -7,7 +7,7 @@ the middle of loops some die, are born or move. The naive society runs the same 
 import numpy as np
 import pytest
 
-from socialmind import Agent, Grid, Model, Patch, Population, once, parameter
+from socialmind import Agent, Grid, Model, Patch, Population, each, once, parameter
 from socialmind.streams import Stream
 from tests.worlds.neighbours.naive import NaiveFlock, NaiveWorld
 
@@ -246,6 +246,43 @@ def test_a_resumed_run_is_the_run():
     assert found(part) == found(whole)
     for name, array in whole.state().items():
         np.testing.assert_array_equal(array, part.state()[name], err_msg=name)
+
+
+def settle(citizen, model, rng):
+    spot = model.world.one_free(rng)
+    model.world.move_to(citizen, spot.x, spot.y)
+    citizen.group = citizen.id % 2
+
+
+def stay_or_move(citizen, model, rng):
+    alike = 0
+    for other in model.citizens.neighbours(citizen, 2):
+        alike += int(other.group == citizen.group)
+    citizen.alike = alike
+    if alike < 6:
+        spot = model.world.one_free(rng)
+        model.world.move_to(citizen, spot.x, spot.y)
+
+
+class Citizen(Agent):
+    group: int = 0
+    alike: int = 0
+
+
+class Town(Model):
+    world = Grid(12, 9, wraps=False, one_per_patch=True)
+    citizens = Population(Citizen, 70)
+    setup = (each(citizens, settle),)
+    schedule = (each(citizens, stay_or_move),)
+
+
+def test_those_who_move_in_one_step_are_found_where_they_are():
+    fast, slow = Town(seed=2), Town(seed=2, compiled=False)
+    for _ in range(5):
+        fast.advance()
+        slow.advance()
+        assert fast.citizens.alike.tolist() == slow.citizens.alike.tolist()
+        assert fast.citizens.x.tolist() == slow.citizens.x.tolist()
 
 
 def test_users_find_what_rules_find():
