@@ -94,7 +94,7 @@ class PopulationType:
 
 @dataclass(frozen=True)
 class WorldType:
-    """The torus that the agents stand on."""
+    """The world that the agents stand on."""
 
     def __str__(self) -> str:
         return "the world"
