@@ -1,1 +1,1 @@
-"""The worlds that agents live in; grids of patches with NetLogo's geometry, and a physical plane."""
+"""The worlds that agents live in: grids of patches, with NetLogo's geometry, and a plane."""

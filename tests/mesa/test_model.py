@@ -516,3 +516,5 @@ def test_a_grid_with_walls_and_room_for_one():
         type(one)(model, x=0, y=1)
     assert len(society.sheep) == 3
     model.step()
+    again = type(model)()  # as SolaraViz's Reset does
+    assert again.society.sheep.x.tolist() == [1.0, 2.0]

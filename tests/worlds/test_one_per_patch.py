@@ -243,6 +243,9 @@ def test_a_checkpoint_with_wrong_holders_is_refused():
     state = society.state()
     with pytest.raises(SocialmindError, match=r"world\.taken"):
         Hill(seed=1).restore({**state, "world.taken": state["world.taken"][:-1]})
+    twice = np.zeros_like(state["world.taken"])
+    with pytest.raises(SocialmindError, match="stand on no patch, or on two"):
+        Hill(seed=1).restore({**state, "world.taken": twice})
     del state["world.taken"]
     with pytest.raises(SocialmindError, match=r"world\.taken holds nothing"):
         Hill(seed=1).restore(state)

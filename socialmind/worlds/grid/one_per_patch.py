@@ -254,6 +254,15 @@ class OnePerPatch(PatchWorld):
         """Return copies of the arrays that a checkpoint keeps."""
         return super().snapshot() | {"taken": self._taken.copy()}
 
+    def misfit(self, state: Mapping[str, Any]) -> str | None:
+        """Say what is wrong with arrays that are offered as a state, or None."""
+        found = super().misfit(state)
+        if found is None:
+            there = state["taken"][state["taken"] != NOBODY]
+            if len(there) and (there.min() < 0 or len(np.unique(there)) < len(there)):
+                found = "world.taken holds agents that stand on no patch, or on two"
+        return found
+
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take the arrays of a checkpoint."""
         super().restore(state)
