@@ -379,6 +379,22 @@ def total_int(values: Any) -> int:
 
 
 @register_jitable
+def found_in(counted: Any) -> Any:
+    """Return what was found among how many values; nothing has no least and no largest."""
+    if counted[0] == 0:
+        raise ValueError("min() or max() of nothing; write default=…")
+    return counted[1]
+
+
+@register_jitable
+def mean_of(counted: Any) -> float:
+    """Return the mean of values of which there are so many, with that sum."""
+    if counted[0] == 0:
+        raise ValueError("the mean of nothing; ask before whether there is any")
+    return counted[1] / counted[0]
+
+
+@register_jitable
 def least_of(values: Any) -> Any:
     """Return an array's smallest element, the first of equals."""
     result = values[0]

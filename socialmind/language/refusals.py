@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import ast
 
+_REDUCED = (
+    "write sum(… for … in … if …), or min, max, any, all, statistics.fmean of it; or a for loop"
+)
+
 REFUSED: dict[type[ast.AST], tuple[str, str]] = {
     ast.AsyncFunctionDef: ("an async function", "write a plain function"),
     ast.FunctionDef: ("a function inside a rule", "move it to the top of the file"),
@@ -14,16 +18,14 @@ REFUSED: dict[type[ast.AST], tuple[str, str]] = {
     ast.AsyncWith: ("async with", "rules open no files"),
     ast.Match: ("match", "write if … elif … else"),
     ast.Raise: ("raise", "count the case in a field, and look at it in `series()`"),
-    ast.Try: ("try", "ask before: `if price > 0:` rather than catching the error after"),
-    ast.TryStar: ("try", "ask before: `if price > 0:` rather than catching the error after"),
-    ast.Assert: ("assert", "write the case as an if, or check it in a test of the model"),
-    ast.Import: (
-        "import inside a rule",
-        "import at the top of the file (only `math` is for rules)",
+    **dict.fromkeys(
+        (ast.Try, ast.TryStar),
+        ("try", "ask before: `if price > 0:` rather than catching the error after"),
     ),
-    ast.ImportFrom: (
-        "import inside a rule",
-        "import at the top of the file (only `math` is for rules)",
+    ast.Assert: ("assert", "write the case as an if, or check it in a test of the model"),
+    **dict.fromkeys(
+        (ast.Import, ast.ImportFrom),
+        ("import inside a rule", "import at the top of the file (only `math` is for rules)"),
     ),
     ast.Global: ("global", "declare the variable on the model and write `model.name`"),
     ast.Nonlocal: ("nonlocal", "declare the variable on the model and write `model.name`"),
@@ -31,13 +33,12 @@ REFUSED: dict[type[ast.AST], tuple[str, str]] = {
     ast.Lambda: ("lambda", "write a function at the top of the file"),
     ast.Dict: ("a dictionary", "give each entry a field, or use an array field and whole numbers"),
     ast.Set: ("a set", "use an array field of truth values"),
-    ast.ListComp: ("a list comprehension", "write a for loop that adds up or counts"),
-    ast.SetComp: ("a set comprehension", "write a for loop"),
+    ast.ListComp: ("a list comprehension", _REDUCED),
+    ast.SetComp: ("a set comprehension", _REDUCED),
     ast.DictComp: ("a dictionary comprehension", "write a for loop"),
-    ast.GeneratorExp: ("a generator expression", "write a for loop that adds up or counts"),
+    ast.GeneratorExp: ("a generator expression on its own", _REDUCED),
     ast.Await: ("await", "rules run to their end at once"),
-    ast.Yield: ("yield", "return the value"),
-    ast.YieldFrom: ("yield", "return the value"),
+    **dict.fromkeys((ast.Yield, ast.YieldFrom), ("yield", "return the value")),
     ast.JoinedStr: ("an f-string", "rules hold no texts; print from outside, after `advance()`"),
     ast.FormattedValue: ("an f-string", "rules hold no texts"),
     ast.List: ("a list", "declare an array field: `visits: list[int] = [0] * 9`"),
@@ -65,15 +66,12 @@ NAMES: dict[str, str] = {
     "zip": "write `for i in range(len(…))`",
     "map": "write a for loop",
     "filter": "write a for loop with an if",
-    "any": "set a flag in a for loop",
-    "all": "set a flag in a for loop",
     "list": "declare an array field: `visits: list[int] = [0] * 9`",
     "dict": "give each entry a field",
     "set": "use an array field of truth values",
     "tuple": "write the values out, separated by commas",
     "str": "rules hold no texts; name plans and cognitons as written texts",
-    "isinstance": "each parameter of a rule has one type",
-    "type": "each parameter of a rule has one type",
+    **dict.fromkeys(("isinstance", "type"), "each parameter of a rule has one type"),
     "getattr": "write `agent.field`",
     "setattr": "write `agent.field = value`",
     "hasattr": "every agent of a population has the same fields",
@@ -90,8 +88,7 @@ MODULES: dict[str, str] = {
     "numpy": "use `math` and plain numbers inside rules; NumPy works outside them, in `series()`",
     "random": "draw from the rule's stream: `rng.random()`, `rng.integers(6)`, `rng.uniform(0, 1)`",
     "pandas": "rules hold no tables; use pandas on what the run recorded",
-    "time": "the time of the model is `model.tick`",
-    "datetime": "the time of the model is `model.tick`",
+    **dict.fromkeys(("time", "datetime"), "the time of the model is `model.tick`"),
     "os": "rules know no files; make it a parameter",
     "sys": "rules know no interpreter; make it a parameter",
 }
@@ -100,8 +97,7 @@ METHODS: dict[str, str] = {
     "append": "an array field has a fixed size; count in an int field how many places are used",
     "pop": "an array field has a fixed size; count in an int field how many places are used",
     "sort": "keep the best so far in a for loop",
-    "items": "rules hold no dictionaries",
-    "keys": "rules hold no dictionaries",
+    **dict.fromkeys(("items", "keys"), "rules hold no dictionaries"),
     "choices": "write `rng.choice(values, p=weights)`",
     "expovariate": "write `rng.exponential(mean)`",
     "gammavariate": "write `rng.gamma(shape, scale)`",
@@ -130,12 +126,9 @@ MATH_REMEDIES: dict[str, str] = {
     "copysign": "write abs(x) if y >= 0 else -abs(x)",
     "isclose": "write abs(a - b) < 1e-9",
     "fsum": "write sum(array)",
-    "prod": "multiply in a for loop",
     "dist": "write math.hypot(x - a, y - b), or model.world.distance(agent, x, y)",
     "isqrt": "write int(math.sqrt(n))",
-    "factorial": "multiply in a for loop",
-    "comb": "multiply in a for loop",
-    "perm": "multiply in a for loop",
+    **dict.fromkeys(("prod", "factorial", "comb", "perm"), "multiply in a for loop"),
     "gcd": "write the loop of Euclid: `while b != 0: a, b = b, a % b`",
 }
 """Functions of `math` that rules do not have, and what to write instead."""

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.society.state_check import check_state
+from socialmind.society.state_check import check_state, kept_columns
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
-
-KEPT = ("tick", "idle", "idle_agent", "idle_tick")
-"""Columns of the record with a leading underscore that are state, beside the world's own."""
 
 
 def state_of(model: Running) -> dict[str, NDArray[Any]]:
@@ -22,11 +20,11 @@ def state_of(model: Running) -> dict[str, NDArray[Any]]:
     Args:
         model: at any tick.
     """
-    context = model.contexts.copy()
-    kept = {f"_{one}" for one in (*KEPT, *model.shape.world.kept_columns)}
-    for name in context.dtype.names or ():
-        if name.startswith("_") and not name.startswith("_has_") and name not in kept:
-            context[name] = 0  # an address or a size: `connect` finds them anew
+    # What else the record has is addresses and sizes, which `connect` finds anew.
+    kept = kept_columns(model)
+    context = np.empty(1, [(name, model.contexts.dtype[name]) for name in kept])
+    for name in kept:
+        context[name] = model.contexts[name]
     state: dict[str, NDArray[Any]] = {"context": context}
     for part, array in model.ground.state().items():
         state[f"world.{part}"] = array
@@ -53,7 +51,8 @@ def restore(model: Running, state: Mapping[str, NDArray[Any]]) -> None:
         SocialmindError: the state is that of another model.
     """
     check_state(model, state)
-    model.contexts[:] = state["context"]
+    for name in kept_columns(model):
+        model.contexts[name] = state["context"][name]
     model.connected = []
     model.ground.restore(_part(state, "world"))
     for name, table in model.tables.items():

@@ -20,6 +20,17 @@ if TYPE_CHECKING:
 Arrays = Mapping[str, NDArray[Any]]
 
 
+KEPT = ("tick", "idle", "idle_agent", "idle_tick")
+"""Columns of the record with a leading underscore that are state, beside the world's own."""
+
+
+def kept_columns(model: Running) -> list[str]:
+    """Return the columns of a model's record that are state, not addresses and sizes."""
+    kept = {f"_{one}" for one in (*KEPT, *model.shape.world.kept_columns)}
+    names = model.contexts.dtype.names or ()
+    return [one for one in names if one[0] != "_" or one.startswith("_has_") or one in kept]
+
+
 def check_state(model: Running, state: Arrays) -> None:
     """Raise unless arrays are a state of a model.
 
@@ -30,8 +41,14 @@ def check_state(model: Running, state: Arrays) -> None:
     Raises:
         SocialmindError: an array is missing, of another type or shape, or holds an index of nobody.
     """
-    _check(state, "context", model.contexts.dtype, (1,), model)
-    context = state["context"][0]
+    record = _check(state, "context", None, (1,), model)
+    mine, theirs = model.contexts.dtype, record.dtype.names or ()
+    kept = kept_columns(model)
+    # A record may hold addresses and sizes beside, as it did in older checkpoints.
+    more = [one for one in theirs if one not in kept and one[0] != "_"]
+    if more or any(one not in theirs or record.dtype[one] != mine[one] for one in kept):
+        raise _refused(model, "context", "other fields than the model has")
+    context = record[0]
     if context["_tick"] < 0 or context["_idle"] < 0:
         raise _refused(model, "context", "a tick before the first")
     of_world = {name[6:]: array for name, array in state.items() if name.startswith("world.")}

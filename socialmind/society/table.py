@@ -24,11 +24,14 @@ from socialmind.language.shape import PopulationShape
 from socialmind.society.beginning import Beginning
 from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
+from socialmind.worlds.neighbours.asked import QUESTIONS
+from socialmind.worlds.neighbours.index import arrays as index_arrays
 
 if TYPE_CHECKING:
-    from coglogo_py import Mind, Society
+    from coglogo_py import Mind
     from socialmind.agents.running import Running
     from socialmind.language.program import Program
+    from socialmind.mind.contract import CognitonMinds
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
 
@@ -67,7 +70,7 @@ class Table:
         model: Running,
         shape: PopulationShape,
         size: int,
-        society: Society | None,
+        society: CognitonMinds | None,
         minds: Callable[[int], PopulationMinds] | None = None,
     ) -> None:
         self.model = model
@@ -79,6 +82,7 @@ class Table:
         for field in shape.fields.values():
             set_default(self.default, field)
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
+        keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
         for name in ("x", "y", "heading"):
             self.default[name] = self._kept_within(name, self.default[name])
@@ -114,6 +118,7 @@ class Table:
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
         self._placed_by: Beginning | None = None
+        self._index: dict[str, NDArray[Any]] = {}
         self._see_columns()
 
     def _see_columns(self) -> None:
@@ -144,12 +149,18 @@ class Table:
         return self.row_class(self, slot)
 
     def __getattr__(self, name: str) -> Any:
-        """Return a field of the living agents, in order of birth: a copy, and read-only."""
+        """Return a field of the living agents, in order of birth: a copy, and read-only.
+
+        Or, under a name that is no field, what is asked of all of them (`mean`, …) or around
+        somebody (`near`, `nearest` …).
+        """
         shape = self.__dict__.get("shape")
         if shape is None or name.startswith("_"):
             raise AttributeError(f"no attribute {name!r}")
         if name in AGGREGATES and name not in shape.fields:
             return partial(self._aggregated, name)
+        if name in QUESTIONS and name not in shape.fields:
+            return partial(QUESTIONS[name], self)
         if name != "id" and name not in shape.fields:
             raise unknown(name, shape.name, type(self), ["id", *shape.fields])
         values = self.columns["_id" if name == "id" else name][self.slots]
@@ -268,8 +279,6 @@ class Table:
         self, name: str, values: NDArray[Any], of: Beginning | None = None
     ) -> NDArray[Any]:
         """Return places and headings as agents keep them, one by one as rules set them."""
-        if name == "heading":
-            return np.array([turned(one) for one in values.tolist()], float)
         keep = self._keepers.get(name)
         if keep is None:
             return values
@@ -442,13 +451,9 @@ class Table:
         return {name: getattr(self, name).copy() for name in self._STATE}
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take the arrays of a checkpoint."""
+        """Take the arrays of a checkpoint, as `check_state` finds them."""
         for name in self._STATE:
             setattr(self, name, np.array(state[name]))
-        if self.rows.dtype != self.dtype:
-            raise SocialmindError(
-                f"the checkpoint's agents of {self.shape.name!r} have other fields than the model's"
-            )
         self.acting = np.zeros(len(self.rows), np.int64)
         self._see_columns()
 
@@ -464,6 +469,16 @@ class Table:
             if self.weighing is not None:
                 self._scratch |= vars(self.weighing)
         return self._scratch
+
+    def index(self, loops: int) -> dict[str, NDArray[Any]]:
+        """Return the arrays by which compiled rules find agents.
+
+        Args:
+            loops: how many loops of the rules go over what they found.
+        """
+        if not self._index or len(self._index["near_entries"]) != len(self.rows):
+            self._index = index_arrays(len(self.rows), loops)
+        return self._index
 
     @property
     def acting_order(self) -> NDArray[np.int64]:

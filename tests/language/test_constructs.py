@@ -7,6 +7,11 @@ and Python without the front end, must leave the same society behind, to the las
 import pytest
 
 SEED = 5
+PLAIN = (
+    *("numbers", "control", "helpers", "bodies", "tables_and_draws"),
+    "generator_expressions",
+)
+"""Files whose rules Python runs without the front end as well."""
 
 
 def compared(society, walk, speeds, stem):
@@ -27,7 +32,7 @@ def compared(society, walk, speeds, stem):
     assert compiled._met == []
 
 
-@pytest.mark.parametrize("stem", ["numbers", "control", "helpers", "bodies", "tables_and_draws"])
+@pytest.mark.parametrize("stem", PLAIN)
 def test_constructs_run_alike(society, walk, speeds, stem):
     compared(society, walk, speeds, stem)
 
@@ -44,5 +49,5 @@ def test_commands_run_alike(society, walk, speeds):
 
 
 def test_more_than_a_hundred_constructs(walk):
-    stems = ("numbers", "control", "helpers", "bodies", "tables_and_draws", "worlds_and_minds")
+    stems = (*PLAIN, "worlds_and_minds")
     assert sum(len(walk(stem)[1]) for stem in stems) > 150

@@ -44,6 +44,9 @@ FAILURES = {
     "person.i = 10 ** (person.i - person.i + 19)": OverflowError,
     "person.i = 2 ** (person.i - person.i - 1)": ValueError,
     "person.i = sum(person.vi) * 2 ** 61 * 99": OverflowError,
+    "person.i = min(h.rooms for h in model.houses if h.rooms > 99)": ValueError,
+    "person.f = statistics.fmean(h.rent for h in model.houses if h.rooms > 99)": ValueError,
+    "person.i = sum(2 ** 62 for h in model.houses)": OverflowError,
     "for k in range(3, 9, person.i - person.i):\n        person.f += k": ValueError,
     "person.f = person.vf[4 + person.i - person.i]": IndexError,
     "person.vf[-5 + person.i - person.i] = 1": IndexError,
@@ -94,7 +97,7 @@ FAILURES = {
 @pytest.fixture(scope="module")
 def failing(society, speeds, tmp_path_factory):
     """Make the model of which each case of the parameter `case` fails in tick 3."""
-    lines = ["import math", "", ""]
+    lines = ["import math", "import statistics", "", ""]
     for place, body in enumerate(FAILURES):
         lines += [f"def fail_{place}(person, model, rng):", f"    {body}", ""]
     lines += ["", "def at(person, model, rng):", "    person.x = 0.0"]

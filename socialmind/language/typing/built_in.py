@@ -11,6 +11,8 @@ from socialmind.language import types
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
 from socialmind.language.typing import tables
+from socialmind.language.typing.comprehensions import REDUCTIONS, reduced
+from socialmind.language.typing.neighbours import how_many
 from socialmind.language.typing.operators import typed_power
 from socialmind.language.typing.signatures import MATH, WRITTEN, Signature
 
@@ -20,6 +22,8 @@ if TYPE_CHECKING:
 
 def built_in(typer: Typer, node: ast.Call, name: str) -> Typed:
     """Return the call of a built-in function as both speeds run it."""
+    if name in REDUCTIONS and node.args and isinstance(node.args[0], ast.GeneratorExp):
+        return reduced(typer, node, name)
     without_keywords(typer, node, name)
     return BUILT_IN[name](typer, node)
 
@@ -129,16 +133,15 @@ def _extreme(name: str) -> Callable[[Typer, ast.Call], Typed]:
 
 def _sum(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.several(_only(typer, node, "sum"))
-    if isinstance(kind, types.TableType) and kind.item in (types.BOOL, types.INT):
-        return call(
-            "_total_int", [tables.written(tuple(map(int, kind.values)), node)], node
-        ), types.INT
-    if isinstance(kind, types.TableType) and kind.item == types.FLOAT:
-        return call("_total", [value, constant(0.0, node)], node), types.FLOAT
-    if not isinstance(kind, types.ArrayType):
+    if not isinstance(kind, types.TableType | types.ArrayType):
         typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
-    if kind.of == types.FLOAT:
+    of = kind.item if isinstance(kind, types.TableType) else kind.of
+    if of not in types.NUMBERS:
+        typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
+    if of == types.FLOAT:
         return call("_total", [value, constant(0.0, node)], node), types.FLOAT
+    if isinstance(kind, types.TableType):
+        value = tables.written(tuple(map(int, kind.values)), node)
     return call("_total_int", [value], node), types.INT
 
 
@@ -150,11 +153,21 @@ def _len(typer: Typer, node: ast.Call) -> Typed:
         return constant(kind.size, node), types.INT
     if isinstance(kind, types.PopulationType):
         return marked(call("_len", [value], node), ("count", kind.population)), types.INT
+    if isinstance(kind, types.FoundType | types.PatchesType):
+        return how_many(value, kind, node)
     return typer.refuse(node, f"the length of {kind}", "count populations and array fields")
 
 
 def _range(typer: Typer, node: ast.Call) -> Typed:
     return typer.refuse(node, "range() as a value", "write `for i in range(…):`")
+
+
+def _of_truths(name: str) -> Callable[[Typer, ast.Call], Typed]:
+    def typed(typer: Typer, node: ast.Call) -> Typed:
+        _only(typer, node, name)
+        return reduced(typer, node, name)
+
+    return typed
 
 
 def _print(typer: Typer, node: ast.Call) -> Typed:
@@ -181,6 +194,8 @@ BUILT_IN: dict[str, Callable[[Typer, ast.Call], Typed]] = {
     "min": _extreme("least"),
     "max": _extreme("greatest"),
     "sum": _sum,
+    "any": _of_truths("any"),
+    "all": _of_truths("all"),
     "len": _len,
     "range": _range,
     "print": _print,

@@ -15,7 +15,7 @@ from socialmind.agents.attributes import field_property, held_array, unknown
 from socialmind.columns import check_fields, column
 from socialmind.compiling.layout import row_dtype
 from socialmind.compiling.lowering import SPACE
-from socialmind.errors import SocialmindError, ValueRefusedError
+from socialmind.errors import ValueRefusedError
 from socialmind.fields import Field, presence, set_default
 from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import brought_back
@@ -259,6 +259,24 @@ class PatchWorld:
         for place in patches_in_radius(x, y, radius, *self._space):
             yield self.row_class(self, place)
 
+    def neighbours(self, who: Any, steps: int = 1) -> list[PatchRow]:
+        """Return the patches around that of an agent, or around a patch, column by column.
+
+        Args:
+            who: an agent or a patch, whose own patch is not among them.
+            steps: at most so many king's moves away, 0 or more.
+        """
+        return self._around(who, steps, 0)
+
+    def neighbours4(self, who: Any) -> list[PatchRow]:
+        """Return the patches that share a side with that of an agent, or with a patch."""
+        return self._around(who, 1, 1)
+
+    def _around(self, who: Any, steps: int, four: int) -> list[PatchRow]:
+        place = float(who.x), float(who.y), steps, four, *self._space
+        count = geometry.count_around(*place)
+        return [self.row_class(self, geometry.nth_around(one, *place)) for one in range(count)]
+
     @property
     def patches(self) -> Iterator[PatchRow]:
         """Yield all patches, column by column."""
@@ -310,6 +328,7 @@ class PatchWorld:
     # Moving ---------------------------------------------------------------------------------------
 
     distance = geometry.distance
+    offset = geometry.offset
     towards = geometry.towards
     face = geometry.face
     right = geometry.right
@@ -374,9 +393,7 @@ class PatchWorld:
         return None
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take the patches of a checkpoint."""
-        if state["rows"].dtype != self.rows.dtype or len(state["rows"]) != len(self.rows):
-            raise SocialmindError("the checkpoint's patches are not those of the model")
+        """Take the patches of a checkpoint, which the ground has checked."""
         self.rows = np.array(state["rows"])
         self._see_columns()
 
