@@ -169,16 +169,25 @@ def _world_move_to_NAME(_model, agent, x, y):
     agent.x = x
     agent.y = y"""
 
+_SOUGHT = "\n    _near_moved_NAME(_model, agent)"
+"""What else a move does where rules look for the agents of a population."""
+
 TICK = "    _world_begin(_model)\nPHASES    _world_end(_model)\n"
 
 
-def text(populations: tuple[str, ...], fills: Mapping[str, str]) -> str:
-    """Return how compiled rules move agents of which a patch has room for one."""
+def text(populations: tuple[str, ...], fills: Mapping[str, str], sought: tuple[str, ...]) -> str:
+    """Return how compiled rules move agents of which a patch has room for one.
+
+    Args:
+        populations: all of the model.
+        fills: how compiled code finds where the world is, and keeps a place in it.
+        sought: the populations whose agents rules look for.
+    """
     living = [f"_counters_{name}(_model)[_bookkeeping.ALIVE]" for name in populations]
     parts = [_TEXT.replace("LIVING", f"({' + '.join(living) or '0'})")]
     for number, name in enumerate(populations):
         own = {"COUNT": str(len(populations)), "NUMBER": str(number), **fills, "NAME": name}
-        part = _OF_POPULATION
+        part = _OF_POPULATION + (_SOUGHT if name in sought else "")
         for mark, fill in own.items():
             part = part.replace(mark, fill)
         parts.append(part)
