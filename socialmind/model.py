@@ -21,7 +21,6 @@ from coglogo_py import CognitiveScheme
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents import idleness
 from socialmind.agents.agent_columns import agent_columns, default_series
-from socialmind.compiling.layout import model_dtype
 from socialmind.engine.engine import Engine
 from socialmind.engine.explaining import explained
 from socialmind.errors import SocialmindError
@@ -30,6 +29,7 @@ from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.society import copying, making
 from socialmind.society.admitting import admitted
+from socialmind.society.blueprint import Blueprint
 from socialmind.society.declaration import kept_names
 from socialmind.society.kind import ModelKind
 from socialmind.society.parameter import Parameter
@@ -93,6 +93,7 @@ class Model(metaclass=ModelKind):
     measures: ClassVar[dict[str, Any]] = {}
     shape: ClassVar[ModelShape]
     _programs: ClassVar[dict[bool, Program]] = {}
+    _blueprint: ClassVar[Blueprint]
 
     _given: tuple[Any, Any]  # `socialmind.agents.running` names what else an instance keeps
     _steerings: dict[str, Steering]
@@ -125,13 +126,16 @@ class Model(metaclass=ModelKind):
         self._steerings = kind.steerings(hierarchy)
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = kind.typed(compiled)
-        self.contexts: NDArray[Any] = np.zeros(1, model_dtype(self.shape))
+        self.contexts: NDArray[Any] = np.zeros(1, kind._blueprint.record)
         self.context: Any = self.contexts[0]
         making.set_values(self.context, kind.parameters, kind.variables, parameters, kind.name)
         making.ignore(self.context, kind.interruptions, self.without, kind.name)
         self.ground = making.ground_of(self, kind.declared_world)
-        self.schemes, files = making.schemes_of(self.populations, kind.folder, scheme, kind.name)
-        self.tables: dict[str, Table] = making.tables_of(self, self._steerings)
+        shared = kind._blueprint
+        self.schemes, files = making.schemes_of(
+            self.populations, kind.folder, scheme, kind.name, shared.schemes
+        )
+        self.tables: dict[str, Table] = making.tables_of(self, self._steerings, shared)
         self.ground.settle_in()
         self.stream = making.new_stream(self.seed)
         self.connected: list[NDArray[Any]] = []

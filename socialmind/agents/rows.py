@@ -7,7 +7,7 @@ still lives (`Held…`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 from coglogo_py.mind import Mind
@@ -165,18 +165,18 @@ def _hierarchy(row: Row) -> Any:
     return row._table.minds.of(row._slot)
 
 
-def row_class(shape: PopulationShape, keepers: Mapping[str, Keeper]) -> type[Row]:
+def row_class(shape: PopulationShape, kept: Collection[str]) -> type[Row]:
     """Return the class of a population's rows as rules hold them, its fields as properties.
 
     Args:
         shape: the population's.
-        keepers: by field, what brings a place back into the world, or refuses it.
+        kept: the fields for which the table has a keeper.
     """
     members: dict[str, Any] = {"__slots__": ()}
     for field in shape.fields.values():
         members[field.name] = field_property(field, _slot_of_row)
-        if field.name in keepers:
-            members[field.name] = _place_property(field.name, keepers[field.name])
+        if field.name in kept:
+            members[field.name] = _place_property(field.name)
         if field.name == "heading":
             members["heading"] = _heading
     if shape.minded:
@@ -272,7 +272,7 @@ def _slot_of_row(row: Any) -> tuple[Any, int]:
     return row._table.columns, row._slot
 
 
-def _place_property(name: str, keep: Keeper) -> property:
+def _place_property(name: str) -> property:
     """Return a coordinate, which is brought back into the world where it is set, or refused."""
 
     def read(row: Any) -> float:
@@ -281,7 +281,7 @@ def _place_property(name: str, keep: Keeper) -> property:
 
     def write(row: Any, value: float) -> None:
         table = row._table
-        table.columns[name][row._slot] = keep(value, f"agent {row.id}")
+        table.columns[name][row._slot] = table._keepers[name](value, f"agent {row.id}")
 
     return property(read, write)
 

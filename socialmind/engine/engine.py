@@ -12,6 +12,7 @@ from numba.core.errors import NumbaError
 from coglogo_py.compiled.own_maker import refusal_of
 from coglogo_py.decision import BUILT_IN
 from socialmind.compiling.modules import compiled_module
+from socialmind.compiling.reached import fingerprint
 from socialmind.engine.module_text import module_text
 from socialmind.engine.ticks import run_setup, run_tick, taken
 from socialmind.errors import SocialmindError
@@ -26,9 +27,14 @@ if TYPE_CHECKING:
 CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
 INTERPRETED_SETUP = 20_000
-"""Up to so many agents and patches the setup runs interpreted: faster than loading its code."""
+"""Up to so many agents and patches the first society's setup runs interpreted: faster than loading
+its code."""
 SNAPSHOT_BYTES = 8 * 2**20
 """The largest state of which a copy is kept, to find the line of an error in compiled code."""
+
+
+_OUTGROWN = "setup outgrown"
+"""Under what a program holds that the room of its societies is too small for their setup."""
 
 
 class Engine:
@@ -50,16 +56,23 @@ class Engine:
     def module(self) -> Any:
         """The compiled loops."""
         if self._module is None:
-            model = self.model
-            own = {name: maker.choose for name, maker in self._own_makers().items()}
-            try:
-                self._module = compiled_module(module_text(model.program, frozenset(own)), own)
-            except NumbaError as error:
-                self._refuse_makers(error)
-            for table in model.tables.values():
+            program, loops = self.model.program, self._loops()
+            if loops not in program.made:
+                own = {name: maker.choose for name, maker in self._own_makers().items()}
+                try:
+                    text = module_text(program, frozenset(own))
+                    program.made[loops] = compiled_module(text, own)
+                except NumbaError as error:
+                    self._refuse_makers(error)
+            self._module = program.made[loops]
+            for table in self.model.tables.values():
                 if table.minds is not None:
                     table.minds.compile()
         return self._module
+
+    def _loops(self) -> tuple[tuple[str, str], ...]:
+        """Return what tells the compiled loops of one program from each other."""
+        return tuple((name, fingerprint(one.choose)) for name, one in self._own_makers().items())
 
     @property
     def functions(self) -> dict[str, Callable[..., Any]]:
@@ -70,11 +83,25 @@ class Engine:
 
     def set_up(self) -> None:
         """Run the setup."""
-        if self.compiled and self._entities() > INTERPRETED_SETUP:
-            connect(self.model)
-            self._guarded(lambda: self.module.prepare(self.model.contexts), run_setup)
-        else:
+        if not self.compiled or not self._compiles_setup():
             run_setup(self.model, self.functions)
+            return
+
+        def prepare() -> int:
+            self.module.prepare(self.model.contexts)
+            return 1
+
+        connect(self.model)
+        if not self._guarded(prepare, run_setup):
+            # It brings more agents into the world than there is room for, and so would the next.
+            self.model.program.made[_OUTGROWN] = True
+
+    def _compiles_setup(self) -> bool:
+        """Whether to run the setup compiled: in large worlds, and where ticks have been."""
+        made = self.model.program.made
+        if self._entities() > INTERPRETED_SETUP:
+            return True
+        return _OUTGROWN not in made and self._loops() in made
 
     def advance(self, ticks: int) -> None:
         """Run a number of ticks.

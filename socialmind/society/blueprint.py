@@ -1,0 +1,108 @@
+"""What all societies of a class share: layouts, the classes of their rows, schemes read from files.
+
+It is made when the first society needs it, and lives as long as the class.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coglogo_py import CognitiveScheme
+from coglogo_py.files.reading import text_in
+from socialmind.agents.rows import HeldRow, Row, held_class, row_class
+from socialmind.compiling.layout import model_dtype, row_dtype
+from socialmind.fields import set_default
+from socialmind.language.shape import ModelShape, PopulationShape
+
+if TYPE_CHECKING:
+    from coglogo_py.decision import DecisionMaker
+
+KEPT_SCHEMES = 64
+"""So many schemes of files a class keeps, those that came last."""
+
+
+class Blueprint:
+    """What the societies of a class share.
+
+    Args:
+        shape: the class's.
+
+    Attributes:
+        tables: what a population's tables have in common, by its name.
+        schemes: the schemes of files.
+    """
+
+    def __init__(self, shape: ModelShape) -> None:
+        self._shape = shape
+        self.tables = {name: TableForm(one) for name, one in shape.populations.items()}
+        self.schemes = SchemeFiles()
+
+    @cached_property
+    def record(self) -> np.dtype[Any]:
+        """The record of a society: parameters, variables, and where its arrays are."""
+        return model_dtype(self._shape)
+
+
+class TableForm:
+    """What the tables of a population have in common in all societies of a class.
+
+    Args:
+        shape: the population's.
+    """
+
+    def __init__(self, shape: PopulationShape) -> None:
+        self._shape = shape
+        self._classes: dict[frozenset[str], tuple[type[Row], type[HeldRow]]] = {}
+
+    @cached_property
+    def dtype(self) -> np.dtype[Any]:
+        """The record of an agent."""
+        return row_dtype(dict(self._shape.fields), self._shape)
+
+    @cached_property
+    def default(self) -> NDArray[Any]:
+        """An agent as its class declares it, an array of one that stays as it is."""
+        agent = np.zeros(1, self.dtype)
+        for field in self._shape.fields.values():
+            set_default(agent, field)
+        if self._shape.minded:
+            agent["_mind"] = agent["_plan"] = agent["_decided"] = -1
+        agent.flags.writeable = False
+        return agent
+
+    def row_classes(self, kept: Iterable[str]) -> tuple[type[Row], type[HeldRow]]:
+        """Return the classes of rows as rules and as users hold them.
+
+        Args:
+            kept: the fields whose values the world brings back into it, or refuses.
+        """
+        names = frozenset(kept)
+        if names not in self._classes:
+            bare = row_class(self._shape, names)
+            self._classes[names] = bare, held_class(bare, self._shape)
+        return self._classes[names]
+
+
+class SchemeFiles:
+    """The schemes of files: a file is looked into each time, and understood once."""
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[str, tuple[Any, ...]], tuple[str, CognitiveScheme]] = {}
+
+    def load(self, path: Path, makers: tuple[type[DecisionMaker], ...]) -> CognitiveScheme:
+        """Return the scheme of a file as it is now; arguments as of `CognitiveScheme.load`."""
+        text = text_in(path, latin_1=True)
+        known = self._known.get((str(path), makers))
+        if known is not None and known[0] == text:
+            return known[1]
+        scheme = CognitiveScheme.parsed(text, path, makers)
+        while len(self._known) >= KEPT_SCHEMES:
+            self._known.pop(next(iter(self._known)), None)
+        self._known[str(path), makers] = text, scheme
+        return scheme
