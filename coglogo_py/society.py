@@ -7,14 +7,14 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.arrays import MindArrays, SchemeArrays
+from coglogo_py.arrays import MindArrays
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.errors import CogLogoError
 from coglogo_py.border.memory import check_memory
 from coglogo_py.border.numbers import whole_number
-from coglogo_py.laying_out import grown, mind_arrays, scheme_arrays
+from coglogo_py.laying_out import grown, mind_arrays
 from coglogo_py.mind import Mind
-from coglogo_py.names import Names
+from coglogo_py.names import laid_out
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.state_check import oddity
 
@@ -54,8 +54,7 @@ class Society(Closed):
         self.scheme = scheme
         self.seed = whole_number(seed, "seed of a society", 0, 2**64 - 1)
         self.stream = whole_number(stream, "stream of a society", 0, 2**16 - 1)
-        self.names = Names(scheme)
-        self.arrays: SchemeArrays = scheme_arrays(scheme)
+        self.names, self.arrays = laid_out(scheme)
         self.weights_scratch = np.empty(len(scheme.plans))
         self.plans_scratch = np.empty(len(scheme.plans), np.int64)
         self.era = 0

@@ -138,7 +138,7 @@ class Model(metaclass=ModelKind):
         self.tables: dict[str, Table] = making.tables_of(self, self._steerings, shared)
         self.ground.settle_in()
         self.stream = making.new_stream(self.seed)
-        self.connected: list[NDArray[Any]] = []
+        self.connected: list[Any] = []
         self.names = making.names_in_minds(self, files)
         self.engine = Engine(self, compiled)
         if self._sets_up:

@@ -27,7 +27,8 @@ class Running(Protocol):
         ground: its world.
         engine: what runs it.
         stream: the state of its compiled draws.
-        connected: the arrays whose addresses the record holds.
+        connected: the arrays, or tuples of them, whose addresses the record holds.
+        _blueprint: what it shares with all societies of its class.
         watch: the population and identity of an agent whose decision is to be explained.
         watched: the receipt of that decision.
     """
@@ -44,7 +45,8 @@ class Running(Protocol):
     ground: Any
     engine: Any
     stream: NDArray[Any]
-    connected: list[NDArray[Any]]
+    connected: list[Any]
+    _blueprint: Any
     watch: tuple[str, int] | None
     watched: Any
 

@@ -129,7 +129,7 @@ class Engine:
             took = time.perf_counter() - begin
             # Many short advances say nothing of how long a stretch may be.
             if done == self._ticks_per_chunk and took < CHUNK_SECONDS / 2:
-                self._ticks_per_chunk *= 2
+                self._ticks_per_chunk *= 16 if took < CHUNK_SECONDS / 32 else 2
             elif took > CHUNK_SECONDS and wanted > 1:
                 self._ticks_per_chunk = wanted // 2
 

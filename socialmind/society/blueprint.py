@@ -5,7 +5,7 @@ It is made when the first society needs it, and lives as long as the class.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,6 +23,8 @@ from socialmind.language.shape import ModelShape, PopulationShape
 if TYPE_CHECKING:
     from coglogo_py.decision import DecisionMaker
 
+KEPT = ("tick", "idle", "idle_agent", "idle_tick")
+"""Columns of the record with a leading underscore that are state, beside the world's own."""
 KEPT_SCHEMES = 64
 """So many schemes of files a class keeps, those that came last."""
 
@@ -42,11 +44,36 @@ class Blueprint:
         self._shape = shape
         self.tables = {name: TableForm(one) for name, one in shape.populations.items()}
         self.schemes = SchemeFiles()
+        self._words: dict[tuple[str, ...], NDArray[np.int64]] = {}
 
     @cached_property
     def record(self) -> np.dtype[Any]:
         """The record of a society: parameters, variables, and where its arrays are."""
         return model_dtype(self._shape)
+
+    @cached_property
+    def kept_bits(self) -> NDArray[np.int64]:
+        """The bits of a society's record that are its state, and not addresses and sizes."""
+        kept = {f"_{one}" for one in (*KEPT, *self._shape.world.kept_columns)}
+        bits = np.full(self.record.itemsize, 0xFF, np.uint8)
+        for name, (column, place, *_) in (self.record.fields or {}).items():
+            if name.startswith("_") and not name.startswith("_has_") and name not in kept:
+                bits[place : place + column.itemsize] = 0  # `connect` finds it anew
+        return bits.view(np.int64)
+
+    def words_of(
+        self, arrays: tuple[str, ...], columns: Callable[[], list[str]]
+    ) -> NDArray[np.int64]:
+        """Return which words of the record hold columns of eight bytes.
+
+        Args:
+            arrays: what tells them from others.
+            columns: gives their names.
+        """
+        if arrays not in self._words:
+            places = [self.record.fields[name][1] for name in columns()]  # type: ignore[index]
+            self._words[arrays] = np.array(places) // 8
+        return self._words[arrays]
 
 
 class TableForm:

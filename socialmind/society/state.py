@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.society.state_check import check_state
@@ -12,22 +13,14 @@ from socialmind.society.state_check import check_state
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
 
-KEPT = ("tick", "idle", "idle_agent", "idle_tick")
-"""Columns of the record with a leading underscore that are state, beside the world's own."""
-
-
 def state_of(model: Running) -> dict[str, NDArray[Any]]:
     """Return copies of all arrays of a model that change in a run, by name.
 
     Args:
         model: at any tick.
     """
-    context = model.contexts.copy()
-    kept = {f"_{one}" for one in (*KEPT, *model.shape.world.kept_columns)}
-    for name in context.dtype.names or ():
-        if name.startswith("_") and not name.startswith("_has_") and name not in kept:
-            context[name] = 0  # an address or a size: `connect` finds them anew
-    state: dict[str, NDArray[Any]] = {"context": context}
+    bits = model.contexts.view(np.int64) & model._blueprint.kept_bits
+    state: dict[str, NDArray[Any]] = {"context": bits.view(model.contexts.dtype)}
     for part, array in model.ground.state().items():
         state[f"world.{part}"] = array
     for name, table in model.tables.items():

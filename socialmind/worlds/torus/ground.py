@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from coglogo_py.border.errors import shown
 from coglogo_py.border.memory import check_memory
 from socialmind.agents.running import Running
-from socialmind.compiling.layout import row_dtype
 from socialmind.compiling.lowering import PLACES
 from socialmind.errors import SocialmindError
 from socialmind.language.arithmetic import brought_back
@@ -35,10 +34,10 @@ class TorusGround(Ground):
 
     def __init__(self, society: Running, size: int) -> None:
         super().__init__(society)
-        fields = dict(society.shape.world.patch or {})
+        shape: Any = society.shape.world
         what = f"{shown(size)} × {shown(size)} patches of {society.name}"
-        check_memory(size * size * row_dtype(fields, None).itemsize, what, SocialmindError)
-        self.world: Grid = Grid(fields, size)
+        check_memory(size * size * shape.form.dtype.itemsize, what, SocialmindError)
+        self.world: Grid = Grid(shape.patch, size, shape.form)
 
     def arrays(self) -> Mapping[str, NDArray[Any]]:
         """Return the rows of the patches."""

@@ -90,6 +90,24 @@ def held_patch_class(bare: type[PatchRow], fields: dict[str, Field]) -> type[Hel
     return type("Patch", (HeldPatch, bare), members)
 
 
+class PatchForm:
+    """What the patches of all worlds of a kind have in common: their record, and their classes.
+
+    Args:
+        fields: the fields of a patch.
+
+    Attributes:
+        dtype: the record.
+        bare: their class as rules hold them.
+        held: their class as users do.
+    """
+
+    def __init__(self, fields: dict[str, Field]) -> None:
+        self.dtype = row_dtype(fields, None)
+        self.bare = patch_class(fields)
+        self.held = held_patch_class(self.bare, fields)
+
+
 class Grid:
     """The torus of a running model.
 
@@ -105,18 +123,19 @@ class Grid:
     Args:
         fields: the fields of a patch.
         size: patches along a side.
+        form: what its patches share with those of other worlds; their own unless given.
     """
 
-    def __init__(self, fields: dict[str, Field], size: int) -> None:
+    def __init__(self, fields: dict[str, Field], size: int, form: PatchForm | None = None) -> None:
+        form = form or PatchForm(fields)
         self.fields = fields
         self.size = size
         self.low = -(size // 2)
         self.high = self.low + size - 1
-        self.rows = np.zeros(size * size, row_dtype(fields, None))
+        self.rows = np.zeros(size * size, form.dtype)
         for field in fields.values():
             set_default(self.rows, field)
-        self._bare = patch_class(fields)
-        self._held = held_patch_class(self._bare, fields)
+        self._bare, self._held = form.bare, form.held
         self.row_class: type[PatchRow] = self._held
         self._see_columns()
 

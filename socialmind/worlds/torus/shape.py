@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 from socialmind.compiling.layout import dtype_text, row_dtype
@@ -9,6 +10,7 @@ from socialmind.compiling.lowering import PLACES
 from socialmind.fields import Field
 from socialmind.language.shape import WorldShape, WorldText
 from socialmind.worlds.torus.geometry import COMMANDS
+from socialmind.worlds.torus.patches import PatchForm
 
 _BEFORE = """from socialmind.worlds.torus import geometry as _torus
 
@@ -36,6 +38,11 @@ class TorusShape(WorldShape):
 
     def __init__(self, patch: dict[str, Field]) -> None:
         self.patch: dict[str, Field] = patch
+
+    @cached_property
+    def form(self) -> PatchForm:
+        """What the patches of all its worlds have in common."""
+        return PatchForm(self.patch)
 
     def kept_within(self, population: str, field: str) -> tuple[str, ...]:
         """Return what brings a place back over the border."""
