@@ -14,7 +14,6 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
@@ -126,7 +125,7 @@ class Model(metaclass=ModelKind):
         self._steerings = kind.steerings(hierarchy)
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = kind.typed(compiled)
-        self.contexts: NDArray[Any] = np.zeros(1, kind._blueprint.record)
+        self.contexts: NDArray[Any] = kind._blueprint.new_record()
         self.context: Any = self.contexts[0]
         making.set_values(self.context, kind.parameters, kind.variables, parameters, kind.name)
         making.ignore(self.context, kind.interruptions, self.without, kind.name)

@@ -33,10 +33,6 @@ SNAPSHOT_BYTES = 8 * 2**20
 """The largest state of which a copy is kept, to find the line of an error in compiled code."""
 
 
-_OUTGROWN = "setup outgrown"
-"""Under what a program holds that the room of its societies is too small for their setup."""
-
-
 class Engine:
     """Runs the setup and the ticks of one society.
 
@@ -51,6 +47,9 @@ class Engine:
         self._functions: dict[str, Callable[..., Any]] | None = None
         self._module: ModuleType | None = None
         self._ticks_per_chunk = 1
+        self._record: Any = None
+        self._sized: list[Any] | None = None
+        self._size = 0
 
     @property
     def module(self) -> Any:
@@ -65,6 +64,8 @@ class Engine:
                 except NumbaError as error:
                     self._refuse_makers(error)
             self._module = program.made[loops]
+            # As numba has it, in which arrays of truth values are bytes.
+            self._record = self.model.contexts.view(self._module.MODEL)
             for table in self.model.tables.values():
                 if table.minds is not None:
                     table.minds.compile()
@@ -83,25 +84,18 @@ class Engine:
 
     def set_up(self) -> None:
         """Run the setup."""
-        if not self.compiled or not self._compiles_setup():
+        if self.compiled and self._compiles_setup():
+            connect(self.model)
+            self._guarded(lambda: self.module.prepare(self._record), run_setup)
+        else:
             run_setup(self.model, self.functions)
-            return
-
-        def prepare() -> int:
-            self.module.prepare(self.model.contexts)
-            return 1
-
-        connect(self.model)
-        if not self._guarded(prepare, run_setup):
-            # It brings more agents into the world than there is room for, and so would the next.
-            self.model.program.made[_OUTGROWN] = True
 
     def _compiles_setup(self) -> bool:
-        """Whether to run the setup compiled: in large worlds, and where ticks have been."""
-        made = self.model.program.made
-        if self._entities() > INTERPRETED_SETUP:
-            return True
-        return _OUTGROWN not in made and self._loops() in made
+        """Whether the setup runs compiled: in large worlds, and once other societies had ticks."""
+        if not self.model.program.setup or self._entities() > INTERPRETED_SETUP:
+            return bool(self.model.program.setup)
+        module = self.model.program.made.get(self._loops())
+        return module is not None and bool(module.advance.signatures)
 
     def advance(self, ticks: int) -> None:
         """Run a number of ticks.
@@ -121,7 +115,7 @@ class Engine:
             begin = time.perf_counter()
             wanted = min(left, self._ticks_per_chunk)
             connect(self.model)
-            loop = functools.partial(self.module.advance, self.model.contexts, wanted)
+            loop = functools.partial(self.module.advance, self._record, wanted)
             done = self._guarded(loop, run_tick)
             if done < wanted:
                 self._make_room()
@@ -140,7 +134,7 @@ class Engine:
         def one() -> int:
             # Within what is done again when it fails, so that nothing moves twice.
             model.ground.before_compiled_tick()
-            return int(self.module.advance(model.contexts, 1))
+            return int(self.module.advance(self._record, 1))
 
         for _ in range(ticks):
             self._make_room()
@@ -191,7 +185,7 @@ class Engine:
             model.restore(before)
             connect(model)
             if failed > begin:
-                self.module.advance(model.contexts, failed - begin)
+                self.module.advance(self._record, failed - begin)
             again(model, self.functions)
             return model.tick - begin
 
@@ -218,6 +212,12 @@ class Engine:
         return int(self.model.ground.entities) + sum(len(table) for table in tables)
 
     def _bytes(self) -> int:
+        """Return how large the arrays of the society are, which is asked of each stretch."""
+        if self._sized is not self.model.connected:
+            self._sized, self._size = self.model.connected, self._counted_bytes()
+        return self._size
+
+    def _counted_bytes(self) -> int:
         tables = self.model.tables
         arrays = [table.rows.nbytes + 64 * len(table.rows) for table in tables.values()]
         arrays += [table.minds.bytes for table in tables.values() if table.minds is not None]

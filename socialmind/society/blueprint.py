@@ -44,12 +44,16 @@ class Blueprint:
         self._shape = shape
         self.tables = {name: TableForm(one) for name, one in shape.populations.items()}
         self.schemes = SchemeFiles()
-        self._words: dict[tuple[str, ...], NDArray[np.int64]] = {}
+        self._places: dict[tuple[str, ...], NDArray[np.int64]] = {}
 
     @cached_property
     def record(self) -> np.dtype[Any]:
         """The record of a society: parameters, variables, and where its arrays are."""
         return model_dtype(self._shape)
+
+    def new_record(self) -> NDArray[Any]:
+        """Return the record of a new society, an array of one over words of eight bytes."""
+        return np.zeros(self.record.itemsize // 8, np.int64).view(self.record)
 
     @cached_property
     def kept_bits(self) -> NDArray[np.int64]:
@@ -61,7 +65,7 @@ class Blueprint:
                 bits[place : place + column.itemsize] = 0  # `connect` finds it anew
         return bits.view(np.int64)
 
-    def words_of(
+    def places_of(
         self, arrays: tuple[str, ...], columns: Callable[[], list[str]]
     ) -> NDArray[np.int64]:
         """Return which words of the record hold columns of eight bytes.
@@ -70,10 +74,10 @@ class Blueprint:
             arrays: what tells them from others.
             columns: gives their names.
         """
-        if arrays not in self._words:
+        if arrays not in self._places:
             places = [self.record.fields[name][1] for name in columns()]  # type: ignore[index]
-            self._words[arrays] = np.array(places) // 8
-        return self._words[arrays]
+            self._places[arrays] = np.array(places) // 8
+        return self._places[arrays]
 
 
 class TableForm:

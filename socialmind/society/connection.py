@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.arrays import MindArrays, SchemeArrays
@@ -34,10 +35,16 @@ def connect(model: Running) -> None:
         numbers.append(_address(array))
         if array.dtype.names is None:
             numbers += array.shape
-    words = model._blueprint.words_of(tuple(arrays), lambda: _columns(model, arrays))
-    model.contexts.view(np.int64)[words] = numbers
+    words = model._blueprint.places_of(tuple(arrays), lambda: _columns(model, arrays))
+    words_of(model)[words] = numbers
     model.connected = now
     model.ground.connect(model.context)
+
+
+def words_of(model: Running) -> NDArray[np.int64]:
+    """Return the model's record as the whole numbers of eight bytes that it was made from."""
+    words: NDArray[np.int64] = model.contexts.base
+    return words
 
 
 def _columns(model: Running, arrays: Mapping[str, Any]) -> list[str]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import NDArray
 
+from socialmind.society.connection import words_of
 from socialmind.society.state_check import check_state
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
+
 
 def state_of(model: Running) -> dict[str, NDArray[Any]]:
     """Return copies of all arrays of a model that change in a run, by name.
@@ -19,7 +20,7 @@ def state_of(model: Running) -> dict[str, NDArray[Any]]:
     Args:
         model: at any tick.
     """
-    bits = model.contexts.view(np.int64) & model._blueprint.kept_bits
+    bits = words_of(model) & model._blueprint.kept_bits
     state: dict[str, NDArray[Any]] = {"context": bits.view(model.contexts.dtype)}
     for part, array in model.ground.state().items():
         state[f"world.{part}"] = array
