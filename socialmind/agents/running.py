@@ -28,7 +28,6 @@ class Running(Protocol):
         engine: what runs it.
         stream: the state of its compiled draws.
         connected: the arrays, or tuples of them, whose addresses the record holds.
-        _blueprint: what it shares with all societies of its class.
         watch: the population and identity of an agent whose decision is to be explained.
         watched: the receipt of that decision.
     """
@@ -46,9 +45,12 @@ class Running(Protocol):
     engine: Any
     stream: NDArray[Any]
     connected: list[Any]
-    _blueprint: Any
     watch: tuple[str, int] | None
     watched: Any
+
+    @property
+    def _blueprint(self) -> Any:
+        """What it shares with all societies of its class."""
 
     @property
     def name(self) -> str:

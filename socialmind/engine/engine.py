@@ -33,6 +33,10 @@ SNAPSHOT_BYTES = 8 * 2**20
 """The largest state of which a copy is kept, to find the line of an error in compiled code."""
 
 
+_OUTGROWN = "setup outgrown"
+"""Under what a program holds that its setup brings more agents than there is room for."""
+
+
 class Engine:
     """Runs the setup and the ticks of one society.
 
@@ -86,7 +90,7 @@ class Engine:
         """Run the setup."""
         if self.compiled and self._compiles_setup():
             connect(self.model)
-            self._guarded(lambda: self.module.prepare(self._record), run_setup)
+            self._guarded(lambda: self.module.prepare(self._record), _run_outgrown_setup)
         else:
             run_setup(self.model, self.functions)
 
@@ -94,8 +98,9 @@ class Engine:
         """Whether the setup runs compiled: in large worlds, and once other societies had ticks."""
         if not self.model.program.setup or self._entities() > INTERPRETED_SETUP:
             return bool(self.model.program.setup)
-        module = self.model.program.made.get(self._loops())
-        return module is not None and bool(module.advance.signatures)
+        made = self.model.program.made
+        module = made.get(self._loops())
+        return module is not None and _OUTGROWN not in made and bool(module.advance.signatures)
 
     def advance(self, ticks: int) -> None:
         """Run a number of ticks.
@@ -223,3 +228,9 @@ class Engine:
         arrays += [table.minds.bytes for table in tables.values() if table.minds is not None]
         arrays += [one.nbytes for one in self.model.ground.arrays().values()]
         return sum(arrays)
+
+
+def _run_outgrown_setup(model: Running, functions: dict[str, Callable[..., Any]]) -> None:
+    """Run a setup interpreted that failed compiled; if it does not, it was for want of room."""
+    run_setup(model, functions)
+    model.program.made[_OUTGROWN] = True  # as it would be for the next

@@ -22,6 +22,7 @@ from socialmind.language.shape import ModelShape, PopulationShape
 
 if TYPE_CHECKING:
     from coglogo_py.decision import DecisionMaker
+    from socialmind.mind.files.kept_minds import KeptMinds
 
 KEPT = ("tick", "idle", "idle_agent", "idle_tick")
 """Columns of the record with a leading underscore that are state, beside the world's own."""
@@ -45,6 +46,13 @@ class Blueprint:
         self.tables = {name: TableForm(one) for name, one in shape.populations.items()}
         self.schemes = SchemeFiles()
         self._places: dict[tuple[str, ...], NDArray[np.int64]] = {}
+
+    @cached_property
+    def minds(self) -> KeptMinds:
+        """The hierarchies of skills of folders."""
+        from socialmind.mind.files.kept_minds import KeptMinds
+
+        return KeptMinds()
 
     @cached_property
     def record(self) -> np.dtype[Any]:

@@ -43,8 +43,9 @@ def connect(model: Running) -> None:
 
 def words_of(model: Running) -> NDArray[np.int64]:
     """Return the model's record as the whole numbers of eight bytes that it was made from."""
-    words: NDArray[np.int64] = model.contexts.base
-    return words
+    words: Any = model.contexts.base
+    found: NDArray[np.int64] = words
+    return found
 
 
 def _columns(model: Running, arrays: Mapping[str, Any]) -> list[str]:

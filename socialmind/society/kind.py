@@ -86,7 +86,9 @@ class ModelKind(ABCMeta):
             return {}
         from socialmind.mind.steering import steerings_of
 
-        return steerings_of(cls.populations, cls.folder(), given, cls.name)
+        return steerings_of(
+            cls.populations, cls.folder(), given, cls.name, cls._blueprint.minds.load
+        )
 
     def before_setup(cls: Any, **arguments: Any) -> Any:
         """Return a society whose setup has not run; arguments as of the class."""
