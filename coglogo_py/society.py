@@ -137,7 +137,17 @@ class Society(Closed):
             one = sum(array.nbytes for array in mind_arrays(self.arrays, 1, seed=0))
             minds = f"{capacity + missing} minds of scheme {self.scheme.name!r}"
             check_memory((capacity + missing) * one, minds)
-            self.minds = grown(self.arrays, self.minds, max(2 * capacity, capacity + missing))
+            larger = max(2 * capacity, capacity + missing)
+            if self._untouched:
+                self.minds = mind_arrays(self.arrays, larger, self.seed, self.stream)
+            else:
+                self.minds = grown(self.arrays, self.minds, larger)
+
+    @property
+    def _untouched(self) -> bool:
+        """Whether there has been no mind and no group yet."""
+        counters = self.minds.counters
+        return not counters[kernel.NEXT_MIND] and not counters[kernel.NEXT_GROUP]
 
     def reset(self) -> None:
         """Forget all minds, groups, identities and draws: as if just made, with the same seed."""

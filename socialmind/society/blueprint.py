@@ -14,10 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
-from coglogo_py.files.reading import text_in
+from coglogo_py.files.reading import content_of, text_of
 from socialmind.agents.rows import HeldRow, Row, held_class, row_class
 from socialmind.compiling.layout import model_dtype, row_dtype
 from socialmind.fields import set_default
+from socialmind.language.arithmetic import turned
 from socialmind.language.shape import ModelShape, PopulationShape
 
 if TYPE_CHECKING:
@@ -112,6 +113,7 @@ class TableForm:
             set_default(agent, field)
         if self._shape.minded:
             agent["_mind"] = agent["_plan"] = agent["_decided"] = -1
+        agent["heading"] = turned(agent["heading"].item())
         agent.flags.writeable = False
         return agent
 
@@ -132,16 +134,16 @@ class SchemeFiles:
     """The schemes of files: a file is looked into each time, and understood once."""
 
     def __init__(self) -> None:
-        self._known: dict[tuple[str, tuple[Any, ...]], tuple[str, CognitiveScheme]] = {}
+        self._known: dict[tuple[str, tuple[Any, ...]], tuple[bytes, CognitiveScheme]] = {}
 
     def load(self, path: Path, makers: tuple[type[DecisionMaker], ...]) -> CognitiveScheme:
         """Return the scheme of a file as it is now; arguments as of `CognitiveScheme.load`."""
-        text = text_in(path, latin_1=True)
+        content = content_of(path)
         known = self._known.get((str(path), makers))
-        if known is not None and known[0] == text:
+        if known is not None and known[0] == content:
             return known[1]
-        scheme = CognitiveScheme.parsed(text, path, makers)
+        scheme = CognitiveScheme.parsed(text_of(content, path, latin_1=True), path, makers)
         while len(self._known) >= KEPT_SCHEMES:
             self._known.pop(next(iter(self._known)), None)
-        self._known[str(path), makers] = text, scheme
+        self._known[str(path), makers] = content, scheme
         return scheme

@@ -76,7 +76,7 @@ class Table:
         self.default = form.default.copy()
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
-        for name in ("x", "y", "heading"):
+        for name in self._keepers:
             self.default[name] = self._kept_within(name, self.default[name])
         capacity = max(size, 1)
         self.rows = np.zeros(capacity, self.dtype)
