@@ -11,6 +11,7 @@ instance is a running society:
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
@@ -141,7 +142,7 @@ class Model(metaclass=ModelKind):
         self.names = making.names_in_minds(self, files)
         self.engine = Engine(self, compiled)
         if self._sets_up:
-            self.engine.set_up()
+            self.engine.set_up(partial(copying.unbegun, self, Model))
             self.ground.build()
 
     def __setattr__(self, name: str, value: Any) -> None:

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from coglogo_py.decision import DecisionMaker
     from socialmind.agents.running import Running
 
+State = dict[str, Any]
+
 CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
 INTERPRETED_SETUP = 20_000
@@ -86,11 +88,15 @@ class Engine:
             self._functions = self.model.program.interpreted(self.model.ground.functions())
         return self._functions
 
-    def set_up(self) -> None:
-        """Run the setup."""
+    def set_up(self, unbegun: Callable[[], State] | None = None) -> None:
+        """Run the setup.
+
+        Args:
+            unbegun: gives the state before it, should it fail; a copy is made unless given.
+        """
         if self.compiled and self._compiles_setup():
             connect(self.model)
-            self._guarded(lambda: self.module.prepare(self._record), _run_outgrown_setup)
+            self._guarded(lambda: self.module.prepare(self._record), _run_outgrown_setup, unbegun)
         else:
             run_setup(self.model, self.functions)
 
@@ -162,7 +168,12 @@ class Engine:
             if self.model.tables[name].short_of_room:
                 self.model.tables[name].grow()
 
-    def _guarded(self, run: Callable[[], Any], again: Callable[..., None]) -> int:
+    def _guarded(
+        self,
+        run: Callable[[], Any],
+        again: Callable[..., None],
+        before: Callable[[], State] | None = None,
+    ) -> int:
         """Run compiled code; when it fails, do its last tick again, interpreted.
 
         The interpreted tick fails alike, and knows the line. If it does not fail, it was room for
@@ -171,8 +182,8 @@ class Engine:
         model = self.model
         begin = model.tick
         # Births may outrun the room, whatever the size of the state.
-        copied = bool(model.program.births) or self._bytes() <= SNAPSHOT_BYTES
-        before = model.state() if copied else None
+        if before is None and (model.program.births or self._bytes() <= SNAPSHOT_BYTES):
+            before = functools.partial(dict, model.state())
         try:
             return int(run() or 0)
         except NumbaError as error:
@@ -187,7 +198,7 @@ class Engine:
                     f"{type(error).__name__} in tick {failed}: {error}; "
                     "run with --interpreted to see where"
                 ) from error
-            model.restore(before)
+            model.restore(before())
             connect(model)
             if failed > begin:
                 self.module.advance(self._record, failed - begin)
