@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -101,7 +101,7 @@ def groups_of(description: MindDescription) -> list[str]:
 def assemble(
     description: MindDescription, master: str, driven: bool = False, observed: bool = False
 ) -> Assembly:
-    """Lay a mind out in arrays, which all its societies share.
+    """Lay a mind out in arrays, of which all its societies share all but the sizes.
 
     Args:
         description: the mind.
@@ -114,7 +114,9 @@ def assemble(
         skills = description.order if driven else description.below(master)
         known[key] = _Assembling(description, master, skills, observed).assembly()
     made: Assembly = known[key]
-    return made
+    sizes = made.structure.sizes.copy()  # its own: whoever looks at a society changes it
+    sizes.setflags(write=False)
+    return replace(made, structure=made.structure._replace(sizes=sizes))
 
 
 class _Assembling:
