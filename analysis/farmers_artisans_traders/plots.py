@@ -68,7 +68,7 @@ def _spreads(axes: Axes, societies: pd.DataFrame) -> None:
             )  # fmt: skip
             ends = [place + shift - 0.14, place + shift + 0.14]
             axes.plot(ends, [values.mean()] * 2, color=paper.INK, linewidth=1)
-    axes.set_xticks(range(len(COLOURS)), [name.replace(" ", "\n", 1) for name in COLOURS])
+    axes.set_xticks(range(len(COLOURS)), ["\n".join(name.rsplit(" ", 1)) for name in COLOURS])
     axes.set_ylim(bottom=0)
     axes.set_ylabel("spread of the share of artisans")
     paper.panel_title(axes, "b", "How far villages differ; open: by luck")

@@ -26,8 +26,8 @@ def draw(tables: dict[str, pd.DataFrame]) -> Figure:
         A figure of three panels, as wide as a column.
     """
     with paper.style():
-        figure = paper.figure(paper.COLUMN, 165, gap=1.5)
-        panels = figure.subplots(3, 1)
+        figure = paper.figure(paper.COLUMN, 150, gap=1.5)
+        panels = figure.subplots(3, 1, height_ratios=(5, 3, 5))
         _castes(panels[0], tables["castes"])
         _division(panels[1], tables["specialists"])
         _absences(panels[2], tables["absences"])
