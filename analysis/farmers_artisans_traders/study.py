@@ -94,7 +94,7 @@ def as_markdown(societies: pd.DataFrame, villages: pd.DataFrame, ticks: int) -> 
     lines += [
         "",
         "Villages of each size; the share of artisans among their people, and the stock of wheat "
-        "less that of tools, the mean and its deviation over time:",
+        "less that of tools, the mean and its deviation over time; intervals over villages:",
         "",
         "| culture | people | villages | artisans | wheat − tools | deviation |",
         "|---|---|---|---|---|---|",
