@@ -116,6 +116,8 @@ def does(worker, task):
 
 def is_specialist(worker, task, model):
     """Say whether a threshold is the lowest of its worker's, and in the lower half of the range."""
+    if task >= model.n_tasks:
+        return False
     own = worker.thresholds[task]
     for other in range(model.n_tasks):
         if other != task and worker.thresholds[other] <= own:

@@ -100,6 +100,19 @@ def test_specialists_go_and_come_back(make, forgetting):
     assert not colony.workers.away.any()
 
 
+@pytest.mark.parametrize("task", [0, 2, 3])
+def test_those_who_are_taken_away_are_the_specialists_of_the_task(make, task):
+    colony = make(n_workers=60, n_tasks=3, demand=0.0, remove_at=0, removed_task=task)
+    rng = np.random.default_rng(task)
+    rows = np.zeros((60, 8))
+    rows[:, :3] = rng.integers(1, 11, (60, 3)) * 100  # often alike
+    colony.workers.thresholds = rows
+    specialists = colony.roles() == task
+    colony.advance(1)
+    assert colony.workers.away.tolist() == specialists.tolist()
+    assert specialists.any() == (task < 3)
+
+
 def test_who_is_away_counts_for_no_demand(make):
     colony = make(n_workers=2, giving_up=0.0, remove_at=0)
     rows = np.full((2, 8), 900.0)
