@@ -7,71 +7,80 @@ import numpy as np
 from coglogo_py import kernel
 from coglogo_py.arrays import Floats, MindArrays, SchemeArrays
 from coglogo_py.decision import BUILT_IN
-from coglogo_py.parts import Cogniton, Culturon, Group
+from coglogo_py.group_types import GroupType, culturons_of, group_types
+from coglogo_py.parts import Cogniton, Culturon
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.streams import LOW_32
 
-
-def culturons_of(group: Group) -> tuple[Culturon, ...]:
-    """Return the distinct culturons of a group, in the order in which its roles first name them."""
-    by_name: dict[str, Culturon] = {}
-    for role in group.roles:
-        for culturon in role.culturons:
-            by_name.setdefault(culturon.name, culturon)
-    return tuple(by_name.values())
+Within = tuple[tuple[GroupType, ...], int, int]
+"""The types of groups of a culture, the most cognitons of a breed, and which breed this is."""
 
 
-def scheme_arrays(scheme: CognitiveScheme) -> SchemeArrays:
+def scheme_arrays(scheme: CognitiveScheme, within: Within | None = None) -> SchemeArrays:
     """Return the arrays of a scheme.
 
     Args:
         scheme: the description.
+        within: the culture that its breed shares with others, and the breed's number there.
 
     Returns:
-        Read-only arrays; plans, cognitons, groups, roles and culturons in the scheme's order.
+        Read-only arrays; plans, cognitons, groups, roles and culturons in the scheme's order. In a
+        culture groups, roles and culturons come in its order, and behind the cognitons stand as
+        many without links as the breed with most of them has more, then the breed's own number.
     """
+    types, own, breed = within or (group_types((scheme,)), len(scheme.cognitons), None)
+    n_cognitons = own if breed is None else own + 1
     plans = {name: position for position, name in enumerate(scheme.plans)}
-    culturons = [culturon for group in scheme.groups for culturon in culturons_of(group)]
-    holders: list[Cogniton | Culturon] = [*scheme.cognitons, *culturons]
-    influence = np.zeros((len(holders), len(plans)))
-    conditional = np.zeros((len(holders), len(plans)), np.bool_)
-    reinforcement = np.zeros((len(holders), len(plans)))
-    for row, holder in enumerate(holders):
+    described = {group.name: group for group in scheme.groups}
+    rows: list[tuple[int, Cogniton | Culturon]] = list(enumerate(scheme.cognitons))
+    starts: list[float] = []
+    role_group: list[int] = []
+    group_culturons = np.zeros((len(types), 2), np.int64)
+    held: list[tuple[int, int]] = []
+    for position, kind in enumerate(types):
+        first, first_role = len(starts), len(role_group)
+        columns = {name: first + k for k, name in enumerate(kind.culturons)}
+        starts += kind.culturons.values()
+        role_group += [position] * len(kind.roles)
+        group_culturons[position] = first, len(starts)
+        if kind.name in described:
+            group = described[kind.name]
+            rows += [(n_cognitons + columns[one.name], one) for one in culturons_of(group)]
+            held += [
+                (first_role + kind.roles.index(role.name), columns[one.name])
+                for role in group.roles
+                for one in role.culturons
+            ]
+    role_culturons = np.zeros((len(role_group), len(starts)), np.bool_)
+    for place in held:
+        role_culturons[place] = True
+    size = n_cognitons + len(starts), len(plans)
+    influence, reinforcement = np.zeros(size), np.zeros(size)
+    conditional = np.zeros(size, np.bool_)
+    for row, holder in rows:
         for plan, weight in holder.influence.items():
             influence[row, plans[plan]] = weight
         for plan in holder.conditional:
             conditional[row, plans[plan]] = True
         for plan, weight in holder.reinforcement.items():
             reinforcement[row, plans[plan]] = weight
+    start = np.full(n_cognitons, np.nan)
+    start[: len(scheme.cognitons)] = [
+        one.start_value if one.starting else np.nan for one in scheme.cognitons
+    ]
+    if breed is not None:
+        start[own] = breed
 
-    role_group = np.array(
-        [position for position, group in enumerate(scheme.groups) for _ in group.roles], np.int64
-    )
-    role_culturons = np.zeros((len(role_group), len(culturons)), np.bool_)
-    group_culturons = np.zeros((len(scheme.groups), 2), np.int64)
-    first = role_row = 0
-    for position, group in enumerate(scheme.groups):
-        columns = {culturon.name: first + k for k, culturon in enumerate(culturons_of(group))}
-        group_culturons[position] = first, first + len(columns)
-        first += len(columns)
-        for role in group.roles:
-            for culturon in role.culturons:
-                role_culturons[role_row, columns[culturon.name]] = True
-            role_row += 1
-
-    own = len(scheme.cognitons)
-    linked = (influence[:own] != 0.0) | conditional[:own]
+    linked = (influence[:n_cognitons] != 0.0) | conditional[:n_cognitons]
     # Of the transposed array the places come plan by plan, cognitons in the scheme's order.
     plan_of, cogniton_of = np.nonzero(linked.T)
     arrays = SchemeArrays(
         influence=influence,
         conditional=conditional,
         reinforcement=reinforcement,
-        start=np.array(
-            [c.start_value if c.starting else np.nan for c in scheme.cognitons], np.float64
-        ),
-        culturon_start=np.array([c.start_value for c in culturons], np.float64),
-        role_group=role_group,
+        start=start,
+        culturon_start=np.array(starts, np.float64),
+        role_group=np.array(role_group, np.int64),
         role_culturons=role_culturons,
         group_culturons=group_culturons,
         link_begin=np.concatenate([[0], np.cumsum(linked.sum(axis=0))]).astype(np.int64),

@@ -115,9 +115,10 @@ class Mind:
     def cognitons(self) -> dict[str, float | None]:
         """Return the value of every cogniton in the scheme's order, None when inactive."""
         values = self.society.minds.values[self.slot].tolist()
+        # In a culture there may be further columns, which are not this breed's.
         return {
             name: None if value != value else value
-            for name, value in zip(self.society.names.cognitons, values, strict=True)
+            for name, value in zip(self.society.names.cognitons, values, strict=False)
         }
 
     def set_cogniton_value(self, cogniton: str, value: float) -> None:
