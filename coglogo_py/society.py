@@ -143,7 +143,7 @@ class Society(Closed):
         if not 0 <= slot < len(self.minds.mind_id) or self.minds.mind_id[slot] < 0:
             raise CogLogoError(f"no mind lives in slot {slot} of the society")
         if self.breed is not None and self.minds.values[slot, -1] != self.breed:
-            raise CogLogoError(f"the mind in slot {slot} is of another breed")
+            raise CogLogoError(f"the mind in slot {slot} of the society is of another breed")
         return Mind(self, slot)
 
     def reserve(self, count: int) -> None:
