@@ -87,7 +87,7 @@ def reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Chec
             f"{capsule.folder}: {capsule.checkpoint.name} is missing or of another run, so the "
             f"run cannot be made longer; run anew with --ticks {length}"
         )
-    every = {name: capsule.manifest.agents_every for name in capsule.manifest.tables}
+    every = dict.fromkeys(capsule.manifest.tables, capsule.manifest.agents_every)
     every[SERIES] = capsule.manifest.every
     capsule.parts.mkdir(exist_ok=True)
     parts, recorded, sums = {}, {}, {}
