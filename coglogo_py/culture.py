@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.errors import CogLogoError
-from coglogo_py.group_types import group_types
+from coglogo_py.laying_out import group_types
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.society import Society
 

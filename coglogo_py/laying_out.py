@@ -2,15 +2,85 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
 import numpy as np
 
 from coglogo_py import kernel
 from coglogo_py.arrays import Floats, MindArrays, SchemeArrays
+from coglogo_py.border.errors import SchemeError
 from coglogo_py.decision import BUILT_IN
-from coglogo_py.group_types import GroupType, culturons_of, group_types
-from coglogo_py.parts import Cogniton, Culturon
+from coglogo_py.parts import Cogniton, Culturon, Group, Scheme
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.streams import LOW_32
+
+
+@dataclass(frozen=True)
+class GroupType:
+    """A type of group as all breeds of a culture see it.
+
+    A scheme says which culturons of a role act on its own plans. That a group has a role, and a
+    culturon with a value, holds for all breeds that share it: these are united. Links, colours and
+    which roles hold a culturon differ without harm; a value has one start wherever it is named.
+
+    Args:
+        name: the group's.
+        roles: in the order in which the schemes first name them.
+        culturons: their values in a group just created, in the same order.
+        attributes: likewise.
+    """
+
+    name: str
+    roles: list[str] = field(default_factory=list)
+    culturons: dict[str, float] = field(default_factory=dict)
+    attributes: dict[str, float] = field(default_factory=dict)
+
+
+def culturons_of(group: Group) -> tuple[Culturon, ...]:
+    """Return the distinct culturons of a group, in the order in which its roles first name them."""
+    by_name: dict[str, Culturon] = {}
+    for role in group.roles:
+        for culturon in role.culturons:
+            by_name.setdefault(culturon.name, culturon)
+    return tuple(by_name.values())
+
+
+def group_types(schemes: Iterable[Scheme]) -> tuple[GroupType, ...]:
+    """Return the groups that some schemes name, those of the same name as one.
+
+    Args:
+        schemes: of the breeds that share them; often one alone.
+
+    Raises:
+        SchemeError: a culturon or an attribute starts at different values in two of them.
+
+    >>> from coglogo_py import Role
+    >>> one = CognitiveScheme("cows", groups=(Group("herd", (Role("leader"),)),))
+    >>> two = CognitiveScheme("bulls", groups=(Group("herd", (Role("guard"),)),))
+    >>> group_types((one, two))
+    (GroupType(name='herd', roles=['leader', 'guard'], culturons={}, attributes={}),)
+    """
+    found: dict[str, GroupType] = {}
+    named_by: dict[tuple[str, str, str], str] = {}
+    for scheme in schemes:
+        for group in scheme.groups:
+            kind = found.setdefault(group.name, GroupType(group.name))
+            kind.roles.extend(one.name for one in group.roles if one.name not in kind.roles)
+            named = [("culturon", one.name, one.start_value) for one in culturons_of(group)]
+            named += [("attribute", name, start) for name, start in group.attributes]
+            for part, name, start in named:
+                known = kind.culturons if part == "culturon" else kind.attributes
+                first = named_by.setdefault((part, group.name, name), scheme.name)
+                if known.setdefault(name, start) != start:
+                    raise SchemeError(
+                        f"{part} {name!r} of group {group.name!r} starts at {start:g} in scheme "
+                        f"{scheme.name!r}",
+                        f"{known[name]:g}, as in scheme {first!r}, which shares the group",
+                        "it has one value for all: write the same start in both",
+                    )
+    return tuple(found.values())
+
 
 Within = tuple[tuple[GroupType, ...], int, int]
 """The types of groups of a culture, the most cognitons of a breed, and which breed this is."""
@@ -40,7 +110,8 @@ def scheme_arrays(scheme: CognitiveScheme, within: Within | None = None) -> Sche
     for position, kind in enumerate(types):
         first, first_role = len(starts), len(role_group)
         columns = {name: first + k for k, name in enumerate(kind.culturons)}
-        starts += kind.culturons.values()
+        # Attributes are columns that no role holds and no link leads from.
+        starts += (*kind.culturons.values(), *kind.attributes.values())
         role_group += [position] * len(kind.roles)
         group_culturons[position] = first, len(starts)
         if kind.name in described:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from coglogo_py.border.errors import MindError, nearest
-from coglogo_py.group_types import GroupType, group_types
+from coglogo_py.laying_out import GroupType, group_types
 from coglogo_py.scheme import CognitiveScheme
 
 
@@ -35,12 +35,15 @@ class Names:
         self.groups = {kind.name: position for position, kind in enumerate(types)}
         self.roles: dict[str, dict[str, int]] = {}
         self.culturons: dict[str, dict[str, int]] = {}
+        self.attributes: dict[str, dict[str, int]] = {}
         roles = culturons = 0
         for kind in types:
             self.roles[kind.name] = {name: roles + k for k, name in enumerate(kind.roles)}
             roles += len(kind.roles)
             self.culturons[kind.name] = {n: culturons + k for k, n in enumerate(kind.culturons)}
             culturons += len(kind.culturons)
+            self.attributes[kind.name] = {n: culturons + k for k, n in enumerate(kind.attributes)}
+            culturons += len(kind.attributes)
 
     def cogniton(self, name: str) -> int:
         """Return the position of a cogniton; MindError when there is none of that name."""
@@ -63,6 +66,12 @@ class Names:
         """Return the positions of a group and of a culturon of any of its roles."""
         position = self.group(group)
         return position, self._position("culturon", name, self.culturons[group], f"group {group!r}")
+
+    def attribute(self, group: str, name: str) -> tuple[int, int]:
+        """Return the positions of a group and of one of its attributes, among the culturons."""
+        position = self.group(group)
+        known = self.attributes[group]
+        return position, self._position("attribute", name, known, f"group {group!r}")
 
     @staticmethod
     def _position(kind: str, name: object, known: Mapping[str, int], where: str) -> int:

@@ -59,8 +59,8 @@ def group_instances(model: Running) -> dict[str, list[Any]]:
 
     Returns:
         The populations that share them, the group's type, identity and number of members, and a
-        column for each culturon with its value, None where the group has no such culturon; in order
-        of founding, those of one culture after those of another.
+        column for each culturon and attribute with its value, None where the group has none of that
+        name; in order of founding, those of one culture after those of another.
     """
     sharing: dict[int, list[str]] = {}
     for name, table in model.tables.items():
@@ -68,9 +68,10 @@ def group_instances(model: Running) -> dict[str, list[Any]]:
             sharing.setdefault(id(table.society.minds), []).append(name)
     cultures = {", ".join(names): model.tables[names[0]].society for names in sharing.values()}
     numbers = [
-        f"culturon_{name}"
+        f"{part}_{name}"
         for society in cultures.values()
-        for of in society.names.culturons.values()
+        for part, groups in _parts(society.names)
+        for of in groups.values()
         for name in of
     ]
     columns: dict[str, list[Any]] = {name: [] for name in dict.fromkeys((*OWN, *numbers))}
@@ -88,8 +89,13 @@ def group_instances(model: Running) -> dict[str, list[Any]]:
             columns[name] += [None] * len(rows)
         for place, group in enumerate(groups):
             own = np.flatnonzero(types == place)
-            for name, at in society.names.culturons[group].items():
-                values = minds.culturons[rows[own], at].tolist()
-                for row, value in zip((begin + own).tolist(), values, strict=True):
-                    columns[f"culturon_{name}"][row] = value
+            for part, of in _parts(society.names):
+                for name, at in of[group].items():
+                    values = minds.culturons[rows[own], at].tolist()
+                    for row, value in zip((begin + own).tolist(), values, strict=True):
+                        columns[f"{part}_{name}"][row] = value
     return columns
+
+
+def _parts(names: Any) -> tuple[tuple[str, Any], ...]:
+    return ("culturon", names.culturons), ("attribute", names.attributes)

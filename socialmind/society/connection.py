@@ -121,7 +121,11 @@ def _parts_of_scheme(names: Names) -> dict[str, dict[Any, int]]:
         "group": dict(names.groups),
         **{
             part: {(group, name): k for group, places in of.items() for name, k in places.items()}
-            for part, of in (("role", names.roles), ("culturon", names.culturons))
+            for part, of in (
+                ("role", names.roles),
+                ("culturon", names.culturons),
+                ("attribute", names.attributes),
+            )
         },
     }
 

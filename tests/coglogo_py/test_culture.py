@@ -210,3 +210,47 @@ def test_wrong_cultures_are_refused():
     other = CognitiveScheme("sheep", groups=(Group("herd", (Role("a", (Culturon("Trust", 1),)),)),))
     with pytest.raises(SchemeError, match=r"'Trust' of group 'herd' starts at 1 in scheme 'sheep'"):
         Culture((COWS, other), seed=1)
+
+
+VILLAGE = Group("village", (Role("member"),), {"treasury": 10, "size of land": 2.5})
+
+
+def test_attributes_are_numbers_that_members_share_by_hand():
+    lords = CognitiveScheme("lords", groups=(Group("village", (Role("chief"),), {"grain": 1}),))
+    folk = CognitiveScheme("folk", (Cogniton("a"),), (VILLAGE,))
+    culture = Culture((lords, folk, COWS), seed=1)
+    lord, peasant, stranger = (breed.new_mind() for breed in culture.breeds)
+    lord.create_and_join_group("village", "chief")
+    assert peasant.get_group_attribute("village", "treasury") == 0.0
+    peasant.add_to_group_attribute("village", "treasury", 3)
+    peasant.join_group("village", "member", 0)
+    peasant.add_to_group_attribute("village", "treasury", 3)
+    peasant.set_group_attribute("village", "grain", 7)
+    assert lord.get_group_attribute("village", "treasury") == 13.0
+    assert lord.get_group_attribute("village", "grain") == 7.0
+    assert stranger.get_culturon_value("herd", "Trust") == 0.0
+    for mind in (lord, peasant):
+        mind.die()
+    stranger.create_and_join_group("village", "chief")
+    assert stranger.get_group_attribute("village", "treasury") == 10.0
+    with pytest.raises(MindError, match="no attribute 'gold' in group 'village'; there are: "):
+        stranger.set_group_attribute("village", "gold", 1)
+    with pytest.raises(MindError, match="set_group_attribute of 'grain'"):
+        stranger.set_group_attribute("village", "grain", float("nan"))
+
+
+def test_files_of_schemes_with_attributes(tmp_path):
+    scheme = CognitiveScheme("folk", groups=(VILLAGE, Group("pair", (Role("one"),))))
+    scheme.save(tmp_path / "folk.yaml")
+    assert CognitiveScheme.load(tmp_path / "folk.yaml") == scheme
+    with pytest.raises(SchemeError, match="'village'; expected none: a Cog"):
+        scheme.save(tmp_path / "folk.cogscheme")
+    (tmp_path / "odd.yaml").write_text(
+        "name: a\ngroups:\n  b: {c: {}}\ngroup_attributes: {d: {e: 1}}\n"
+    )
+    with pytest.raises(SchemeError, match=r"odd.yaml:4: found attributes of a group 'd'"):
+        CognitiveScheme.load(tmp_path / "odd.yaml")
+    with pytest.raises(SchemeError, match="attributes of group 'b'"):
+        Group("b", (), 3)
+    with pytest.raises(SchemeError, match="'e' among the attributes of group 'b'"):
+        Group("b", (), {"e": "much"})

@@ -22,7 +22,7 @@ FOLK = CognitiveScheme(
         Cogniton("Hunger", start_value=7.0, influence={"eat": 1.0}, conditional=("eat",)),
         Cogniton("Sleep", start_value=1.0, influence={"eat": -1.0}),
     ),
-    (Group("village", (Role("member", (LAW,)), Role("elder"))),),
+    (Group("village", (Role("member", (LAW,)), Role("elder")), {"grain": 4}),),
 )
 
 
@@ -57,6 +57,8 @@ def command(lord, model):
     lord.plan = lord.mind.choose_next_plan()
     lord.mind.add_to_culturon_value("village", "Law", 0.5)
     lord.mind.feed_back_from_plan("rule", 2.0)
+    if lord.mind.get_group_attribute("village", "grain") < 20.0:
+        lord.mind.add_to_group_attribute("village", "grain", 1.5)
     lord.village = lord.mind.get_group_id("village")
     if model.tick_count == 6 and lord.id == 0:
         lord.die()
@@ -128,10 +130,6 @@ def test_identities_are_of_the_culture():
     assert len({mind.id for breed in (realm.lords, realm.folk) for mind in breed.society}) == 43
 
 
-def state_of(model):
-    return {name: array.tobytes() for name, array in model.state().items() if "scratch" not in name}
-
-
 @pytest.mark.parametrize("seed", [1, 2])
 def test_both_speeds_and_a_resumed_society_agree(seed):
     fast, slow = Realm(seed=seed), Realm(seed=seed, compiled=False)
@@ -142,6 +140,7 @@ def test_both_speeds_and_a_resumed_society_agree(seed):
     resumed = Realm(seed=seed)
     resumed.restore(half)
     resumed.advance(13)
+    seen = set()
     for other in (fast, resumed):
         for name in ("lords", "folk"):
             one, two = getattr(slow, name), getattr(other, name)
@@ -152,7 +151,11 @@ def test_both_speeds_and_a_resumed_society_agree(seed):
                 for group in ("village", "court"):
                     assert a.get_group_id(group) == b.get_group_id(group)
                 assert a.plan_weights() == b.plan_weights()
+                grain = a.get_group_attribute("village", "grain")
+                assert grain == b.get_group_attribute("village", "grain")
+                seen.add(grain)
     assert slow.folk.works.sum() > 0
+    assert 20.5 in seen  # 4 and 11 times 1.5
     assert len(slow.lords) == 2
 
 
@@ -187,3 +190,16 @@ def test_a_culture_needs_a_mind_and_a_name():
             class Wrong(Model):
                 folk = Population(Peasant, 1, **wrong)
                 schedule = ()
+
+
+def test_a_group_attribute_that_no_scheme_has_is_named_with_its_line():
+    def tax(lord):
+        lord.mind.set_group_attribute("village", "gold", 1.0)
+
+    class Taxed(Model):
+        folk = Population(Peasant, 1, mind=FOLK, culture="realm")
+        lords = Population(Lord, 1, mind=LORDS, culture="realm")
+        schedule = (each(lords, tax),)
+
+    with pytest.raises(ModelError, match=r"test_cultures.py:\d+: the attribute 'gold'"):
+        Taxed(seed=1)
