@@ -170,8 +170,8 @@ class Group:
         name: unique in the scheme.
         roles: each named once. Roles that name the same culturon hold the same description
             afterwards: links united, the last value and colour.
-        attributes: further numbers of an instance, by name, with their values when it is created;
-            they act on no plan.
+        attributes: further numbers of an instance, which act on no plan: pairs of a name and the
+            value when it is created, or a mapping.
 
     Raises:
         SchemeError: two roles have one name, or something is no role or no number.
@@ -184,7 +184,7 @@ class Group:
 
     name: str
     roles: tuple[Role, ...] = ()
-    attributes: tuple[tuple[str, float], ...] | Mapping[str, float] = ()
+    attributes: tuple[tuple[str, float], ...] = ()
 
     def __post_init__(self) -> None:
         checks.checked_name(self.name, "a group")

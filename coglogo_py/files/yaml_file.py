@@ -27,6 +27,7 @@ CULTURON_FIELDS = ("start", "colour", "position", *LINK_FIELDS)
 COGNITON_FIELDS = ("at_birth", *CULTURON_FIELDS)
 
 
+Attributes = tuple[tuple[str, float], ...]
 WIDTH = 100
 PLAIN = re.compile(r"[^\W\d][\w-]*( [\w-]+)*")
 """Names that need no quotes, but for the words that YAML takes for something else."""
@@ -103,7 +104,7 @@ def _described(
     }
 
 
-def _group(nodes: Nodes, name: str, node: yaml.Node, attributes: dict[str, float]) -> Group:
+def _group(nodes: Nodes, name: str, node: yaml.Node, attributes: Attributes) -> Group:
     where = f"group {name!r}"
     earlier: dict[str, Culturon] = {}
     roles = []
@@ -120,14 +121,14 @@ def _group(nodes: Nodes, name: str, node: yaml.Node, attributes: dict[str, float
     return Group(name, tuple(roles), attributes)
 
 
-def _attributes(nodes: Nodes, node: yaml.Node, groups: list[str]) -> dict[str, dict[str, float]]:
+def _attributes(nodes: Nodes, node: yaml.Node, groups: list[str]) -> dict[str, Attributes]:
     """Return the attributes of groups by the groups' names."""
     found = {}
     for group, at, values in nodes.entries(node, "group_attributes"):
         if group not in groups:
             known = f"a group of the scheme: {', '.join(groups) or 'there are none'}"
             raise nodes.error(at, f"attributes of a group {group!r}", known)
-        found[group] = dict(nodes.weights(values, f"attributes of group {group!r}"))
+        found[group] = tuple(nodes.weights(values, f"attributes of group {group!r}").items())
     return found
 
 
@@ -150,7 +151,7 @@ def _scheme(
     return kind(
         nodes.name(given["name"], "name of the scheme"),
         tuple(_cogniton(nodes, name, node) for name, _, node in entries("cognitons")),
-        tuple(_group(nodes, name, node, attributes.get(name, {})) for name, node in groups),
+        tuple(_group(nodes, name, node, attributes.get(name, ())) for name, node in groups),
         MaximumWeight() if maker is None else _decision_maker(nodes, maker, decision_makers),
         nodes.names(given.get("breeds", NOTHING), "breeds"),
         {
