@@ -105,7 +105,9 @@ def as_before(columns: Mapping[str, Any], known: Sequence[str], first: str | Non
         does not say which population an agent is of.
     """
     # Runs made before memberships were recorded go on without them.
-    columns = {n: one for n, one in columns.items() if n in known or not n.startswith(PARTS)}
+    unknown = {name for name in columns if name not in known and name.startswith(PARTS)}
+    if unknown:
+        columns = {name: one for name, one in columns.items() if name not in unknown}
     today = [name for name in columns if name != "tick"]
     if today == list(known) or not set(known) <= set(today):
         return columns
