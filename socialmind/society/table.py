@@ -436,7 +436,16 @@ class Table:
         self.counters[bookkeeping.FREE] = count + added
         self._see_columns()
         if self.society is not None:
-            self.society.reserve(slots - len(self))  # a mind for each slot
+            # A mind for each slot, and for those of the others who share these minds.
+            others = [
+                one
+                for one in self.model.tables.values()
+                if one is not self
+                and one.society is not None
+                and one.society.minds is self.society.minds
+            ]
+            vacant = sum(len(one.rows) - len(one) for one in others)
+            self.society.reserve(slots - len(self) + vacant)
         if self.minds is not None:
             self.minds.grow(slots)
 
