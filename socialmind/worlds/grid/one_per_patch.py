@@ -173,14 +173,12 @@ def _world_move_to_NAME(_model, agent, x, y):
 TICK = "    _world_begin(_model)\nPHASES    _world_end(_model)\n"
 
 
-def text(
-    populations: tuple[str, ...], fills: Mapping[str, str], sought: tuple[str, ...] = ()
-) -> str:
+def text(populations: tuple[str, ...], fills: Mapping[str, str], sought: tuple[str, ...]) -> str:
     """Return how compiled rules move agents of which a patch has room for one.
 
     Args:
-        populations: by name.
-        fills: where the world is.
+        populations: all of the model.
+        fills: how compiled code finds where the world is, and keeps a place in it.
         sought: the populations whose agents rules look for.
     """
     living = [f"_counters_{name}(_model)[_bookkeeping.ALIVE]" for name in populations]
@@ -224,8 +222,23 @@ class OnePerPatch(PatchWorld):
         self.list_free()
 
     def settle_in(self, tables: Mapping[str, Any]) -> None:
-        """Take note of the society's tables."""
+        """Take note of the society's tables; agents that begin with a place stand on it.
+
+        Raises:
+            ValueRefusedError: two stand on one patch.
+        """
         self._tables = dict(tables)
+        for table in tables.values():
+            beginning = table._placed_by
+            for place, slot in enumerate(table.slots.tolist() if beginning else ()):
+                new = self.place_of(table.columns["x"].item(slot), table.columns["y"].item(slot))
+                who = self._number_of(table, slot)
+                if not moved(self._taken, self._free, self._free_at, new, new, who):
+                    raise ValueRefusedError(
+                        f"{beginning.what}, {beginning.row(place)}: found an agent on "
+                        f"{self.row_class(self, new)!r}, where {self._who(self._taken.item(new))} "
+                        "stands; expected a patch of its own"
+                    )
 
     @property
     def knows_agents(self) -> bool:
@@ -248,6 +261,15 @@ class OnePerPatch(PatchWorld):
     def snapshot(self) -> dict[str, NDArray[Any]]:
         """Return copies of the arrays that a checkpoint keeps."""
         return super().snapshot() | {"taken": self._taken.copy()}
+
+    def misfit(self, state: Mapping[str, Any]) -> str | None:
+        """Say what is wrong with arrays that are offered as a state, or None."""
+        found = super().misfit(state)
+        if found is None:
+            there = state["taken"][state["taken"] != NOBODY]
+            if len(there) and (there.min() < 0 or len(np.unique(there)) < len(there)):
+                found = "world.taken holds agents that stand on no patch, or on two"
+        return found
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take the arrays of a checkpoint."""
