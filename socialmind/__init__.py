@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from socialmind.errors import ModelError as ModelError
     from socialmind.errors import RuleError as RuleError
     from socialmind.errors import SocialmindError as SocialmindError
+    from socialmind.language.plans import repeat as repeat
+    from socialmind.language.plans import sequence as sequence
+    from socialmind.language.plans import until as until
+    from socialmind.language.plans import when as when
     from socialmind.model import Model as Model
     from socialmind.society.parameter import Parameter as Parameter
     from socialmind.society.parameter import parameter as parameter
@@ -31,6 +35,7 @@ else:
         {
             "socialmind.agents.agent": "Agent",
             "socialmind.errors": "IdleWarning ModelError RuleError SocialmindError",
+            "socialmind.language.plans": "repeat sequence until when",
             "socialmind.model": "Model",
             "socialmind.society.parameter": "Parameter parameter",
             "socialmind.society.phases": "each once",

@@ -118,9 +118,11 @@ class _Lowering(ast.NodeTransformer):
         if isinstance(place, ast.Subscript):
             target: Any = self.generic_visit(place)
             return [ast.Assign([target], value)]
-        if not isinstance(field, Field):  # a plan
-            target = ast.Attribute(self.visit(place.value), "_plan", ast.Store())
-            return [ast.Assign([target], value)]
+        if not isinstance(field, Field):  # a plan, which begins anew where it goes on over ticks
+            holder = self.visit(place.value)
+            if field is None:
+                return [ast.Assign([ast.Attribute(holder, "_plan", ast.Store())], value)]
+            return [ast.Expr(ast.Call(_name(f"_begin_plan_{field}"), [value, holder], []))]
         if place.mark[0] == "agent":
             value = self.kept_within(place.mark[1], field.name, value)
         holder = self.holder(place, place.mark)
@@ -197,6 +199,10 @@ class _Lowering(ast.NodeTransformer):
     def lower_plan(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Attribute(self.visit(node.value), "_plan", ast.Load())
 
+    def lower_plan_ended(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        step = ast.Attribute(self.visit(node.value), "_step", ast.Load())
+        return ast.Compare(step, [ast.Lt()], [ast.Constant(0)])
+
     def lower_no_plan(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Constant(-1)
 
@@ -218,7 +224,7 @@ class _Lowering(ast.NodeTransformer):
         return _call(f"_{mark[0]}_{mark[1]}", *owner, *arguments)
 
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
-    lower_run_plan = lower_method
+    lower_run_plan = lower_reconsider_plan = lower_method
 
     def lower_mind(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower a mind or a hierarchy, or what it is asked by a function of the same name."""

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
-from socialmind.engine.access import AGENTS, call_text, plans_text, population_text
+from socialmind.engine.access import AGENTS, population_text
+from socialmind.engine.plans_text import call_text, plans_text
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
 from socialmind.streams import ORDER_TAG
@@ -31,7 +32,9 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
     for population in shape.populations.values():
-        parts.append(population_text(population, population.name in own_makers))
+        name = population.name
+        reconsiders = name in program.reconsidered
+        parts.append(population_text(population, name in own_makers, reconsiders))
     minded = [one for one in shape.populations.values() if one.hierarchy]
     if minded:
         from socialmind.mind.code import text as minds
@@ -43,7 +46,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     for function in program.functions.values():
         parts.append(f"@_inner\n{lowered(function, shape)}")
     for name, plans in program.plans.items():
-        parts.append(plans_text(name, list(plans.values())))
+        parts.append(plans_text(name, plans))
     parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]
     setup, tick = _calls(program.setup), world.tick.replace("PHASES", _calls(program.schedule))
     parts.append(world.stages.replace("PHASES", _calls(program.schedule)))

@@ -178,7 +178,8 @@ def for_agents_method(typer: Typer, holder: str, name: str) -> str:
     if name in typer.shape.world.commands:
         return f"write model.world.{name}({holder}, …)"
     known = _filled(AGENT, name, typer, holder)
-    return known or f"{nearest(name, ('die', 'hatch', 'run_plan'))}; or call a function"
+    methods = ("die", "hatch", "run_plan", "reconsider_plan")
+    return known or f"{nearest(name, methods)}; or call a function"
 
 
 def for_model(typer: Typer, name: str) -> str:

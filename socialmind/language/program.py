@@ -10,6 +10,7 @@ from typing import Any
 
 from socialmind.errors import ModelError, close, nearest
 from socialmind.language import arithmetic
+from socialmind.language.plan_calls import TypedPlans, typed_plans
 from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import Names, RuleSource, rule_source
 from socialmind.language.syntax import compiled
@@ -80,7 +81,8 @@ class Program:
         self.functions: dict[str, TypedFunction] = {}
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
         self.births: list[str] = []
-        self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
+        self.plans: dict[str, TypedPlans] = {}
+        self.reconsidered = set[str]()
         self._sources: dict[Callable[..., Any], RuleSource] = {}
         self._modules: dict[python_types.ModuleType, Names] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
@@ -113,14 +115,30 @@ class Program:
     def _phases(self, shapes: tuple[PhaseShape, ...], first_tag: int) -> tuple[Phase, ...]:
         tags = phase_tags(first_tag, [self.source(shape.rule).name for shape in shapes])
         return tuple(
-            Phase(shape, *self._entry(shape.rule, shape.population), tag)
+            Phase(shape, *self.entry(shape.rule, shape.population), tag)
             for shape, tag in zip(shapes, tags, strict=True)
         )
 
-    def _entry(
+    def entry(
         self, rule: Callable[..., Any], population: str | None
     ) -> tuple[str, tuple[str, ...]]:
-        """Type a function of the schedule or of a plan; return its symbol and what it takes."""
+        """Type a rule of the schedule or of a plan; return its symbol and what it takes."""
+        symbol, takes, result = self.called(rule, population)
+        if result != NONE:
+            source = self.source(rule)
+            raise ModelError(
+                f"the rule {source.name!r}, which returns {result}",
+                "a rule that returns nothing",
+                "write what it found into a field",
+                source.file,
+                source.line,
+            )
+        return symbol, takes
+
+    def called(
+        self, rule: Callable[..., Any], population: str | None
+    ) -> tuple[str, tuple[str, ...], AnyType]:
+        """Type a function that is no other's; return symbol, what it takes and what it returns."""
         source = self.source(rule)
         names = source.parameters
         known: dict[str, AnyType] = {"model": MODEL, "rng": RNG}
@@ -156,41 +174,16 @@ class Program:
                 source.line,
             )
         symbol, result = self.specialised(source, tuple(kinds), None, source.tree)
-        if result != NONE:
-            raise ModelError(
-                f"the rule {source.name!r}, which returns {result}",
-                "a rule that returns nothing",
-                "write what it found into a field",
-                source.file,
-                source.line,
-            )
-        return symbol, tuple(takes)
+        return symbol, tuple(takes), result
 
     def runs_plans(self, population: str, typer: Any, node: ast.AST) -> None:
         """Type the functions of a population's plans, once a rule runs them."""
         for calls in self._calls:
             calls.add(population)
-        if population in self.plans:
-            return
-        self.plans[population] = {}
-        for plan, function in self.shape.populations[population].plans.items():
-            symbol, takes = self._entry(function, population)
-            if population in self._reached[symbol]:
-                source = self.functions[symbol].source
-                raise ModelError(
-                    f"the plan {plan!r}, in which an agent carries out its plan",
-                    "a plan that ends",
-                    "leave run_plan() to the rule that chooses the plan",
-                    source.file,
-                    source.line,
-                )
-            self.plans[population][plan] = symbol, takes
-        if not self.plans[population]:
-            typer.refuse(
-                node,
-                f"run_plan() of {population!r}, which has no plans",
-                "give the population plans: Population(…, plans={'GrowWheat': grow_wheat})",
-            )
+        if population not in self.plans:
+            # A plan may carry out plans, which is refused once it is typed.
+            self.plans[population] = TypedPlans((), (), None)
+            self.plans[population] = typed_plans(self, population, typer, node)
 
     @property
     def within_a_call(self) -> bool:
@@ -206,6 +199,10 @@ class Program:
         """Note that a function writes fields of a population, or brings births or deaths."""
         for calls in self._calls:
             calls.add(f"changes {population}")
+
+    def carries_out(self, symbol: str, population: str) -> bool:
+        """Return whether a function carries out plans of a population, or calls one that does."""
+        return population in self._reached[symbol]
 
     def changed_by(self, symbol: str, population: str) -> bool:
         """Return whether a function changes agents of a population, or calls one that does."""

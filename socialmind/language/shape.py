@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple
 
 from socialmind.fields import Field
+from socialmind.language.plans import PlanSteps, PlanTree, goes_on, steps_of
 
 
 @dataclass(frozen=True)
@@ -18,7 +20,7 @@ class PopulationShape:
         name: its name.
         fields: the fields of an agent.
         minded: whether its agents have cogniton minds.
-        plans: the function of each plan.
+        plans: the rule or the tree of each plan.
         hierarchy: whether its agents have hierarchies of skills.
         weighed: whether these weigh the plans of its cogniton minds.
         own: the fields that a hatched agent does not take from its parent: they are as at birth.
@@ -28,11 +30,16 @@ class PopulationShape:
     name: str
     fields: Mapping[str, Field]
     minded: bool = False
-    plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    plans: Mapping[str, Callable[..., Any] | PlanTree] = field(default_factory=dict)
     hierarchy: bool = False
     weighed: bool = False
     own: tuple[str, ...] = ()
     evaluated_by_world: bool = False
+
+    @cached_property
+    def steps(self) -> PlanSteps | None:
+        """The steps of its plans, where some are trees: then an agent stands at one of them."""
+        return steps_of(self.plans) if goes_on(self.plans) else None
 
 
 @dataclass(frozen=True)

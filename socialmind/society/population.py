@@ -17,6 +17,7 @@ from coglogo_py.border.numbers import is_truth, is_whole
 from socialmind.agents.agent import Agent
 from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
+from socialmind.language.plans import PlanTree
 from socialmind.language.shape import PopulationShape
 from socialmind.society.table import Table
 
@@ -31,8 +32,8 @@ if TYPE_CHECKING:
 
 TAKEN_NAMES = frozenset((
     "id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy", "minds", "acting", "alive",
-    "columns", "counters", "default", "dtype", "free", "model", "order", "row_class", "rows",
-    "shape", "slot_of", "society", "weighing",
+    "columns", "counters", "default", "dtype", "free", "model", "order", "plan_ended", "plan_step",
+    "reconsider_plan", "row_class", "rows", "shape", "slot_of", "society", "weighing",
 ))  # fmt: skip
 """What an agent, and a population's table, keep under these names beside its methods."""
 
@@ -45,7 +46,8 @@ class Population:
         agent: the annotated class of its agents, which inherits from `Agent`.
         size: how many there are at the start: a number, or the name of a parameter.
         mind: the scheme of their minds: a file beside the model, or a `CognitiveScheme`.
-        plans: the function of each plan, by the plan's name in the scheme.
+        plans: the rule of each plan, or a tree of rules (`sequence`, `repeat`, `until`, `when`),
+            by the plan's name in the scheme.
         decision_makers: decision makers of the modeller's own that the scheme's file may name.
         hierarchy: the hierarchy of skills of its agents (MIND): a folder or YAML file beside the
             model, or a `MindDescription`. An agent may have both kinds of mind.
@@ -66,7 +68,7 @@ class Population:
     agent: type
     size: int | str
     mind: str | Path | CognitiveScheme | None = None
-    plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    plans: Mapping[str, Callable[..., Any] | PlanTree] = field(default_factory=dict)
     decision_makers: tuple[Any, ...] = ()
     hierarchy: str | Path | MindDescription | None = None
     master: str | None = None

@@ -80,6 +80,10 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
             raise _refused(model, f"{name}.rows", "minds that are nobody's")
         if len(plans) and not -1 <= plans.min() <= plans.max() < len(table.society.scheme.plans):
             raise _refused(model, f"{name}.rows", "plans that its scheme lacks")
+    if table.shape.steps is not None and len(slots):
+        steps = rows["_step"][slots]
+        if not -1 <= steps.min() <= steps.max() < len(table.shape.steps.steps):
+            raise _refused(model, f"{name}.rows", "steps that its plans lack")
     if table.minds is not None:
         from socialmind.mind.kernel.layout import State
 

@@ -12,6 +12,7 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
 from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
+from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import Row, held_class, row_class
 from socialmind.columns import check_fields, column, columns_of
 from socialmind.compiling.layout import row_dtype
@@ -80,6 +81,8 @@ class Table:
             self.default[name] = self._kept_within(name, self.default[name])
         if shape.minded:
             self.default["_mind"] = self.default["_plan"] = self.default["_decided"] = -1
+        if shape.steps is not None:
+            self.default["_step"] = ENDED
         capacity = max(size, 1)
         self.rows = np.zeros(capacity, self.dtype)
         self.order = np.zeros(capacity, np.int64)
@@ -322,6 +325,8 @@ class Table:
         self.rows[slot] = self.rows[parent._slot]
         for name in self.shape.own:
             self.columns[name][slot] = self.default[name][0]
+        if self.shape.steps is not None:
+            self.columns["_plan"][slot] = self.columns["_step"][slot] = ENDED
         agent = self._named(slot)
         if self.society is not None:
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
@@ -396,6 +401,19 @@ class Table:
             self.society.reserve(slots - len(self))  # a mind for each slot
         if self.minds is not None:
             self.minds.grow(slots)
+
+    def plan_steps(self, slots: Any) -> list[str | None]:
+        """Return the rule or condition at which the plans of agents in slots go on, or None."""
+        steps = self.shape.steps
+        if steps is None or self.society is None:
+            return [None] * len(slots)
+        plans = self.society.scheme.plans
+        found: list[str | None] = []
+        standing = (self.columns[name][slots].tolist() for name in ("_plan", "_step"))
+        for plan, step in zip(*standing, strict=True):
+            ended = plan < 0 or step < 0 or plans[plan] not in steps.entries
+            found.append(None if ended else steps.name(step or steps.entries[plans[plan]]))
+        return found
 
     # State ------------------------------------------------------------------------------------
 

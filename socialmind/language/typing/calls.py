@@ -226,6 +226,13 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, na
         return method_call(
             node, base, name, [value for value, _ in kinds], ("run_plan", population)
         ), types.NONE
+    if name == "reconsider_plan":
+        if not typer.shape.populations[population].minded:
+            typer.refuse(node, f"reconsider_plan() of {kind}", "give the population a mind")
+        without_keywords(typer, node, "agent.reconsider_plan")
+        factor = fitted(typer, node, "agent.reconsider_plan", Signature((types.FLOAT,), types.BOOL))
+        typer.program.reconsidered.add(population)
+        return method_call(node, base, name, factor, (name, population)), types.BOOL
     if name in typer.shape.populations[population].fields:
         typer.refuse(node, f"a call of the field {name!r}", "read it without ()")
     return typer.refuse(

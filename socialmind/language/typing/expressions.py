@@ -347,7 +347,16 @@ class ExpressionTyper:
         if node.attr == "mind" and shape.minded:
             return marked(node, ("mind", shape.name)), types.MindType(shape.name)
         if node.attr == "plan" and shape.minded:
-            return marked(node, ("plan",)), types.PlanType(shape.name)
+            steps = None if shape.steps is None else shape.name
+            return marked(node, ("plan", steps)), types.PlanType(shape.name)
+        if node.attr == "plan_ended" and shape.minded:
+            if shape.steps is None:
+                self.refuse(
+                    node,
+                    f"plan_ended of {kind}, whose plans are rules of one tick",
+                    "leave it out, or make a plan of several parts: sequence(sow, reap)",
+                )
+            return marked(node, ("plan_ended",)), types.BOOL
         if node.attr == "hierarchy" and shape.hierarchy:
             return marked(node, ("hierarchy", shape.name)), types.HierarchyType(shape.name)
         if node.attr == "hierarchy":
