@@ -48,7 +48,11 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     for name, plans in program.plans.items():
         parts.append(plans_text(name, plans))
     parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]
-    setup, tick = _calls(program.setup), world.tick.replace("PHASES", _calls(program.schedule))
+    parts += _births_text(program.at_birth)
+    setup, tick = (
+        _calls(program.setup) + _founders(program.at_birth),
+        world.tick.replace("PHASES", _calls(program.schedule)),
+    )
     parts.append(world.stages.replace("PHASES", _calls(program.schedule)))
     parts.append(_loops_text(shape, program, setup, tick))
     parts.append(world.after.replace("SETUP", setup or "    pass"))
@@ -130,12 +134,53 @@ def _phase_text(shape: ModelShape, phase: Phase) -> str:
     return "\n".join(lines)
 
 
+_BORN = """@_inner
+def _births_NAME(_model, rng):
+    counters = _counters_NAME(_model)
+    first = counters[_bookkeeping.COUNT]
+    place = first
+    while place < counters[_bookkeeping.ENTRIES]:
+        slot = _order_NAME(_model)[place]
+        place += 1
+        if _alive_NAME(_model)[slot]:
+            agent = _rows_NAME(_model)[slot]
+            _begin(rng, TAG, agent._id, _model._tick)
+            CALL
+    counters[_bookkeeping.COUNT] = place
+    return place > first"""
+
+
+def _births_text(phases: Sequence[Phase]) -> list[str]:
+    """Return what lets the newborn follow their rule: all between those who act and the last."""
+    if not phases:
+        return []
+    parts, calls = [], ""
+    for phase in phases:
+        text = _BORN.replace("TAG", str(phase.tag))
+        text = text.replace("CALL", call_text(phase.symbol, phase.takes))
+        name = str(phase.shape.population)
+        parts.append(text.replace("NAME", name))
+        calls += f"        again = _births_{name}(_model, rng) or again\n"
+    begin = "@_inner\ndef _births(_model, rng):\n    again = True\n    while again:\n"
+    return [*parts, f"{begin}        again = False\n{calls}"]
+
+
+def _founders(phases: Sequence[Phase]) -> str:
+    """Return what lets the founders follow the rule at birth."""
+    counts = "".join(
+        f"    _counters_{phase.shape.population}(_model)[_bookkeeping.COUNT] = 0\n"
+        for phase in phases
+    )
+    return f"{counts}    _births(_model, rng)\n" if phases else ""
+
+
 def _calls(phases: Sequence[Phase]) -> str:
     return "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in phases)
 
 
 def _loops_text(shape: ModelShape, program: Program, setup: str, tick: str) -> str:
-    settle = "".join(
+    settle = "    _births(_model, _stream(_model))\n" if program.at_birth else ""
+    settle += "".join(
         f"    _settle(_counters_{name}(_model), _order_{name}(_model), _alive_{name}(_model), "
         f"_free_{name}(_model))\n"
         for name in shape.populations

@@ -16,7 +16,14 @@ from socialmind.language.source import Names, RuleSource, rule_source
 from socialmind.language.syntax import compiled
 from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TableType, TextType
 from socialmind.language.typing.statements import FunctionTyper
-from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
+from socialmind.streams import (
+    BIRTH_TAG,
+    BIRTH_TAGS,
+    SCHEDULE_TAG,
+    SETUP_TAG,
+    TAGS,
+    phase_tags,
+)
 
 
 @dataclass(frozen=True)
@@ -93,6 +100,12 @@ class Program:
         self._reached: dict[str, set[str]] = {}
         self.setup = self._phases(shape.setup, SETUP_TAG)
         self.schedule = self._phases(shape.schedule, SCHEDULE_TAG)
+        born = tuple(
+            PhaseShape(one.at_birth, one.name, shuffled=False)
+            for one in shape.populations.values()
+            if one.at_birth is not None
+        )
+        self.at_birth = self._phases(born, BIRTH_TAG, BIRTH_TAGS)
         self.world: Any = shape.world.typed(self)
 
     def source(self, function: Callable[..., Any]) -> RuleSource:
@@ -112,8 +125,11 @@ class Program:
             names.outdated for names in self._modules.values()
         )
 
-    def _phases(self, shapes: tuple[PhaseShape, ...], first_tag: int) -> tuple[Phase, ...]:
-        tags = phase_tags(first_tag, [self.source(shape.rule).name for shape in shapes])
+    def _phases(
+        self, shapes: tuple[PhaseShape, ...], first_tag: int, tags_there: int = TAGS
+    ) -> tuple[Phase, ...]:
+        names = [self.source(shape.rule).name for shape in shapes]
+        tags = phase_tags(first_tag, names, tags_there)
         return tuple(
             Phase(shape, *self.entry(shape.rule, shape.population), tag)
             for shape, tag in zip(shapes, tags, strict=True)

@@ -25,6 +25,7 @@ class PopulationShape:
         weighed: whether these weigh the plans of its cogniton minds.
         own: the fields that a hatched agent does not take from its parent: they are as at birth.
         evaluated_by_world: whether a tick of the world evaluates its hierarchies.
+        at_birth: the rule that each agent follows once, or None.
     """
 
     name: str
@@ -35,6 +36,7 @@ class PopulationShape:
     weighed: bool = False
     own: tuple[str, ...] = ()
     evaluated_by_world: bool = False
+    at_birth: Callable[..., Any] | None = None
 
     @cached_property
     def steps(self) -> PlanSteps | None:

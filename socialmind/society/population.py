@@ -61,6 +61,9 @@ class Population:
         body: what its bodies are made of, where the world is a plane and they move on it.
         sensors: the sensors of each body, by name.
         actuators: the actuators of each body, by name.
+        at_birth: a rule that each agent follows once, founders too: at the end of the setup or of
+            the tick in which it came into being, when what made it has set its fields, in order of
+            birth, before it is recorded and before it acts.
         bounds: the smallest and largest value that the model's rules let cognitons take, by name
             (`{"Fear": (0.0, 10.0)}`); `explain` proposes no change beyond them.
     """
@@ -80,6 +83,7 @@ class Population:
     sensors: Mapping[str, Sense | RangeFinder] = field(default_factory=dict)
     actuators: Mapping[str, Act] = field(default_factory=dict)
     bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    at_birth: Callable[..., Any] | None = None
     name: str = field(default="", init=False)
 
     def __post_init__(self) -> None:
@@ -170,4 +174,5 @@ class Population:
             self.plans,
             self.hierarchy is not None,
             self.weighing is not None,
+            at_birth=self.at_birth,
         )
