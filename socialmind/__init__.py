@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from socialmind.language.plans import until as until
     from socialmind.language.plans import when as when
     from socialmind.model import Model as Model
+    from socialmind.society.civilisations import Civilisation as Civilisation
     from socialmind.society.parameter import Parameter as Parameter
     from socialmind.society.parameter import parameter as parameter
     from socialmind.society.phases import each as each
@@ -37,6 +38,7 @@ else:
             "socialmind.errors": "IdleWarning ModelError RuleError SocialmindError",
             "socialmind.language.plans": "repeat sequence until when",
             "socialmind.model": "Model",
+            "socialmind.society.civilisations": "Civilisation",
             "socialmind.society.parameter": "Parameter parameter",
             "socialmind.society.phases": "each once",
             "socialmind.society.population": "Population",

@@ -64,7 +64,13 @@ def _population(one: Population) -> tuple[str, ...]:
     if one.hierarchy is not None:
         minds.append(f"skills {_called(one.hierarchy)}")
     fields = [name for name in one.shape.fields if name not in ("x", "y", "heading")]
-    return one.name, str(one.size), one.agent.__name__, ", ".join(minds), ", ".join(fields)
+    return (
+        one.name,
+        " + ".join(map(str, one.sizes)),
+        one.agent.__name__,
+        ", ".join(minds),
+        ", ".join(fields),
+    )
 
 
 def _called(mind: Any) -> str:

@@ -182,7 +182,9 @@ def _check_kind(cls: type, parameter: Parameter, kind: Any) -> None:
 
 def _check_sizes(cls: type, found: Declaration) -> None:
     """Refuse a size that is neither a number nor a parameter of whole numbers."""
-    sized: list[tuple[str, Any, int]] = [(n, p.size, 0) for n, p in found.populations.items()]
+    sized: list[tuple[str, Any, int]] = [
+        (name, size, 0) for name, one in found.populations.items() for size in one.sizes
+    ]
     if found.world.size is not None:
         sized.append(("world", found.world.size, 1))
     whole = [name for name, one in found.parameters.items() if one.kind is int]

@@ -18,6 +18,7 @@ from socialmind.agents.running import Running
 from socialmind.compiling.layout import row_dtype
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, presence
+from socialmind.society.civilisations import found
 from socialmind.society.connection import names_of_minds
 from socialmind.society.parameter import Parameter
 from socialmind.society.population import Population
@@ -185,6 +186,15 @@ def _check_plans(
 ) -> None:
     """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
     cognitons = [one.name for one in scheme.cognitons]
+    for civilisation in population.civilisations:
+        for cogniton in civilisation.cognitons:
+            if cogniton not in cognitons:
+                raise civilisation.error(
+                    f"the cogniton {cogniton!r} of {civilisation.name!r}, which the scheme "
+                    f"{scheme.name!r} does not have",
+                    None,
+                    nearest(cogniton, cognitons),
+                )
     for cogniton in population.bounds:
         if cogniton not in cognitons:
             raise ModelError(
@@ -215,8 +225,10 @@ def tables_of(society: Running, steerings: Mapping[str, Steering]) -> dict[str, 
         SocialmindError: more agents than there is memory for.
     """
     sizes = {}
+    peoples = {}
     for name, population in society.populations.items():
-        sizes[name] = size_of(society.context, population.size, 0)
+        peoples[name] = [size_of(society.context, one, 0) for one in population.sizes]
+        sizes[name] = sum(peoples[name])
         shape = society.shape.populations[name]
         # Beside its row an agent has a place in five more arrays, and its mind.
         row = row_dtype(dict(shape.fields), shape).itemsize + 5 * 8
@@ -235,6 +247,9 @@ def tables_of(society: Running, steerings: Mapping[str, Steering]) -> dict[str, 
             skills = partial(_skills, society, name, steerings[name].drive)
         shape = society.shape.populations[name]
         tables[name] = Table(society, shape, sizes[name], minds, skills)
+        civilisations = society.populations[name].civilisations
+        if civilisations:
+            found(tables[name], civilisations, peoples[name], society.seed)
     return tables
 
 

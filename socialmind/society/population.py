@@ -19,6 +19,7 @@ from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
 from socialmind.language.plans import PlanTree
 from socialmind.language.shape import PopulationShape
+from socialmind.society.civilisations import FIELD, Civilisation, civilisation_field
 from socialmind.society.table import Table
 
 if TYPE_CHECKING:
@@ -44,7 +45,8 @@ class Population:
 
     Args:
         agent: the annotated class of its agents, which inherits from `Agent`.
-        size: how many there are at the start: a number, or the name of a parameter.
+        size: how many there are at the start: a number, or the name of a parameter; left out where
+            there are civilisations.
         mind: the scheme of their minds: a file beside the model, or a `CognitiveScheme`.
         plans: the rule of each plan, or a tree of rules (`sequence`, `repeat`, `until`, `when`),
             by the plan's name in the scheme.
@@ -64,12 +66,13 @@ class Population:
         at_birth: a rule that each agent follows once, founders too: at the end of the setup or of
             the tick in which it came into being, when what made it has set its fields, in order of
             birth, before it is recorded and before it acts.
+        civilisations: the peoples of which its agents are, each with its founders.
         bounds: the smallest and largest value that the model's rules let cognitons take, by name
             (`{"Fear": (0.0, 10.0)}`); `explain` proposes no change beyond them.
     """
 
     agent: type
-    size: int | str
+    size: int | str | None = None
     mind: str | Path | CognitiveScheme | None = None
     plans: Mapping[str, Callable[..., Any] | PlanTree] = field(default_factory=dict)
     decision_makers: tuple[Any, ...] = ()
@@ -84,11 +87,14 @@ class Population:
     actuators: Mapping[str, Act] = field(default_factory=dict)
     bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     at_birth: Callable[..., Any] | None = None
+    civilisations: tuple[Civilisation, ...] = ()
     name: str = field(default="", init=False)
 
     def __post_init__(self) -> None:
         for name in ("plans", "sensors", "actuators", "bounds"):
             setattr(self, name, dict(getattr(self, name) or {}))
+        if isinstance(self.civilisations, list):
+            self.civilisations = tuple(self.civilisations)
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -113,6 +119,7 @@ class Population:
                 "name its scheme: mind='scheme.yaml'",
             )
         self._check_hierarchy()
+        self._check_civilisations()
         for cogniton, ends in self.bounds.items():
             pair = isinstance(ends, tuple | list) and len(ends) == 2
             real = pair and all(isinstance(end, Real) and not is_truth(end) for end in ends)
@@ -130,6 +137,33 @@ class Population:
                 raise ModelError(found, expected, None, file, line)
             if held.name in Agent.__annotations__ and (held.storage, held.size) != ("f8", None):
                 raise ModelError(found, "a float, as in every agent", None, file, line)
+
+    @property
+    def sizes(self) -> tuple[int | str, ...]:
+        """How many there are at the start: of each civilisation, or of all."""
+        if self.civilisations:
+            return tuple(one.agents for one in self.civilisations)
+        return () if self.size is None else (self.size,)
+
+    def _check_civilisations(self) -> None:
+        """Refuse civilisations that are none, and a population without a size."""
+        several = self.civilisations
+        if not isinstance(several, tuple) or not all(isinstance(o, Civilisation) for o in several):
+            found = f"civilisations={shown(several)} of {self.name!r}"
+            raise ModelError(found, "a tuple of Civilisation(…)")
+        if (self.size is None) != bool(several):
+            found = "size and civilisations" if several else "neither size nor civilisations"
+            raise ModelError(f"{found} of {self.name!r}", "one of them")
+        names = [one.name for one in several]
+        fields = class_fields(self.agent)
+        for place, one in enumerate(several):
+            if one.name in names[:place]:
+                raise one.error(f"two civilisations called {one.name!r}", "names of their own")
+            one.check(fields, self.mind is not None)
+        if several and FIELD in fields:
+            file, line = place_of_field(self.agent, FIELD)
+            found = f"a field called {FIELD!r} in {self.name!r}, which has civilisations"
+            raise ModelError(found, None, "leave it out: agents have it", file, line)
 
     def _check_hierarchy(self) -> None:
         """Refuse what belongs to a hierarchy where there is none, and wrong instances."""
@@ -167,6 +201,8 @@ class Population:
     def shape(self) -> PopulationShape:
         """What rules may know of the population."""
         fields = class_fields(self.agent)
+        if self.civilisations:
+            fields[FIELD] = civilisation_field(self.civilisations)
         return PopulationShape(
             self.name,
             fields,

@@ -69,6 +69,11 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
         known[ids] = slots
     if not np.array_equal(known, slot_of):
         raise _refused(model, f"{name}.slot_of", "identities that are not those of its agents")
+    for field in table.shape.fields.values():
+        if field.choices and len(slots):
+            chosen = rows[field.name][slots]
+            if not 0 <= chosen.min() <= chosen.max() < len(field.choices):
+                raise _refused(model, f"{name}.rows", f"no {field.name} of the model's")
     if table.society is not None:
         for part in MindArrays._fields:
             _check(state, f"{name}.minds.{part}", None, None, model)

@@ -153,6 +153,8 @@ class Table:
         if field is not None and field.optional:
             values = values.astype(object)
             values[~self.holds(name)] = None
+        if field is not None and field.choices:
+            values = np.array(field.choices, object)[values]
         return column(values, f"society.{shape.name}.{name}")
 
     def __setattr__(self, name: str, value: Any) -> None:

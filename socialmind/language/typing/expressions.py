@@ -130,6 +130,12 @@ class ExpressionTyper:
         if target == types.FLOAT and kind in types.NUMBERS:
             value, kind = self.as_number(value, kind, near)
             return self.to_float(value, kind)
+        if isinstance(target, types.ChoiceType) and isinstance(kind, types.TextType):
+            if kind.value not in target.texts:
+                advice = nearest(kind.value, target.texts)
+                self.refuse(near, f"{kind} for {what}", advice, str(target))
+            place = target.texts.index(kind.value)
+            return marked(constant(kind.value, near), ("choice", place))
         if target == types.INT and kind == types.BOOL:
             return call("_as_int", [value], near)
         if target == types.INT and kind == types.FLOAT:
