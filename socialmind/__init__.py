@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from socialmind.agents.agent import Agent as Agent
+    from socialmind.agents.message import Message as Message
     from socialmind.errors import IdleWarning as IdleWarning
     from socialmind.errors import ModelError as ModelError
     from socialmind.errors import RuleError as RuleError
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from socialmind.language.plans import when as when
     from socialmind.model import Model as Model
     from socialmind.society.civilisations import Civilisation as Civilisation
+    from socialmind.society.messages import Messages as Messages
     from socialmind.society.parameter import Parameter as Parameter
     from socialmind.society.parameter import parameter as parameter
     from socialmind.society.phases import each as each
@@ -35,10 +37,12 @@ else:
         __name__,
         {
             "socialmind.agents.agent": "Agent",
+            "socialmind.agents.message": "Message",
             "socialmind.errors": "IdleWarning ModelError RuleError SocialmindError",
             "socialmind.language.plans": "repeat sequence until when",
             "socialmind.model": "Model",
             "socialmind.society.civilisations": "Civilisation",
+            "socialmind.society.messages": "Messages",
             "socialmind.society.parameter": "Parameter parameter",
             "socialmind.society.phases": "each once",
             "socialmind.society.population": "Population",

@@ -218,13 +218,14 @@ class _Lowering(ast.NodeTransformer):
     def lower_method(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower what an agent or a population does by a function of the same name."""
         arguments = [self.visit(argument) for argument in node.args]
-        owner = [] if mark[0] in ("create", "one_of", "contains") else [self.visit(node.func.value)]
+        alone = ("create", "one_of", "contains", "send")
+        owner = [] if mark[0] in alone else [self.visit(node.func.value)]
         if mark[0] == "run_plan":
             arguments = arguments[1:]  # the model goes first anyway
         return _call(f"_{mark[0]}_{mark[1]}", *owner, *arguments)
 
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
-    lower_run_plan = lower_reconsider_plan = lower_method
+    lower_run_plan = lower_reconsider_plan = lower_send = lower_method
 
     def lower_mind(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower a mind or a hierarchy, or what it is asked by a function of the same name."""
@@ -281,6 +282,25 @@ class _Lowering(ast.NodeTransformer):
         head.body += node.body
         head.orelse = node.orelse
         return head
+
+    def lower_mailbox(self, node: Any, mark: tuple[Any, ...]) -> list[ast.stmt]:
+        population = mark[1]
+        self.loops += 1
+        ahead, slot = f"_ahead_{self.loops}", f"_message_{self.loops}"
+        first = ast.Attribute(self.visit(node.iter.args[0]), f"_first_{population}", ast.Load())
+        head: Any = parsed(
+            f"while {ahead} >= 0:\n"
+            f"    {slot} = {ahead}\n"
+            f"    {ahead} = _rows_{population}(_model)[{slot}]._next\n"
+            f"    if not _alive_{population}(_model)[{slot}]:\n"
+            f"        continue\n"
+            f"    {ast.unparse(node.target)} = _rows_{population}(_model)[{slot}]\n"
+        ).body[0]
+        node.iter = ast.Constant(0)
+        self.generic_visit(node)
+        head.body += node.body
+        head.orelse = node.orelse
+        return [ast.Assign([ast.Name(ahead, ast.Store())], first), head]
 
     def lower_patches(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
         self.generic_visit(node)

@@ -127,6 +127,46 @@ def _die_NAME(_model, agent):
         _died(_counters_NAME(_model), alive, _slot_of_NAME(_model), agent._slot, agent._id)
         DEAD_MIND"""
 
+_MESSAGES = """from socialmind.agents import message as _messages
+
+
+@_inner
+def _send_NAME(_model, sender, recipient):
+    message = _create_NAME(_model)
+    message.sender = sender._id
+    message.recipient = recipient._id
+    return message
+
+
+@_inner
+def _vanish_NAME(_model):
+    rows = _rows_NAME(_model)
+    _messages.vanish(
+        _counters_NAME(_model),
+        _order_NAME(_model),
+        _alive_NAME(_model),
+        _slot_of_NAME(_model),
+        rows._id,
+        rows.recipient,
+        _slot_of_TO(_model),
+    )
+
+
+@_inner
+def _deliver_NAME(_model):
+    rows = _rows_NAME(_model)
+    _messages.deliver(
+        _counters_NAME(_model),
+        _order_NAME(_model),
+        _alive_NAME(_model),
+        rows._next,
+        rows.recipient,
+        _counters_TO(_model),
+        _order_TO(_model),
+        _slot_of_TO(_model),
+        _rows_TO(_model)._first_NAME,
+    )"""
+
 _MINDS = """@_inner
 def _mind_place_NAME(agent):
     if agent._mind < 0:
@@ -262,6 +302,8 @@ def population_text(population: PopulationShape, own_maker: bool, reconsiders: b
         born = f"born = carray(_as_pointer(_model._{name}_default), (1,), {name}_ROW)[0]"
         lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
         fills["HATCHED_MIND"] = "\n    ".join([*lines, fills["HATCHED_MIND"]])
+    if population.messages_to is not None:
+        parts.append(_MESSAGES.replace("NAME", name).replace("TO", population.messages_to))
     text = _POPULATION
     for mark, fill in fills.items():
         text = text.replace(mark, fill)

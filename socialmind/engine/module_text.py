@@ -180,11 +180,14 @@ def _calls(phases: Sequence[Phase]) -> str:
 
 def _loops_text(shape: ModelShape, program: Program, setup: str, tick: str) -> str:
     settle = "    _births(_model, _stream(_model))\n" if program.at_birth else ""
+    messages = [name for name, one in shape.populations.items() if one.messages_to is not None]
+    settle += "".join(f"    _vanish_{name}(_model)\n" for name in messages)
     settle += "".join(
         f"    _settle(_counters_{name}(_model), _order_{name}(_model), _alive_{name}(_model), "
         f"_free_{name}(_model))\n"
         for name in shape.populations
     )
+    settle += "".join(f"    _deliver_{name}(_model)\n" for name in messages)
     room = "".join(
         f"    if _short_of_room(_counters_{name}(_model), _slot_of_{name}(_model)):\n"
         "        return True\n"

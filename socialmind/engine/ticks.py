@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from coglogo_py.border.errors import ChoiceError
 from socialmind.agents.bookkeeping import COUNT, ENTRIES
 from socialmind.errors import RuleError, place_of
+from socialmind.society.messages import fill_mailboxes, let_vanish
 from socialmind.society.phases import Rule
 from socialmind.streams import ORDER_TAG, Stream, shuffle
 
@@ -127,5 +128,7 @@ def taken(takes: tuple[str, ...], agent: Any, model: Running, rng: Stream) -> di
 
 
 def _settle(model: Running) -> None:
+    let_vanish(model.tables)
     for table in model.tables.values():
         table.settle()
+    fill_mailboxes(model.tables)

@@ -26,6 +26,8 @@ class PopulationShape:
         own: the fields that a hatched agent does not take from its parent: they are as at birth.
         evaluated_by_world: whether a tick of the world evaluates its hierarchies.
         at_birth: the rule that each agent follows once, or None.
+        messages_to: of messages, the population of their recipients.
+        mailboxes: the messages that its agents get.
     """
 
     name: str
@@ -37,6 +39,8 @@ class PopulationShape:
     own: tuple[str, ...] = ()
     evaluated_by_world: bool = False
     at_birth: Callable[..., Any] | None = None
+    messages_to: str | None = None
+    mailboxes: tuple[str, ...] = ()
 
     @cached_property
     def steps(self) -> PlanSteps | None:

@@ -13,6 +13,7 @@ from socialmind.agents.attributes import ArrayField, HeldArray
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field, declared, place_of_field, presence
+from socialmind.society.messages import Messages
 from socialmind.society.parameter import Parameter
 from socialmind.society.phases import PhaseDeclaration
 from socialmind.society.population import Population
@@ -112,6 +113,7 @@ def declaration_of(cls: type, model: type) -> Declaration:
         dict(own.get("measures", {})),
     )
     _check_sizes(cls, found)
+    _check_recipients(cls, found.populations)
     _check_devices(cls, model, found)
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
@@ -195,6 +197,15 @@ def _check_sizes(cls: type, found: Declaration) -> None:
                 _refuse(cls, name, f"the size {size!r}", expected, nearest(size, whole))
         elif not is_whole(size) or size < least:
             _refuse(cls, name, f"the size {shown(size)}", f"a whole number, {least} or more")
+
+
+def _check_recipients(cls: type, populations: dict[str, Population]) -> None:
+    """Refuse messages to a population of another class."""
+    for name, one in populations.items():
+        if isinstance(one, Messages) and one.to.name not in populations:
+            found = f"messages {name!r} to a population that the class does not have"
+            several = [n for n, other in populations.items() if not isinstance(other, Messages)]
+            _refuse(cls, name, found, f"one of {', '.join(several)}" if several else None)
 
 
 def _check_devices(cls: type, model: type, found: Declaration) -> None:

@@ -16,6 +16,7 @@ from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
 from socialmind.society.declaration import declaration_of
+from socialmind.society.messages import with_mailboxes
 from socialmind.sources.provenance import note_definition
 from socialmind.work.packing import is_private, reference
 
@@ -56,7 +57,9 @@ class ModelKind(ABCMeta):
             name=cls.name,
             parameters={name: one.field for name, one in cls.parameters.items()},
             variables=cls.variables,
-            populations={n: world.inhabited(one.shape) for n, one in cls.populations.items()},
+            populations=with_mailboxes(
+                {n: world.inhabited(one.shape) for n, one in cls.populations.items()}
+            ),
             world=world,
             setup=tuple(phase.shape for phase in cls.setup),
             schedule=tuple(phase.shape for phase in cls.schedule),

@@ -20,6 +20,7 @@ from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, presence
 from socialmind.society.civilisations import found
 from socialmind.society.connection import names_of_minds
+from socialmind.society.messages import MessageTable
 from socialmind.society.parameter import Parameter
 from socialmind.society.population import Population
 from socialmind.society.table import Table
@@ -246,7 +247,8 @@ def tables_of(society: Running, steerings: Mapping[str, Steering]) -> dict[str, 
         if name in society.assemblies:
             skills = partial(_skills, society, name, steerings[name].drive)
         shape = society.shape.populations[name]
-        tables[name] = Table(society, shape, sizes[name], minds, skills)
+        kind = Table if shape.messages_to is None else MessageTable
+        tables[name] = kind(society, shape, sizes[name], minds, skills)
         civilisations = society.populations[name].civilisations
         if civilisations:
             found(tables[name], civilisations, peoples[name], society.seed)

@@ -12,6 +12,7 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
 from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
+from socialmind.agents.message import NEXT, first_message
 from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import Row, held_class, row_class
 from socialmind.columns import check_fields, column, columns_of
@@ -83,6 +84,10 @@ class Table:
             self.default["_mind"] = self.default["_plan"] = self.default["_decided"] = -1
         if shape.steps is not None:
             self.default["_step"] = ENDED
+        if shape.messages_to is not None:
+            self.default[NEXT] = -1
+        for messages in shape.mailboxes:
+            self.default[first_message(messages)] = -1
         capacity = max(size, 1)
         self.rows = np.zeros(capacity, self.dtype)
         self.order = np.zeros(capacity, np.int64)

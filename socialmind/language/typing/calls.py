@@ -260,6 +260,9 @@ def _population(
     typer: Typer, node: ast.Call, base: ast.expr, kind: types.PopulationType, name: str
 ) -> Typed:
     row = types.RowType(kind.population)
+    to = typer.shape.populations[kind.population].messages_to
+    if to is not None and name in ("send", "to", "create"):
+        return _message(typer, node, base, kind.population, name, to)
     if name == "create":
         _alone(typer, node, "create", f"new = model.{kind.population}.create()")
         typer.program.bears(kind.population)
@@ -281,6 +284,28 @@ def _population(
         f"{name}() of {kind}",
         advice or hints.for_population(typer, kind.population, name),
     )
+
+
+def _message(
+    typer: Typer, node: ast.Call, base: ast.expr, messages: str, name: str, to: str
+) -> Typed:
+    """Return the sending of a message; reading is a loop."""
+    written = [typer.expression(argument) for argument in node.args]
+    kinds = [kind for _, kind in written]
+    if name == "to":
+        typer.refuse(node, "to() as a value", f"write `for message in model.{messages}.to(agent):`")
+    wrong = len(kinds) != 2 or node.keywords or not isinstance(kinds[0], types.RowType)
+    if name == "create" or wrong or kinds[1] != types.RowType(to):
+        typer.refuse(
+            node,
+            f"{name}() of the messages {messages!r} like this",
+            f"write message = model.{messages}.send(sender, recipient)",
+            f"an agent that sends, and an agent of {to!r}",
+        )
+    typer.program.bears(messages)
+    typer.program.changes(messages)
+    values = [value for value, _ in written]
+    return method_call(node, base, name, values, ("send", messages)), types.RowType(messages)
 
 
 def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: types.WorldType, name: str) -> Typed:
