@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from socialmind.agents.agent import Agent as Agent
+    from socialmind.agents.interaction import Interaction as Interaction
     from socialmind.agents.message import Message as Message
     from socialmind.errors import IdleWarning as IdleWarning
     from socialmind.errors import ModelError as ModelError
@@ -37,6 +38,7 @@ else:
         __name__,
         {
             "socialmind.agents.agent": "Agent",
+            "socialmind.agents.interaction": "Interaction",
             "socialmind.agents.message": "Message",
             "socialmind.errors": "IdleWarning ModelError RuleError SocialmindError",
             "socialmind.language.plans": "repeat sequence until when",

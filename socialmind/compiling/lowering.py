@@ -244,6 +244,14 @@ class _Lowering(ast.NodeTransformer):
 
     lower_hierarchy = lower_mind
 
+    def lower_outcome(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        *sides, stream = (self.visit(argument) for argument in node.args)
+        records = [
+            ast.Subscript(_call("_patches"), side, ast.Load()) if patch else side
+            for side, patch in zip(sides, mark[2], strict=True)
+        ]
+        return _call(f"_outcome_{mark[1]}", *records, stream)
+
     def lower_draw(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]
         if mark[1:] == ("integers", 1):

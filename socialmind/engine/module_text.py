@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
+from socialmind.engine import interactions_text
 from socialmind.engine.access import AGENTS, population_text
 from socialmind.engine.plans_text import call_text, plans_text
 from socialmind.language.program import Phase, Program
@@ -43,6 +44,9 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             minds.HEAD,
             *(minds.population_text(one.name, one.evaluated_by_world) for one in minded),
         ]
+    if shape.interactions:
+        parts.append(interactions_text.HEAD)
+        parts += [interactions_text.interaction_text(*one) for one in shape.interactions.items()]
     for function in program.functions.values():
         parts.append(f"@_inner\n{lowered(function, shape)}")
     for name, plans in program.plans.items():

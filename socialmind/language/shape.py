@@ -139,6 +139,7 @@ class ModelShape:
         world: what its rules know of its world.
         setup: the phases that run once, before the first tick.
         schedule: the phases of a tick.
+        interactions: by name, what two agents may come to (`agents.interaction.Interaction`).
     """
 
     name: str
@@ -148,3 +149,4 @@ class ModelShape:
     world: WorldShape
     setup: tuple[PhaseShape, ...]
     schedule: tuple[PhaseShape, ...]
+    interactions: Mapping[str, Any] = field(default_factory=dict)

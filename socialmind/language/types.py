@@ -93,6 +93,16 @@ class PopulationType:
 
 
 @dataclass(frozen=True)
+class InteractionType:
+    """An interaction, whose outcome is drawn."""
+
+    interaction: str
+
+    def __str__(self) -> str:
+        return f"the interaction {self.interaction!r}"
+
+
+@dataclass(frozen=True)
 class WorldType:
     """The torus that the agents stand on."""
 
@@ -172,6 +182,7 @@ AnyType = (
     | MindType
     | HierarchyType
     | PopulationType
+    | InteractionType
     | WorldType
     | PatchType
     | PlanType

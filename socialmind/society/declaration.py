@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
 from socialmind.agents.attributes import ArrayField, HeldArray
+from socialmind.agents.interaction import Interaction
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field, declared, place_of_field, presence
@@ -68,6 +69,7 @@ class Declaration(NamedTuple):
     rewards: dict[str, Any]
     interruptions: dict[str, Any]
     measures: dict[str, Any]
+    interactions: dict[str, Interaction]
 
 
 def kept_names(model: type) -> frozenset[str]:
@@ -111,6 +113,7 @@ def declaration_of(cls: type, model: type) -> Declaration:
         dict(own.get("rewards", {})),
         dict(own.get("interruptions", {})),
         dict(own.get("measures", {})),
+        {name: value for name, value in own.items() if isinstance(value, Interaction)},
     )
     _check_sizes(cls, found)
     _check_recipients(cls, found.populations)
@@ -122,7 +125,9 @@ def declaration_of(cls: type, model: type) -> Declaration:
 
 def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
     """Refuse an attribute of a class that is of a wrong kind or hides what models use."""
-    if isinstance(value, Parameter | Population | World):
+    if isinstance(value, Interaction):
+        _check_name(cls, model, name, "an interaction")
+    elif isinstance(value, Parameter | Population | World):
         if not isinstance(value, World):
             _check_name(cls, model, name, "a part of the model")
         elif name != "world":

@@ -50,7 +50,7 @@ class ModelKind(ABCMeta):
         note_definition(cls.__module__)
         found = declaration_of(cls, model)
         cls.parameters, cls.variables, cls.populations, cls.declared_world = found[:4]
-        cls.rewards, cls.interruptions, cls.measures = found[4:]
+        cls.rewards, cls.interruptions, cls.measures = found[4:7]
         cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
         world = cls.declared_world.shape(cls, partial(place_of_field, cls))
         cls.shape = ModelShape(
@@ -63,6 +63,7 @@ class ModelKind(ABCMeta):
             world=world,
             setup=tuple(phase.shape for phase in cls.setup),
             schedule=tuple(phase.shape for phase in cls.schedule),
+            interactions=found.interactions,
         )
         cls._programs = dict[bool, Program]()
 

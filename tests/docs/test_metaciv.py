@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from socialmind import Interaction
 from socialmind.catalogue import load_model
 
 PAGE = (Path(__file__).parents[2] / "docs" / "metaciv.md").read_text("utf-8")
@@ -34,6 +35,12 @@ def test_its_model_runs_alike_at_both_speeds(both):
         for column in one.dtype.names:
             found = [table.columns[column][table.slots] for table in (one, other)]
             np.testing.assert_array_equal(*found, err_msg=f"{name}.{column}")
+
+
+def test_its_file_says_the_same_as_its_python(homestead, tmp_path):
+    file = tmp_path / "theft.yaml"
+    file.write_text(re.search(r"```yaml\n(.*?)```", PAGE, re.DOTALL)[1])
+    assert Interaction.load(file) == homestead.theft
 
 
 def test_its_humans_reap_and_flee(both):

@@ -20,6 +20,7 @@ from socialmind.language.typing.built_in import (
 )
 from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.draws import typed_draw
+from socialmind.language.typing.interactions import interaction_call
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
 
@@ -183,6 +184,8 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
         return _population(typer, node, base, kind, name)
     if isinstance(kind, types.WorldType):
         return _world(typer, node, base, kind, name)
+    if isinstance(kind, types.InteractionType):
+        return interaction_call(typer, node, base, kind, name)
     if name in METHODS:
         typer.refuse(node, f".{name}() in a rule", METHODS[name])
     if kind == types.MODEL:

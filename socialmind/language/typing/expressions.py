@@ -338,6 +338,8 @@ class ExpressionTyper:
             return marked(node, ("tick",)), types.INT
         if name in self.shape.populations:
             return marked(node, ("population", name)), types.PopulationType(name)
+        if name in self.shape.interactions:
+            return marked(node, ("interaction", name)), types.InteractionType(name)
         if name == "world" and self.shape.world.commands:
             return marked(node, ("world",)), types.WorldType()
         fields = {**self.shape.parameters, **self.shape.variables}
