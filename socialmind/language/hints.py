@@ -67,6 +67,11 @@ AGENT = {
     "world": "write model.world",
     **{name: f"write {{agent}}.{name}()" for name in ("die", "hatch")},
     "run_plan": "write {agent}.run_plan(model, rng)",
+    **dict.fromkeys(
+        ("send", "receive", "inbox", "mailbox", "messages"),
+        "declare `offers = Messages(Offer, to={all})`; write model.offers.send({agent}, other) and "
+        "`for offer in model.offers.to({agent}):`",
+    ),
     "alive": "ask model.{all}.contains(identity); the dead act no more",
     "breed": "give each kind of agents a population of its own",
     "patch_here": _HERE,

@@ -118,6 +118,15 @@ class Population:
                 None,
                 "name its scheme: mind='scheme.yaml'",
             )
+        for plan, tree in self.plans.items():
+            if not callable(tree) and not isinstance(tree, PlanTree):
+                raise ModelError(
+                    f"{shown(tree)} as the plan {plan!r} of {name!r}",
+                    "a rule, or a tree of rules",
+                    "write sequence(…) of the rules",
+                )
+        if self.at_birth is not None and not callable(self.at_birth):
+            raise ModelError(f"at_birth={shown(self.at_birth)} of {name!r}", "a rule, or None")
         self._check_hierarchy()
         self._check_civilisations()
         for cogniton, ends in self.bounds.items():

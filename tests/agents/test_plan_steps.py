@@ -369,6 +369,12 @@ def test_a_wrong_tree_is_refused_where_it_is_written(make, found):
         make()
 
 
+def test_a_plan_that_is_none_is_refused_with_its_line():
+    farmers = Population(Farmer, 1, mind=MINDS, plans={"farm": [sow, reap]})
+    with pytest.raises(ModelError, match=r"as the plan 'farm' of 'farmers'; expected a rule, or a"):
+        type("Wrong", (Model,), {"farmers": farmers})
+
+
 def counted(farmer):
     return 3
 

@@ -149,6 +149,11 @@ def test_what_fails_says_where_and_for_whom():
         kind()
 
 
+def test_it_is_a_rule():
+    with pytest.raises(ModelError, match="found at_birth=3 of 'cows'; expected a rule, or None"):
+        type("Numbered", (Model,), {"cows": Population(Cow, 2, at_birth=3)})
+
+
 def test_it_returns_nothing():
     cows = Population(Cow, 2, at_birth=answer)
     kind = type("Answering", (Model,), {"cows": cows, "schedule": (each(cows, fine),)})

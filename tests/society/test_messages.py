@@ -207,9 +207,14 @@ def of_nobody(clerk, model):
         note.die()
 
 
+def of_agent(clerk, model):
+    clerk.send(model.clerks[0])
+
+
 @pytest.mark.parametrize(
     ("rule", "found"),
     [
+        (of_agent, "send.. of an agent of 'clerks'; declare `offers = Messages.Offer, to=clerks.`"),
         (no_recipient, "send.. of the messages 'notes' like this; expected an agent that sends, a"),
         (creates, r"create.. of the messages 'notes' like this; expected .*; write message = mode"),
         (as_value, r"to\(\) as a value; write `for message in model.notes.to\(agent\):`"),
