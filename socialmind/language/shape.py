@@ -161,6 +161,13 @@ class WorldShape:
         """Return the line of compiled code by which an `agent` that dies leaves the world."""
         return ""
 
+    def taken_by(self, population: str) -> str:
+        """Return how compiled code tells agents of a population by the patches that they take.
+
+        That is, what `find_on_taken` takes last; empty where a patch has room for several.
+        """
+        return ""
+
     def typed(self, program: Any) -> Any:
         """Return what the world adds to a program: the functions of its own, typed, or None."""
         return None

@@ -174,6 +174,10 @@ class Ground:
         """Move an agent, as from outside the rules."""
         agent.x, agent.y = x, y
 
+    def on_patches(self, table: Any, slots: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Return those of some agents of a table that stand on a patch."""
+        return slots
+
     def leave(self, table: Any, slot: int) -> None:
         """Take note that the agent in a slot of a table dies."""
 

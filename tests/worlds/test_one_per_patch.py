@@ -199,6 +199,36 @@ def draw(ant, model, rng):
     model.world.one_free(rng)
 
 
+def look(ant, model, rng):
+    live(ant, model, rng)
+    for other in model.ants.neighbours(ant, rng.integers(0, 4)):
+        ant.steps = (ant.steps * 7 + other.id) % 100_003  # whose order shows
+    for moth in model.moths.neighbours4(ant):
+        ant.steps = (ant.steps * 5 + moth.id) % 100_003
+    patch = model.world.neighbours(ant).one_of(rng)
+    ant.steps += len(model.ants.on(patch)) + 2 * len(model.moths.on(patch))
+    if rng.random() < 0.2 and model.world.free_count > 1:
+        young = ant.hatch()
+        ant.steps += 3 * len(model.ants.neighbours(ant, 2))  # one of them stands nowhere yet
+        arrive(young, model, rng)
+
+
+class Looking(Hill):
+    schedule = (each(Hill.ants, look),)
+
+
+@pytest.mark.parametrize(("width", "height"), [(9, 5), (3, 2), (4, 4), (12, 3)])
+def test_both_speeds_find_the_same_around(width, height):
+    for seed in range(12):
+        settings = {"width": width, "height": height, "n_ants": min(5, width * height - 1)}
+        fast = Looking(seed, **settings)
+        slow = Looking(seed, compiled=False, **settings)
+        for society in (fast, slow):
+            society.advance(6)
+        assert places(fast) == places(slow)
+        assert fast.ants.steps.tolist() == slow.ants.steps.tolist()
+
+
 @pytest.mark.parametrize("compiled", [True, False])
 def test_what_fails_in_a_rule_says_who_and_where(compiled):
     class Crowded(Model):

@@ -134,6 +134,10 @@ class GridGround(Ground):
             return None
         return partial(_kept, self, field)
 
+    def on_patches(self, table: Any, slots: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Return those of some agents of a table that stand on a patch."""
+        return self.world.placed(table, slots) if self.alone else slots
+
     def hand_out(self, bare: bool) -> None:
         """Give out patches as rules hold them, or as users do."""
         self.world.hand_out(bare)

@@ -352,6 +352,12 @@ class OnePerPatch(PatchWorld):
                     return name, table.columns["_id"].item(slot)
         return None
 
+    def placed(self, table: Any, slots: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Return those of some agents of a table that have been placed."""
+        names = list(self._tables)
+        numbers = slots * len(names) + names.index(table.shape.name)
+        return slots[np.isin(numbers, self._taken)]
+
     def _number_of(self, table: Any, slot: int) -> int:
         names = list(self._tables)
         return slot * len(names) + names.index(table.shape.name)

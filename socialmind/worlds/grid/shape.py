@@ -119,6 +119,13 @@ class GridShape(WorldShape):
         """Return how to move where a patch has room for one: in one step."""
         return one_per_patch.INSTEAD if self.alone is not None and field in PLACES else None
 
+    def taken_by(self, population: str) -> str:
+        """Return how compiled code tells a population's agents by the patches that they take."""
+        if self.alone is None:
+            return ""
+        space = ", ".join(self.numbers[name] for name in SPACE)
+        return f"{len(self.alone)}, {self.alone.index(population)}, {space}"
+
     def leaving(self, population: str) -> str:
         """Return the line by which an agent that dies leaves its patch."""
         return f"_world_left_{population}(_model, agent)" if self.alone is not None else ""

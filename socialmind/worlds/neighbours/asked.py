@@ -89,6 +89,7 @@ def _on_patches(table: Any, who: Any, steps: int, kind: int) -> list[Any]:
     extent, slots, x, y = _asked(table, who)
     if not extent.whole:
         raise SocialmindError(f"the world of {table.model.name} has no patches; ask near(…)")
+    slots = table.model.ground.on_patches(table, slots)
     return _rows(table, search.on_patches(extent, slots, table.columns, x, y, steps, kind))
 
 

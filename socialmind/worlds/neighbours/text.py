@@ -7,6 +7,7 @@ from socialmind.language.shape import ModelShape
 from socialmind.worlds.neighbours.kernel import CELLS, ENTRY
 
 HEAD = f"""from socialmind.worlds.neighbours import kernel as _neighbours
+from socialmind.worlds.neighbours import lattice as _lattice
 
 NEAR_CELLS = {dtype_text(CELLS)}
 NEAR_ENTRY = {dtype_text(ENTRY)}"""
@@ -180,10 +181,9 @@ def _near_first_NAME_ASKER(_model, who, radius):
         _neighbours.checked(radius),
         SPOT,
     )
-    return place if place < 0 else _order_NAME(_model)[place]
+    return place if place < 0 else _order_NAME(_model)[place]"""
 
-
-@_inner
+_ON_PATCHES = """@_inner
 def _near_patches_NAME_ASKER(_model, who, steps, kind):
     return _neighbours.find_on_patches(
         _near_cells_NAME(_model),
@@ -195,6 +195,22 @@ def _near_patches_NAME_ASKER(_model, who, steps, kind):
         _neighbours.checked(steps),
         kind,
         SPOT,
+    )"""
+
+_ON_TAKEN = """@_inner
+def _near_patches_NAME_ASKER(_model, who, steps, kind):
+    return _lattice.find_on_taken(
+        _world_taken(_model),
+        _near_entries_NAME(_model),
+        _near_spots_NAME(_model),
+        _near_found_NAME(_model),
+        _near_cells_NAME(_model).top,
+        WHO_X,
+        WHO_Y,
+        _neighbours.checked(steps),
+        kind,
+        OWN,
+        TAKEN,
     )"""
 
 CACHED = 5000
@@ -216,7 +232,7 @@ def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
         "CACHED": str(CACHED),
     }
     askers = {
-        "own": ("who.x", "who.y", "_near_spots_NAME(_model)[who._slot]"),
+        "own": ("who.x", "who.y", "who._slot"),
         "other": ("who.x", "who.y", "-1"),
     }
     numbers = shape.world.numbers
@@ -232,8 +248,12 @@ def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
         for mark, fill in own.items():
             index = index.replace(mark, fill)
         parts.append(index)
-        for asker, (x, y, spot) in askers.items():
-            part = _ASKED_BY.replace("ASKER", asker).replace("SPOT", spot)
+        taken = shape.world.taken_by(name)
+        on_patches = _ON_TAKEN.replace("TAKEN", taken) if taken else _ON_PATCHES
+        for asker, (x, y, own_slot) in askers.items():
+            spot = "-1" if own_slot == "-1" else f"_near_spots_NAME(_model)[{own_slot}]"
+            part = "\n\n\n".join([_ASKED_BY, on_patches])
+            part = part.replace("ASKER", asker).replace("SPOT", spot).replace("OWN", own_slot)
             parts.append(part.replace("WHO_X", x).replace("WHO_Y", y))
         parts[-1 - len(askers) :] = [one.replace("NAME", name) for one in parts[-1 - len(askers) :]]
     return "\n\n\n".join(parts)
