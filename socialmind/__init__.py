@@ -1,7 +1,7 @@
 """A laboratory for societies of agents.
 
 What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Population`, `Grid`,
-`Torus`, `parameter`, `each` and `once`. A name is imported when it is first used, so that what
+`Torus`, `Network`, `parameter`, `each` and `once`. A name is imported when it is first used, so that what
 needs none of them (`socialmind --help`) starts fast.
 """
 
@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from socialmind.errors import RuleError as RuleError
     from socialmind.errors import SocialmindError as SocialmindError
     from socialmind.model import Model as Model
+    from socialmind.networks.network import Link as Link
+    from socialmind.networks.network import Network as Network
+    from socialmind.networks.start import generator as generator
     from socialmind.society.parameter import Parameter as Parameter
     from socialmind.society.parameter import parameter as parameter
     from socialmind.society.phases import each as each
@@ -33,6 +36,8 @@ else:
             "socialmind.agents.agent": "Agent",
             "socialmind.errors": "IdleWarning ModelError RuleError SocialmindError",
             "socialmind.model": "Model",
+            "socialmind.networks.network": "Link Network",
+            "socialmind.networks.start": "generator",
             "socialmind.society.parameter": "Parameter parameter",
             "socialmind.society.phases": "each once",
             "socialmind.society.population": "Population",

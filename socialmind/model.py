@@ -57,6 +57,7 @@ class Model(metaclass=ModelKind):
     - parameters: `price: float = parameter(167.0, unit="wheat", low=0.0)`;
     - variables: `warmth: float = 0.0`;
     - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;
+    - networks of links between their agents: `friends = Network(humans)`;
     - `world = Torus("world_size", Land)`;
     - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`.
 
@@ -87,6 +88,7 @@ class Model(metaclass=ModelKind):
     parameters: ClassVar[dict[str, Parameter]] = {}
     variables: ClassVar[dict[str, Field]] = {}
     populations: ClassVar[dict[str, Population]] = {}
+    networks: ClassVar[dict[str, Any]] = {}
     declared_world: ClassVar[World] = World()
     rewards: ClassVar[dict[str, Any]] = {}
     interruptions: ClassVar[dict[str, Any]] = {}

@@ -40,6 +40,12 @@ WEIGHING: dict[str, tuple[str, int]] = {
 """Further arrays of a population whose hierarchies weigh plans, as `WeighingPlaces` has them."""
 
 
+LINKS: dict[str, tuple[str, int]] = {"heads_out": ("int64", 2), "halves": ("int64", 2)}
+"""Further arrays of a network, as `networks.adjacency` has them."""
+LINKS_APART: dict[str, tuple[str, int]] = {"heads_in": ("int64", 2)}
+"""A further array of one in which sources are told from targets."""
+
+
 def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]:
     """Return the names, types and dimensions of all plain arrays of a population."""
     arrays = dict(TABLE_ARRAYS)
@@ -49,6 +55,8 @@ def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]
             arrays |= WEIGHING
         arrays |= {f"scheme_{name}": ENGINE_ARRAYS[name] for name in SchemeArrays._fields}
         arrays |= {f"minds_{name}": ENGINE_ARRAYS[name] for name in MindArrays._fields}
+    if population.links is not None:
+        arrays |= LINKS | (LINKS_APART if population.links.apart else {})
     return arrays
 
 
@@ -59,6 +67,8 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
         columns += [("_id", "i8"), ("_slot", "i8")]
         if population.minded:
             columns += [("_mind", "i8"), ("_plan", "i8"), ("_decided", "i8")]
+        if population.links is not None:
+            columns += [("_source", "i8"), ("_target", "i8")]
     for field in fields.values():
         columns += field.dtype
     # A patch may be a few bytes, and there are many: no padding between them.

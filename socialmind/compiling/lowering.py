@@ -238,6 +238,17 @@ class _Lowering(ast.NodeTransformer):
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
     lower_run_plan = lower_method
 
+    def lower_network(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        """Lower what a network is asked by a function of the same name."""
+        return _call(f"_network_{mark[2]}_{mark[1]}", *map(self.visit, node.args))
+
+    def lower_link_end(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        return _call(f"_link_{mark[2]}_{mark[1]}", self.visit(node.value))
+
+    def lower_link_other(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        link, agent = self.visit(node.func.value), self.visit(node.args[0])
+        return _call(f"_link_other_{mark[1]}{mark[2]}", link, agent)
+
     def lower_aggregate(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         population, what, field = mark[1:]
         return _call(aggregate_name(population, what, field))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.laying_out import ENGINE_ARRAYS
 from socialmind.compiling.layout import (
@@ -199,13 +201,13 @@ def _choose_NAME(scheme, minds, slot, weights, plans, count):
     return plan"""
 
 
-def population_text(population: PopulationShape, own_maker: bool, leaving: str = "") -> str:
+def population_text(population: PopulationShape, own_maker: bool, leaving: Sequence[str] = ()) -> str:
     """Return the functions by which compiled rules reach a population.
 
     Args:
         population: its shape.
         own_maker: whether its minds have a decision maker of the modeller's own.
-        leaving: the line by which an agent that dies leaves the world, if there is any.
+        leaving: the lines by which an agent that dies leaves the world and its networks.
     """
     name = population.name
     parts = []
@@ -255,8 +257,7 @@ def population_text(population: PopulationShape, own_maker: bool, leaving: str =
         born = f"born = carray(_as_pointer(_model._{name}_default), (1,), {name}_ROW)[0]"
         lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
         fills["HATCHED_MIND"] = "\n    ".join([*lines, fills["HATCHED_MIND"]])
-    if leaving:
-        fills["DEAD_MIND"] = f"{leaving}\n        {fills['DEAD_MIND']}"
+    fills["DEAD_MIND"] = "\n        ".join([*filter(None, leaving), fills["DEAD_MIND"]])
     text = _POPULATION
     for mark, fill in fills.items():
         text = text.replace(mark, fill)

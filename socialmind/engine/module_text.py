@@ -32,8 +32,17 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     world = shape.world.text(program)
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
+    networks = [one for one in shape.populations.values() if one.links is not None]
+    if networks:
+        from socialmind.networks import text as links
+
+        parts += [links.HEAD, *map(links.network_text, networks)]
     for population in shape.populations.values():
-        leaving = shape.world.leaving(population.name)
+        leaving = [shape.world.leaving(population.name)]
+        if population.links is not None:
+            leaving = [links.untying(population)]
+        elif networks:
+            leaving += links.ending_links(population.name, networks)
         parts.append(population_text(population, population.name in own_makers, leaving))
     for name, what, field in program.aggregates:
         parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))

@@ -61,6 +61,7 @@ def _all_arrays(model: Running) -> dict[str, Any]:
         for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
             arrays[f"{name}_{part}"] = getattr(table, part)
         arrays[f"{name}_names"] = model.names[name]
+        arrays |= {f"{name}_{part}": array for part, array in table.index_arrays().items()}
         if table.minds is not None:
             arrays[f"{name}_hierarchy"] = table.minds.record.record
         if table.society is not None:

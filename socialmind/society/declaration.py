@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from types import FunctionType
 from typing import Any, NamedTuple
 
@@ -63,6 +63,7 @@ class Declaration(NamedTuple):
     parameters: dict[str, Parameter]
     variables: dict[str, Field]
     populations: dict[str, Population]
+    networks: dict[str, Any]
     world: World
     rewards: dict[str, Any]
     interruptions: dict[str, Any]
@@ -102,10 +103,12 @@ def declaration_of(cls: type, model: type) -> Declaration:
             setattr(cls, name, Variable(declared(cls, name, kind, *missing)))
     own = {name: value for base in reversed(cls.__mro__) for name, value in vars(base).items()}
     world = own.get("world")
+    kinds = {name: value for name, value in own.items() if isinstance(value, Population)}
     found = Declaration(
         {name: value for name, value in own.items() if isinstance(value, Parameter)},
         {name: value.field for name, value in own.items() if isinstance(value, Variable)},
-        {name: value for name, value in own.items() if isinstance(value, Population)},
+        {name: value for name, value in kinds.items() if not value.joins},
+        {name: value for name, value in kinds.items() if value.joins},
         world if isinstance(world, World) else World(),
         dict(own.get("rewards", {})),
         dict(own.get("interruptions", {})),
@@ -113,6 +116,8 @@ def declaration_of(cls: type, model: type) -> Declaration:
     )
     _check_sizes(cls, found)
     _check_devices(cls, model, found)
+    for name, network in found.networks.items():
+        _placed(cls, name, lambda network=network: network.check_within(cls, found.parameters))
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
     return found
@@ -126,12 +131,7 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
         elif name != "world":
             kind = type(value).__name__
             _refuse(cls, name, f"a {kind.lower()} called {name!r}", "world", f"world = {kind}(…)")
-        try:
-            value.check()
-        except ModelError as error:
-            if error.file is not None:
-                raise
-            _refuse(cls, name, error.found, error.expected, error.remedy)
+        _placed(cls, name, value.check)
     elif name in SETTINGS:
         kinds, expected = SETTINGS[name]
         right = is_whole(value) and value >= 0 if int in kinds else isinstance(value, kinds)
@@ -155,6 +155,16 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
                 None,
                 "call it something else",
             )
+
+
+def _placed(cls: type, name: str, check: Callable[[], None]) -> None:
+    """Check an attribute of a class; what is refused is said with its file and line."""
+    try:
+        check()
+    except ModelError as error:
+        if error.file is not None:
+            raise
+        _refuse(cls, name, error.found, error.expected, error.remedy)
 
 
 def _check_name(cls: type, model: type, name: str, what: str) -> None:

@@ -48,15 +48,16 @@ class ModelKind(ABCMeta):
         hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
         note_definition(cls.__module__)
         found = declaration_of(cls, model)
-        cls.parameters, cls.variables, cls.populations, cls.declared_world = found[:4]
-        cls.rewards, cls.interruptions, cls.measures = found[4:]
+        cls.parameters, cls.variables, cls.populations, cls.networks = found[:4]
+        cls.declared_world, cls.rewards, cls.interruptions, cls.measures = found[4:]
         cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
         world = cls.declared_world.shape(cls, partial(place_of_field, cls))
         cls.shape = ModelShape(
             name=cls.name,
             parameters={name: one.field for name, one in cls.parameters.items()},
             variables=cls.variables,
-            populations={n: world.inhabited(one.shape) for n, one in cls.populations.items()},
+            populations={n: world.inhabited(one.shape) for n, one in cls.populations.items()}
+            | {name: one.shape for name, one in cls.networks.items()},
             world=world,
             setup=tuple(phase.shape for phase in cls.setup),
             schedule=tuple(phase.shape for phase in cls.schedule),

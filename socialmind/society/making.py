@@ -118,7 +118,7 @@ def names_in_minds(society: Running, files: Mapping[str, Path]) -> dict[str, NDA
         ModelError: a rule names what the minds do not have.
     """
     found = {}
-    for name in society.populations:
+    for name in society.shape.populations:
         scheme, assembly = society.schemes.get(name), society.assemblies.get(name)
         places = names_of_minds(society.program, name, scheme, assembly, files.get(name))
         found[name] = np.array(places, np.int64)
@@ -221,7 +221,7 @@ def tables_of(society: Running, steerings: Mapping[str, Steering]) -> dict[str, 
         row = row_dtype(dict(shape.fields), shape).itemsize + 5 * 8
         what = f"{shown(sizes[name])} agents of {name!r} in {society.name}"
         check_memory(sizes[name] * row, what, SocialmindError)
-    tables: dict[str, Table] = {}
+    tables: dict[str, Any] = {}
     schemes = society.schemes
     for place, name in enumerate(society.populations):
         minds = None
@@ -234,6 +234,9 @@ def tables_of(society: Running, steerings: Mapping[str, Steering]) -> dict[str, 
             skills = partial(_skills, society, name, steerings[name].drive)
         shape = society.shape.populations[name]
         tables[name] = Table(society, shape, sizes[name], minds, skills)
+    for name, network in society.networks.items():
+        tables[name] = network.links_in(society)
+        tables[name].settle_in(tables)
     return tables
 
 

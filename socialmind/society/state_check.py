@@ -86,6 +86,9 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
         known[ids] = slots
     if not np.array_equal(known, slot_of):
         raise _refused(model, f"{name}.slot_of", "identities that are not those of its agents")
+    fault = table.odd_rows(rows[slots], state)
+    if fault is not None:
+        raise _refused(model, f"{name}.rows", fault)
     if table.society is not None:
         for part in MindArrays._fields:
             _check(state, f"{name}.minds.{part}", None, None, model)

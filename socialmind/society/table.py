@@ -78,7 +78,8 @@ class Table:
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
         for name in ("x", "y", "heading"):
-            self.default[name] = self._kept_within(name, self.default[name])
+            if name in shape.fields:
+                self.default[name] = self._kept_within(name, self.default[name])
         if shape.minded:
             self.default["_mind"] = self.default["_plan"] = self.default["_decided"] = -1
         capacity = max(size, 1)
@@ -102,14 +103,15 @@ class Table:
         if society is not None:
             self.rows["_mind"][:size] = society.new_minds(size)
         self.weighing: WeighingPlaces | None = None
-        weighing = model.populations[shape.name].weighing
-        if weighing is not None and society is not None and self.minds is not None:
+        if shape.weighed and society is not None and self.minds is not None:
             description = self.minds.assembly.description
+            weighing = model.populations[shape.name].weighing
             self.weighing = weighing.places(society.scheme, description)
         self._bare = row_class(shape, self._keepers)
         self._held = held_class(self._bare, shape)
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
+        self._networks: list[Any] = []
         self._see_columns()
 
     def _see_columns(self) -> None:
@@ -359,6 +361,8 @@ class Table:
         slot = agent._slot
         if self.alive[slot]:
             self.model.ground.leave(self, slot)
+            for network in self._networks:
+                network.end_links_of(self, slot)
             bookkeeping.died(self.counters, self.alive, self.slot_of, slot, agent.id)
             if self.society is not None:
                 self.mind_of(slot).die()
@@ -418,6 +422,8 @@ class Table:
         )
         self.counters[bookkeeping.FREE] = count + added
         self._see_columns()
+        for network in self._networks:
+            network.follow_ends()
         if self.society is not None:
             self.society.reserve(slots - len(self))  # a mind for each slot
         if self.minds is not None:
@@ -441,6 +447,23 @@ class Table:
             )
         self.acting = np.zeros(len(self.rows), np.int64)
         self._see_columns()
+
+    # Networks ---------------------------------------------------------------------------------
+
+    def joined_by(self, network: Any) -> None:
+        """Take note of a network whose links join agents of this population."""
+        self._networks.append(network)
+
+    def index_arrays(self) -> dict[str, NDArray[Any]]:
+        """Return the arrays of an index over the rows that compiled code reaches, if any."""
+        return {}
+
+    def build_index(self) -> None:
+        """Build the index over the rows anew: a state has been taken."""
+
+    def odd_rows(self, rows: NDArray[Any], state: Mapping[str, NDArray[Any]]) -> str | None:
+        """Say what is odd about the rows of the living in a state, beyond those of agents."""
+        return None
 
     def scratch(self, program: Program) -> dict[str, NDArray[Any]]:
         """Return the arrays that a compiled decision needs beside the minds."""

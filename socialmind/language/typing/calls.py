@@ -21,6 +21,7 @@ from socialmind.language.typing.built_in import (
 )
 from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.draws import typed_draw
+from socialmind.language.typing.links import link_call, network_call
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
 from socialmind.language.typing.world_calls import population_aggregate, world_call
@@ -197,6 +198,10 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
 
 def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, name: str) -> Typed:
     population = kind.population
+    links = typer.shape.populations[population].links
+    asked = None if links is None else link_call(typer, node, base, links, population, name)
+    if asked is not None:
+        return asked
     if name in ("die", "hatch"):
         typer.program.changes(population)
     if name == "die":
@@ -255,6 +260,10 @@ def _population(
     typer: Typer, node: ast.Call, base: ast.expr, kind: types.PopulationType, name: str
 ) -> Typed:
     row = types.RowType(kind.population)
+    links = typer.shape.populations[kind.population].links
+    asked = None if links is None else network_call(typer, node, base, links, kind.population)
+    if asked is not None:
+        return asked
     if name == "create":
         _alone(typer, node, "create", f"new = model.{kind.population}.create()")
         typer.program.bears(kind.population)

@@ -20,6 +20,7 @@ from socialmind.language.typing import operators, tables
 from socialmind.language.typing.built_in import BUILT_IN
 from socialmind.language.typing.calls import typed_call
 from socialmind.language.typing.comparisons import typed_comparison
+from socialmind.language.typing.links import link_attribute
 from socialmind.language.typing.signatures import MATH_CONSTANTS
 
 _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
@@ -356,6 +357,9 @@ class ExpressionTyper:
                 f"the hierarchy of {kind}",
                 "give the population one: Population(…, hierarchy='mind', master='Collect')",
             )
+        end = None if shape.links is None else link_attribute(node, shape.links, shape.name)
+        if end is not None:
+            return end
         if node.attr in ("mind", "plan"):
             self.refuse(
                 node,

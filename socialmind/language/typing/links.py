@@ -1,0 +1,124 @@
+"""Typing of networks: linking and unlinking agents, and what is asked of links."""
+
+from __future__ import annotations
+
+import ast
+from typing import TYPE_CHECKING
+
+from socialmind.errors import nearest
+from socialmind.language import types
+from socialmind.language.nodes import Typed, marked
+from socialmind.language.shape import LinksShape
+from socialmind.language.typing.minds import method_call
+
+if TYPE_CHECKING:
+    from socialmind.language.typer import Typer
+
+PAIRS = ("link", "unlink", "linked")
+"""What is asked of a network about two agents."""
+
+_INSTEAD = {
+    **dict.fromkeys(
+        ("create", "hatch", "add", "add_edge", "create_link_with", "create_link_to", "connect"),
+        "write model.{net}.link({one}, {other})",
+    ),
+    **dict.fromkeys(
+        ("remove", "remove_edge", "delete", "disconnect"), "write model.{net}.unlink({one}, {other})"
+    ),
+    **dict.fromkeys(
+        ("has_edge", "link_neighbor", "is_linked", "contains_edge"),
+        "write model.{net}.linked({one}, {other})",
+    ),
+}
+"""What networkx, Mesa and NetLogo call these."""
+
+
+def links_of(typer: Typer, population: str) -> LinksShape | None:
+    """Return what the links of a network join, None of other populations."""
+    return typer.shape.populations[population].links
+
+
+def network_call(
+    typer: Typer, node: ast.Call, base: ast.expr, links: LinksShape, net: str
+) -> Typed | None:
+    """Return what is asked of a network as both speeds run it; None for what any population has."""
+    func = node.func
+    assert isinstance(func, ast.Attribute)  # a method
+    name = func.attr
+    if name in PAIRS:
+        pair = _pair(typer, node, links, net, name)
+        mark = ("network", net, name)
+        if name == "link":
+            typer.program.bears(net)
+        if name in ("link", "unlink"):
+            typer.program.changes(net)
+        results = {"link": types.RowType(net), "linked": types.BOOL}
+        return method_call(node, base, name, pair, mark), results.get(name, types.NONE)
+    if name in _INSTEAD:
+        typer.refuse(node, f"{name}() of the network {net!r}", _written(_INSTEAD[name], links, net))
+    return None
+
+
+def _pair(
+    typer: Typer, node: ast.Call, links: LinksShape, net: str, name: str
+) -> list[ast.expr]:
+    """Return the two agents of a call, the source and the target of a link."""
+    wanted = f"model.{{net}}.{name}({{one}}, {{other}})"
+    if len(node.args) != 2 or node.keywords:
+        typer.refuse(node, f"{name}() like this", f"write {_written(wanted, links, net)}")
+    found = []
+    for argument, population in zip(node.args, (links.source, links.target), strict=True):
+        value, kind = typer.expression(argument)
+        if kind != types.RowType(population):
+            typer.refuse(
+                argument,
+                f"{kind} for {name}() of {net!r}",
+                f"write {_written(wanted, links, net)}",
+                f"an agent of {population!r}",
+            )
+        found.append(value)
+    return found
+
+
+def link_attribute(node: ast.Attribute, links: LinksShape, net: str) -> Typed | None:
+    """Return the source or the target of a link, an agent; None for its other attributes."""
+    if node.attr not in ("source", "target"):
+        return None
+    of = links.source if node.attr == "source" else links.target
+    return marked(node, ("link_end", net, node.attr)), types.RowType(of)
+
+
+def link_call(
+    typer: Typer, node: ast.Call, base: ast.expr, links: LinksShape, net: str, name: str
+) -> Typed | None:
+    """Return what is asked of a link as both speeds run it; None for what any row has."""
+    if name == "hatch":
+        advice = _written("write model.{net}.link({one}, {other})", links, net)
+        typer.refuse(node, f"hatch() of a link of {net!r}", f"between two there is one: {advice}")
+    if name != "other":
+        return None
+    kinds = [typer.expression(argument) for argument in node.args]
+    ends = {links.source: links.target, links.target: links.source}
+    if len(kinds) == 1 and not node.keywords:
+        value, kind = kinds[0]
+        if isinstance(kind, types.RowType) and kind.population in ends:
+            side = ""
+            if len(ends) == 2:
+                side = "_source" if kind.population == links.source else "_target"
+            made = method_call(node, base, name, [value], ("link_other", net, side))
+            return made, types.RowType(ends[kind.population])
+    found = " and ".join(str(kind) for _, kind in kinds) or "nothing"
+    return typer.refuse(
+        node, f"other() of {found}", "write link.other(agent)", "one of the agents it joins"
+    )
+
+
+def known_of_networks(name: str) -> str:
+    """Return the advice for a name that networks do not have."""
+    return nearest(name, PAIRS)
+
+
+def _written(advice: str, links: LinksShape, net: str) -> str:
+    one, other = links.source.rstrip("s"), links.target.rstrip("s")
+    other = "other" if one == other else other
+    return advice.format(net=net, one=one, other=other)

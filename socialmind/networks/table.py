@@ -1,0 +1,227 @@
+"""The links of a network of a running model, as rules and users have them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_whole
+from socialmind.agents import bookkeeping
+from socialmind.agents.rows import Row
+from socialmind.columns import column
+from socialmind.errors import UnknownNameError, ValueRefusedError
+from socialmind.language.shape import LinksShape, PopulationShape
+from socialmind.networks import adjacency
+from socialmind.society.table import Table
+
+if TYPE_CHECKING:
+    from socialmind.agents.running import Running
+
+
+class NetworkTable(Table):
+    """A network of a running model.
+
+    It is what `model.friends` gives: the number of links, a loop over them in order of birth, each
+    field as a column, and what is asked of agents: who is linked with whom.
+
+    Args:
+        model: the model.
+        shape: the shape of the links.
+    """
+
+    def __init__(self, model: Running, shape: PopulationShape) -> None:
+        super().__init__(model, shape, 0, None)
+        assert shape.links is not None  # a network's
+        self._joins: LinksShape = shape.links
+        self._halves = np.zeros((2, 3), np.int64)
+
+    def settle_in(self, tables: Mapping[str, Table]) -> None:
+        """Take note of the agents that are linked; their tables let the network know of deaths."""
+        self._sources, self._targets = tables[self._joins.source], tables[self._joins.target]
+        for table in dict.fromkeys((self._sources, self._targets)):
+            table.joined_by(self)
+        self.build_index()
+
+    # Links ------------------------------------------------------------------------------------
+
+    def link(self, source: Any, target: Any) -> Any:
+        """Return the link between two agents, a new one unless they are linked.
+
+        Raises:
+            ValueError: one of them is dead, or both are the same.
+        """
+        one, other = self._ends(source, target)
+        if not (self._sources.alive[one] and self._targets.alive[other]):
+            raise ValueError("link() of an agent that is dead")
+        if one == other and self._sources is self._targets:
+            raise ValueError("link() of an agent with itself")
+        slot = self._slot_between(one, other)
+        if slot < 0:
+            slot = self._place()
+            self.rows[slot] = self.default[0]
+            self._named(slot)
+            self.columns["_source"][slot] = self._sources.columns["_id"][one]
+            self.columns["_target"][slot] = self._targets.columns["_id"][other]
+            adjacency.tie(self._heads_out, self._halves, 2 * slot, one)
+            adjacency.tie(self._heads_in, self._halves, 2 * slot + 1, other)
+        return self.row_class(self, slot)
+
+    def unlink(self, source: Any, target: Any) -> None:
+        """End the link between two agents, if there is one."""
+        slot = self._slot_between(*self._ends(source, target))
+        if slot >= 0:
+            self._end(slot)
+
+    def linked(self, source: Any, target: Any) -> bool:
+        """Say whether two agents are linked; in a directed network, from the first to the second.
+
+        The shorter of their lists of links is looked through.
+        """
+        return self._slot_between(*self._ends(source, target)) >= 0
+
+    def between(self, source: Any, target: Any) -> Any:
+        """Return the link between two agents, or None."""
+        slot = self._slot_between(*self._ends(source, target))
+        return None if slot < 0 else self.row_class(self, slot)
+
+    def end_of(self, slot: int, name: str) -> Any:
+        """Return the agent at an end of the link in a slot, "source" or "target"."""
+        ends = self._sources if name == "source" else self._targets
+        return ends[self.columns[f"_{name}"].item(slot)]
+
+    def other_end(self, slot: int, agent: Any) -> Any:
+        """Return the agent at the other end of the link in a slot."""
+        if agent._table is self._sources and agent.id == self.columns["_source"][slot]:
+            return self.end_of(slot, "target")
+        if agent._table is self._targets and agent.id == self.columns["_target"][slot]:
+            return self.end_of(slot, "source")
+        raise ValueError("other() of an agent that the link does not join")
+
+    def _ends(self, source: Any, target: Any) -> tuple[int, int]:
+        """Return the slots of two agents; users give identities too."""
+        return _slot_of(self._sources, source), _slot_of(self._targets, target)
+
+    def _slot_between(self, one: int, other: int) -> int:
+        heads_out, heads_in = self._heads_out, self._heads_in
+        return int(adjacency.link_between(heads_out, heads_in, self._halves, one, other))
+
+    def create(self) -> Any:
+        """Refuse: a link joins two agents."""
+        raise ValueError(f"create() of a link; write society.{self.shape.name}.link(one, other)")
+
+    def hatch(self, parent: Any, keep_groups: bool = False) -> Any:
+        """Refuse: between two agents there is one link."""
+        raise ValueError(f"hatch() of a link; write society.{self.shape.name}.link(one, other)")
+
+    def die(self, agent: Any) -> None:
+        """End a link."""
+        if self.alive[agent._slot]:
+            self._end(agent._slot)
+
+    def _end(self, slot: int) -> None:
+        adjacency.untie(self._heads_out, self._halves, 2 * slot)
+        adjacency.untie(self._heads_in, self._halves, 2 * slot + 1)
+        identity = int(self.columns["_id"][slot])
+        bookkeeping.died(self.counters, self.alive, self.slot_of, slot, identity)
+
+    def end_links_of(self, table: Table, slot: int) -> None:
+        """End the links of an agent that dies, the oldest first.
+
+        Args:
+            table: its population.
+            slot: its slot there.
+        """
+        for ends, heads in ((self._sources, self._heads_out), (self._targets, self._heads_in)):
+            while ends is table and heads[slot, adjacency.FIRST] >= 0:
+                self._end(int(heads[slot, adjacency.FIRST]) >> 1)
+
+    # Columns ----------------------------------------------------------------------------------
+
+    def __getattr__(self, name: str) -> NDArray[Any]:
+        """Return a field of the links, or the identities of their ends, in order of birth."""
+        if name in ("source", "target") and "shape" in self.__dict__:
+            ends = self.columns[f"_{name}"][self.slots]
+            return column(ends, f"society.{self.shape.name}.{name}")
+        return super().__getattr__(name)
+
+    # The index --------------------------------------------------------------------------------
+
+    def index_arrays(self) -> dict[str, NDArray[Any]]:
+        """Return the lists of links."""
+        arrays = {"heads_out": self._heads_out, "halves": self._halves}
+        return arrays | ({"heads_in": self._heads_in} if self._joins.apart else {})
+
+    def build_index(self) -> None:
+        """Build the lists of links anew from the rows."""
+        self._halves = np.zeros((2 * len(self.rows), 3), np.int64)
+        self._heads_out = adjacency.no_lists(len(self._sources.rows))
+        apart = self._joins.apart
+        self._heads_in = (
+            adjacency.no_lists(len(self._targets.rows)) if apart else self._heads_out
+        )
+        slots = self.slots
+        sources = self._sources.slot_of[self.columns["_source"][slots]]
+        targets = self._targets.slot_of[self.columns["_target"][slots]]
+        if apart:
+            adjacency.built(self._heads_out, self._halves, 2 * slots, sources)
+            adjacency.built(self._heads_in, self._halves, 2 * slots + 1, targets)
+        else:
+            both = np.column_stack([2 * slots, 2 * slots + 1]).ravel()
+            ends = np.column_stack([sources, targets]).ravel()
+            adjacency.built(self._heads_out, self._halves, both, ends)
+
+    def follow_ends(self) -> None:
+        """Have a list for each slot of agents, of which there are more now."""
+        self._heads_out = _with_lists(self._heads_out, len(self._sources.rows))
+        if self._joins.apart:
+            self._heads_in = _with_lists(self._heads_in, len(self._targets.rows))
+        else:
+            self._heads_in = self._heads_out
+
+    def reserve(self, slots: int, identities: int) -> None:
+        """Have at least so many slots and identities."""
+        super().reserve(slots, identities)
+        halves = np.zeros((2 * len(self.rows), 3), np.int64)
+        halves[: len(self._halves)] = self._halves
+        self._halves = halves
+
+    def odd_rows(self, rows: NDArray[Any], state: Mapping[str, NDArray[Any]]) -> str | None:
+        """Say what is odd about the links of a state, if anything."""
+        ends = []
+        for name, of in (("_source", self._joins.source), ("_target", self._joins.target)):
+            known = np.asarray(state[f"{of}.slot_of"])
+            end = rows[name]
+            if len(end) and (end.min() < 0 or end.max() >= len(known) or (known[end] < 0).any()):
+                return "links of agents that do not live"
+            ends.append(end)
+        if not self._joins.directed and not self._joins.apart:
+            ends = [np.minimum(*ends), np.maximum(*ends)]
+        if len(np.unique(np.column_stack(ends), axis=0)) != len(rows):
+            return "two links between the same agents"
+        if self._joins.source == self._joins.target and (ends[0] == ends[1]).any():
+            return "a link of an agent with itself"
+        return None
+
+
+def _slot_of(table: Table, agent: Any) -> int:
+    """Return the slot of an agent, as rules give it, or as users do: the agent or its identity."""
+    if isinstance(agent, Row):
+        if agent._table is not table:
+            raise UnknownNameError(
+                f"{agent!r}, which is of {agent._table.shape.name!r}; expected an agent of "
+                f"{table.shape.name!r}"
+            )
+        return agent._slot
+    if not is_whole(agent) or not table.contains(int(agent)):
+        raise ValueRefusedError(
+            f"found {shown(agent)}; expected a living agent of {table.shape.name!r}, or its identity"
+        )
+    return int(bookkeeping.slot_of_agent(table.slot_of, int(agent)))
+
+
+def _with_lists(heads: NDArray[np.int64], agents: int) -> NDArray[np.int64]:
+    return np.concatenate([heads, adjacency.no_lists(agents - len(heads))])

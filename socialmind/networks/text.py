@@ -1,0 +1,136 @@
+"""How compiled rules reach a network, as text: its lists of links, linking and unlinking."""
+
+from __future__ import annotations
+
+from socialmind.compiling.layout import view_text
+from socialmind.language.shape import PopulationShape
+
+HEAD = "from socialmind.networks import adjacency as _adjacency"
+
+_LINKS = """@_inner
+def _heads_in_NAME(_model):
+    return HEADS_IN
+
+
+@_inner
+def _link_between_NAME(_model, one, other):
+    return _adjacency.link_between(
+        _heads_out_NAME(_model), _heads_in_NAME(_model), _halves_NAME(_model), one, other
+    )
+
+
+@_inner
+def _untie_NAME(_model, slot):
+    halves = _halves_NAME(_model)
+    _adjacency.untie(_heads_out_NAME(_model), halves, 2 * slot)
+    _adjacency.untie(_heads_in_NAME(_model), halves, 2 * slot + 1)
+
+
+@_inner
+def _network_link_NAME(_model, one, other):
+    if not (_alive_SOURCE(_model)[one._slot] and _alive_TARGET(_model)[other._slot]):
+        raise ValueError("link() of an agent that is dead")
+    if SAME and one._slot == other._slot:
+        raise ValueError("link() of an agent with itself")
+    slot = _link_between_NAME(_model, one._slot, other._slot)
+    rows = _rows_NAME(_model)
+    if slot < 0:
+        slot = _place_for_NAME(_model)
+        rows[slot] = carray(_as_pointer(_model._NAME_default), (1,), NAME_ROW)[0]
+        link = _named_NAME(_model, slot)
+        link._source = one._id
+        link._target = other._id
+        halves = _halves_NAME(_model)
+        _adjacency.tie(_heads_out_NAME(_model), halves, 2 * slot, one._slot)
+        _adjacency.tie(_heads_in_NAME(_model), halves, 2 * slot + 1, other._slot)
+    return rows[slot]
+
+
+@_inner
+def _network_unlink_NAME(_model, one, other):
+    slot = _link_between_NAME(_model, one._slot, other._slot)
+    if slot >= 0:
+        _die_NAME(_model, _rows_NAME(_model)[slot])
+
+
+@_inner
+def _network_linked_NAME(_model, one, other):
+    return _link_between_NAME(_model, one._slot, other._slot) >= 0
+
+
+@_inner
+def _end_links_NAME(_model, heads, slot):
+    while heads[slot, _adjacency.FIRST] >= 0:
+        _die_NAME(_model, _rows_NAME(_model)[heads[slot, _adjacency.FIRST] >> 1])
+
+
+@_inner
+def _link_source_NAME(_model, link):
+    return _agent_SOURCE(_model, link._source)
+
+
+@_inner
+def _link_target_NAME(_model, link):
+    return _agent_TARGET(_model, link._target)"""
+
+_OTHER = """@_inner
+def _link_other_NAME(_model, link, agent):
+    if link._source == agent._id:
+        return _agent_TARGET(_model, link._target)
+    if link._target == agent._id:
+        return _agent_SOURCE(_model, link._source)
+    raise ValueError("other() of an agent that the link does not join")"""
+
+_OTHERS = """@_inner
+def _link_other_NAME_source(_model, link, agent):
+    if link._source != agent._id:
+        raise ValueError("other() of an agent that the link does not join")
+    return _agent_TARGET(_model, link._target)
+
+
+@_inner
+def _link_other_NAME_target(_model, link, agent):
+    if link._target != agent._id:
+        raise ValueError("other() of an agent that the link does not join")
+    return _agent_SOURCE(_model, link._source)"""
+
+
+def network_text(network: PopulationShape) -> str:
+    """Return the functions by which compiled rules reach a network, beside those of its rows."""
+    links = network.links
+    assert links is not None  # a network's
+    same = links.source == links.target
+    own = view_text(network.name, "heads_in", "int64", 2)
+    fills = {
+        "HEADS_IN": own if links.apart else "_heads_out_NAME(_model)",
+        "SAME": str(same),
+        "SOURCE": links.source,
+        "TARGET": links.target,
+        "NAME": network.name,
+    }
+    text = "\n\n\n".join([_LINKS, _OTHER if same else _OTHERS])
+    for mark, fill in fills.items():
+        text = text.replace(mark, fill)
+    return text
+
+
+def untying(network: PopulationShape) -> str:
+    """Return the line by which a link that ends leaves the lists of its agents."""
+    return f"_untie_{network.name}(_model, agent._slot)"
+
+
+def ending_links(population: str, networks: list[PopulationShape]) -> list[str]:
+    """Return the lines by which the links of an agent that dies end."""
+    lines = []
+    for network in networks:
+        links = network.links
+        assert links is not None  # a network's
+        ends = {"out": links.source, "in": links.target}
+        if not links.apart:
+            del ends["in"]
+        lines += [
+            f"_end_links_{network.name}(_model, _heads_{end}_{network.name}(_model), agent._slot)"
+            for end, of in ends.items()
+            if of == population
+        ]
+    return lines
