@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,9 +18,10 @@ from socialmind.columns import check_fields, column, columns_of
 from socialmind.compiling.layout import row_dtype
 from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
 from socialmind.fields import Field, presence, set_default
-from socialmind.language.aggregates import aggregated, field_called
+from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
+from socialmind.society.beginning import Beginning
 from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
 
@@ -50,6 +52,7 @@ class Table:
         model.humans[3].wheat
         model.humans.wheat = 0.0
         model.humans.wheat *= 2
+        model.humans.sum("wheat"), also mean, min, max: as rules compute them, in order of birth
 
     Args:
         model: the model.
@@ -112,6 +115,7 @@ class Table:
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
         self._networks: list[Any] = []
+        self._placed_by: Beginning | None = None
         self._see_columns()
 
     def _see_columns(self) -> None:
@@ -141,11 +145,13 @@ class Table:
             ) from None
         return self.row_class(self, slot)
 
-    def __getattr__(self, name: str) -> NDArray[Any]:
+    def __getattr__(self, name: str) -> Any:
         """Return a field of the living agents, in order of birth: a copy, and read-only."""
         shape = self.__dict__.get("shape")
         if shape is None or name.startswith("_"):
             raise AttributeError(f"no attribute {name!r}")
+        if name in AGGREGATES and name not in shape.fields:
+            return partial(self._aggregated, name)
         if name != "id" and name not in shape.fields:
             raise unknown(name, shape.name, type(self), ["id", *shape.fields])
         values = self.columns["_id" if name == "id" else name][self.slots]
@@ -225,7 +231,18 @@ class Table:
             slots[row] = bookkeeping.slot_of_agent(self.slot_of, int(identity))
         self._put(columns, slots)
 
-    def _put(self, fields: Mapping[str, Any], slots: NDArray[np.int64]) -> None:
+    def begin_with(self, beginning: Beginning) -> None:
+        """Set fields of the founders from the table that they begin with, before any setup."""
+        self._put(beginning.columns, self.slots, beginning)
+        if {"x", "y"} <= beginning.columns.keys():
+            self._placed_by = beginning
+
+    def _put(
+        self,
+        fields: Mapping[str, Any],
+        slots: NDArray[np.int64],
+        of: Beginning | None = None,
+    ) -> None:
         """Write fields of the agents in some slots, once all of them are checked."""
         check_fields(fields, self.shape.fields, repr(self.shape.name))
         checked = {}
@@ -236,16 +253,22 @@ class Table:
                 field,
                 values,
                 len(slots),
-                f"the field {name!r} of {self.shape.name!r}",
-                lambda place: f"agent {identities[place]} (row {place})",
+                f"the field {name!r} of {self.shape.name!r}"
+                if of is None
+                else f"{of.what}, column {name!r}",
+                of.row
+                if of is not None
+                else lambda place: f"agent {identities[place]} (row {place})",
             )
-            checked[name] = self._kept_within(name, found), there
+            checked[name] = self._kept_within(name, found, of), there
         for name, (found, there) in checked.items():
             self.columns[name][slots] = found
             if self.shape.fields[name].optional:
                 self.columns[presence(name)][slots] = there
 
-    def _kept_within(self, name: str, values: NDArray[Any]) -> NDArray[Any]:
+    def _kept_within(
+        self, name: str, values: NDArray[Any], of: Beginning | None = None
+    ) -> NDArray[Any]:
         """Return places and headings as agents keep them, one by one as rules set them."""
         if name == "heading":
             return np.array([turned(one) for one in values.tolist()], float)
@@ -253,7 +276,10 @@ class Table:
         if keep is None:
             return values
         whose = repr(self.shape.name)
-        kept = [keep(one, f"{whose} (row {row})") for row, one in enumerate(values.tolist())]
+        kept = [
+            keep(one, f"{whose} (row {row})" if of is None else f"{of.what}, {of.row(row)}")
+            for row, one in enumerate(values.tolist())
+        ]
         return np.array(kept, float)
 
     def hand_out(self, bare: bool) -> None:
@@ -305,22 +331,6 @@ class Table:
         )
 
     # Sums over a field ------------------------------------------------------------------------
-
-    def sum(self, field: str) -> Any:
-        """Return the sum of a field of the living, added in order of birth; 0 where none lives."""
-        return self._aggregated("sum", field)
-
-    def mean(self, field: str) -> float:
-        """Return the mean of a field of the living."""
-        return float(self._aggregated("mean", field))
-
-    def min(self, field: str) -> Any:
-        """Return the smallest value of a field of the living."""
-        return self._aggregated("min", field)
-
-    def max(self, field: str) -> Any:
-        """Return the largest value of a field of the living."""
-        return self._aggregated("max", field)
 
     def _aggregated(self, what: str, name: str) -> Any:
         whose = f"agents of {self.shape.name!r}"

@@ -44,6 +44,10 @@ class World:
     def __get__(self, model: Any, owner: type) -> Any:
         return self if model is None else model.ground.world
 
+    def __str__(self) -> str:
+        """What listings call it."""
+        return type(self).__name__
+
     def check(self) -> None:
         """Refuse a declaration that is wrong.
 

@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 def world_call(typer: Typer, node: ast.Call, base: ast.expr, name: str) -> Typed:
     """Return a call of the world's as both speeds run it, and the type of its result."""
     wanted = typer.shape.world.calls[name]
+    if name in (typer.shape.world.patch or {}):
+        typer.refuse(
+            node, f"world.{name}() where patches have a field {name!r}", "rename the field"
+        )
     if len(node.args) != len(wanted.arguments) or node.keywords:
         typer.refuse(node, f"world.{name}() like this", f"write model.world.{wanted.written}")
     arguments: list[ast.expr] = []
@@ -58,6 +62,8 @@ def population_aggregate(
 ) -> Typed:
     """Return the sum, mean, smallest or largest of a field of a population, and its type."""
     population = kind.population
+    if name in typer.shape.populations[population].fields:
+        typer.refuse(node, f"{name}() of {kind}, with a field {name!r}", "rename the field")
     if len(node.args) != 1 or node.keywords:
         typer.refuse(node, f"{name}() like this", f'write model.{population}.{name}("field")')
     kinds = (float, int, bool) if name in ("sum", "mean") else (float, int)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from coglogo_py.border.errors import shown
-from coglogo_py.border.numbers import is_whole
+from coglogo_py.border.numbers import is_number, is_whole
 from socialmind.agents.running import Running
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, nearest
 from socialmind.fields import class_fields, place_of_field
 from socialmind.language.shape import WorldShape
 from socialmind.worlds.contract import Ground, Place, World
@@ -39,6 +40,8 @@ class Grid(World):
         low: the lowest patch, (x, y); the patch 0 0 is in the world, where agents begin. Unless
             given, it is in the middle, as in NetLogo.
         one_per_patch: whether a patch has room for one agent, of any population.
+        maps: what fields of the patches begin with, by name: a CSV file or a picture beside the
+            model, or an array; a picture with what black and white are: `("map.png", 0.0, 800.0)`.
 
     >>> world = Grid(20, 10, wraps="x", low=(0, 0))
     >>> world.sizes
@@ -53,13 +56,22 @@ class Grid(World):
         patch: type = Patch,
         low: tuple[int, int] | None = None,
         one_per_patch: bool = False,
+        maps: Mapping[str, Any] | None = None,
     ) -> None:
+        self.maps = dict(maps or {})
         self.sizes = (width, height)
         self.wraps = wraps
         self.patch = patch
         self.low = low
         self.one_per_patch = one_per_patch
         self.numbers = of_grid(wraps)
+
+    def __str__(self) -> str:
+        """What listings call it."""
+        width, height = self.sizes[0], self.sizes[-1]
+        borders = f", wraps {self.wraps}" if isinstance(self.wraps, str) else ", walls"
+        borders = "" if self.wraps is True else borders
+        return f"{type(self).__name__} of {width} × {height} patches{borders}"
 
     def check(self) -> None:
         """Refuse borders, a corner and patches that are none, and names that are taken.
@@ -96,6 +108,22 @@ class Grid(World):
                     *place_of_field(self.patch, name),
                 )
 
+        for name, source in self.maps.items():
+            if name not in class_fields(self.patch):
+                raise ModelError(
+                    f"a map of {name!r}, which is no field of the patches",
+                    None,
+                    nearest(name, class_fields(self.patch)),
+                )
+            if isinstance(source, tuple) and not (
+                len(source) == 3 and all(is_number(one) for one in source[1:])
+            ):
+                raise ModelError(
+                    f"the map {shown(source)} of {name!r}",
+                    "a file, and what black and white are",
+                    'write ("map.png", 0.0, 1.0)',
+                )
+
     def shape(self, model: Any, place: Place) -> WorldShape:
         """Return what rules know of the world: its patches, its size, and how to move on it."""
         super().shape(model, place)
@@ -105,7 +133,7 @@ class Grid(World):
     def ground(self, society: Running, *sizes: int) -> Ground:
         """Return the world of a running society, with its patches."""
         width, height = sizes if len(sizes) == 2 else (sizes[0], sizes[0])
-        return GridGround(society, width, height, self.low)
+        return GridGround(society, width, height, self.low, self.maps)
 
 
 class Torus(Grid):
@@ -115,12 +143,17 @@ class Torus(Grid):
         size: patches along a side, 1 or more: a number, or the name of a parameter.
         patch: the annotated class of its patches, which inherits from `Patch`.
         one_per_patch: whether a patch has room for one agent, of any population.
+        maps: what fields of the patches begin with, as of a `Grid`.
     """
 
     def __init__(
-        self, size: int | str = 33, patch: type = Patch, one_per_patch: bool = False
+        self,
+        size: int | str = 33,
+        patch: type = Patch,
+        one_per_patch: bool = False,
+        maps: Mapping[str, Any] | None = None,
     ) -> None:
-        super().__init__(size, size, True, patch, None, one_per_patch)
+        super().__init__(size, size, True, patch, None, one_per_patch, maps)
         self.size = size
         self.sizes = (size,)
         self.numbers = OF_TORUS

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -30,15 +31,23 @@ class GridGround(Ground):
         width: patches across.
         height: patches up.
         low: the lowest patch; None for the middle.
+        maps: what fields of the patches begin with, by name: a file beside the model, a parameter
+            that is a choice among files, or an array; for a picture with what black and white are.
 
     Raises:
-        SocialmindError: more patches than there is memory for, or none around the point 0 0.
+        SocialmindError: a map cannot be read or does not fit; more patches than there is memory
+            for, or none around the point 0 0.
     """
 
     layered = True
 
     def __init__(
-        self, society: Running, width: int, height: int, low: tuple[int, int] | None
+        self,
+        society: Running,
+        width: int,
+        height: int,
+        low: tuple[int, int] | None,
+        maps: Mapping[str, Any],
     ) -> None:
         super().__init__(society)
         shape: Any = society.shape.world
@@ -53,11 +62,22 @@ class GridGround(Ground):
             )
         kind = PatchWorld if shape.alone is None else OnePerPatch
         self.world: Any = kind(dict(shape.patch), numbers)
+        self._load(maps)
         self.alone = shape.alone is not None
         self._restored = False
         self._scratch: NDArray[Any] | None = None
         if SCRATCH[0] in society.program.world_columns:
             self._scratch = np.zeros(scratch_size(width, height))
+
+    def _load(self, maps: Mapping[str, Any]) -> None:
+        """Set the fields that begin with a map."""
+        kind: Any = type(self.society)
+        for field, source in maps.items():
+            source, *ends = source if isinstance(source, tuple) else (source,)
+            if isinstance(source, str) and source in kind.parameters:
+                source = getattr(self.society, source)
+            folder = kind.folder() if isinstance(source, str | Path) else Path()
+            self.world.load(field, source, *ends, folder=folder)
 
     def settle_in(self) -> None:
         """Let a world in which patches have room for one know the agents."""

@@ -214,8 +214,23 @@ class OnePerPatch(PatchWorld):
         self.list_free()
 
     def settle_in(self, tables: Mapping[str, Any]) -> None:
-        """Take note of the society's tables."""
+        """Take note of the society's tables; agents that begin with a place stand on it.
+
+        Raises:
+            ValueRefusedError: two stand on one patch.
+        """
         self._tables = dict(tables)
+        for table in tables.values():
+            beginning = table._placed_by
+            for place, slot in enumerate(table.slots.tolist() if beginning else ()):
+                new = self.place_of(table.columns["x"].item(slot), table.columns["y"].item(slot))
+                who = self._number_of(table, slot)
+                if not moved(self._taken, self._free, self._free_at, new, new, who):
+                    raise ValueRefusedError(
+                        f"{beginning.what}, {beginning.row(place)}: found an agent on "
+                        f"{self.row_class(self, new)!r}, where {self._who(self._taken.item(new))} "
+                        "stands; expected a patch of its own"
+                    )
 
     @property
     def knows_agents(self) -> bool:

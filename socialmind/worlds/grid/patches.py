@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,13 +17,15 @@ from socialmind.compiling.layout import row_dtype
 from socialmind.compiling.lowering import SPACE
 from socialmind.errors import SocialmindError, ValueRefusedError
 from socialmind.fields import Field, presence, set_default
-from socialmind.language.aggregates import aggregated, field_called
+from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import brought_back
 from socialmind.values import fitted, fitted_column
 from socialmind.worlds.grid import geometry
 from socialmind.worlds.grid.fields import diffused, share_of
 from socialmind.worlds.grid.geometry import patch_index, patches_in_radius
+from socialmind.worlds.grid.rasters import raster
 
+HERE = Path()
 TAKEN_NAMES = frozenset(("x", "y", "columns", "fields", "numbers", "row_class", "rows"))
 """What a patch, and the world, keep under these names beside the world's methods."""
 
@@ -107,6 +111,7 @@ class PatchWorld:
         model.world.patch(3, -2).taken
         model.world.taken[x - model.world.low_x, y - model.world.low_y]
         model.world.taken = False
+        model.world.sum("food"), also mean, min, max: as rules compute them, patch by patch
 
     Where agents may stand, and how they move, rules and users call alike: `geometry` has it.
 
@@ -141,11 +146,13 @@ class PatchWorld:
     def __reduce__(self) -> tuple[Any, ...]:
         return _world_of, (type(self), self.fields, self.numbers, self.snapshot())
 
-    def __getattr__(self, name: str) -> NDArray[Any]:
+    def __getattr__(self, name: str) -> Any:
         """Return a field of all patches: a copy, and read-only."""
         fields = self.__dict__.get("fields", {})
         if name.startswith("_"):
             raise AttributeError(f"no attribute {name!r}")
+        if name in AGGREGATES and name not in fields:
+            return partial(self._aggregated, name)
         if name not in fields:
             raise unknown(name, "world", type(self), fields)
         values = self.layer(name).copy()
@@ -198,6 +205,33 @@ class PatchWorld:
             self.columns[name][:] = found
             if self.fields[name].optional:
                 self.columns[presence(name)][:] = there
+
+    def load(
+        self,
+        field: str,
+        source: Any,
+        low: float | None = None,
+        high: float | None = None,
+        folder: Path = HERE,
+    ) -> None:
+        """Set a field of all patches from a map.
+
+        Args:
+            field: its name.
+            source: a CSV file of numbers or a picture, of which the top is north, each with a
+                value for each patch; or an array, (width, height), by column from the south-west.
+            low: what black is in a picture; 0 unless given.
+            high: what white is; 1 unless given.
+            folder: where files lie, unless their path is absolute; the working folder.
+
+        Raises:
+            UnknownNameError: there is no such field.
+            SocialmindError: the file cannot be read, is of another size, or holds what the field
+                cannot; nothing was written.
+        """
+        check_fields([field], self.fields, "the world")
+        sides = self.width, self.height
+        self.set(**{field: raster(source, self.fields[field], *sides, low, high, folder)})
 
     def layer(self, name: str) -> NDArray[Any]:
         """Return a column of the patches themselves, (width, height), not checked when written."""
@@ -268,22 +302,6 @@ class PatchWorld:
         """
         layer = self.layer(field_called(field, self.fields, "patches", (float,)).name)
         layer[...] = layer * (1.0 - share_of(share))
-
-    def sum(self, field: str) -> Any:
-        """Return the sum of a field, added from the first patch to the last."""
-        return self._aggregated("sum", field)
-
-    def mean(self, field: str) -> float:
-        """Return the mean of a field."""
-        return float(self._aggregated("mean", field))
-
-    def min(self, field: str) -> Any:
-        """Return the smallest value of a field."""
-        return self._aggregated("min", field)
-
-    def max(self, field: str) -> Any:
-        """Return the largest value of a field."""
-        return self._aggregated("max", field)
 
     def _aggregated(self, what: str, field: str) -> Any:
         found = field_called(field, self.fields, "patches", (float, int, bool))
