@@ -148,6 +148,7 @@ class Model(metaclass=ModelKind):
         self.names = making.names_in_minds(self, files)
         self.engine = Engine(self, compiled)
         if self._sets_up:
+            making.begin_networks(self)
             self.engine.set_up()
             self.ground.build()
 

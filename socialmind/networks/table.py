@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,10 +13,12 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
 from socialmind.agents import bookkeeping
 from socialmind.agents.rows import Row
-from socialmind.columns import column
+from socialmind.columns import column, columns_of
 from socialmind.errors import UnknownNameError, ValueRefusedError
+from socialmind.fields import presence
 from socialmind.language.shape import LinksShape, PopulationShape
 from socialmind.networks import adjacency
+from socialmind.networks.start import Generator, Links, Reader, is_graph, seed_of
 from socialmind.society.table import Table
 
 if TYPE_CHECKING:
@@ -138,6 +141,84 @@ class NetworkTable(Table):
         for ends, heads in ((self._sources, self._heads_out), (self._targets, self._heads_in)):
             while ends is table and heads[slot, adjacency.FIRST] >= 0:
                 self._end(int(heads[slot, adjacency.FIRST]) >> 1)
+
+    # All links at once ------------------------------------------------------------------------
+
+    def begin(self, start: Any, folder: Callable[[], Path]) -> None:
+        """Make the links that the network begins with, before any setup.
+
+        Args:
+            start: a `Generator`, an edge list or a graph.
+            folder: gives the model's.
+
+        Raises:
+            SocialmindError: there is no such generator or file, or a link is wrong.
+        """
+        if isinstance(start, Generator):
+            ends = dict.fromkeys((self._sources, self._targets))
+            sizes = tuple(len(table) for table in ends)
+            seed = seed_of(self.model.seed, self.shape.name)
+            graph = start.graph(sizes, seed, lambda name: getattr(self.model, name))
+            links = self._reader.of_graph(graph, mends=True)
+        else:
+            links = self._reader.read(start, folder)
+        self.replace(links)
+
+    def set_from(self, data: Any, by: str | None = None) -> None:
+        """End all links and make others, or set fields of links.
+
+        Args:
+            data: a graph of networkx, or an edge list: a CSV or Parquet file, a data frame, an
+                Arrow table or a mapping with the columns source and target and those of fields. A
+                table without these two sets fields, as of a population.
+            by: then the column that holds the links' identities.
+
+        Raises:
+            SocialmindError: a row or an edge is wrong; nothing has changed then.
+        """
+        names = () if is_graph(data) or isinstance(data, str | Path) else columns_of(data, "links")
+        if names and not {"source", "target"} & set(names):
+            super().set_from(data, by)
+            return
+        self.replace(self._reader.read(data, Path))
+
+    @property
+    def _reader(self) -> Reader:
+        ends = (np.asarray(self._sources.id), np.asarray(self._targets.id))
+        return Reader(self.shape.name, self._joins, self.shape.fields, ends)
+
+    def replace(self, links: Links) -> None:
+        """End all links and make others, which act from the next tick on.
+
+        Args:
+            links: checked.
+        """
+        counters, count = self.counters, len(links.sources)
+        self.alive[:] = False
+        self.slot_of[: counters[bookkeeping.NEXT_ID]] = -1
+        counters[bookkeeping.ALIVE] = 0
+        self.settle()
+        first = int(counters[bookkeeping.NEXT_ID])
+        self.reserve(count, first + count)
+        end = int(counters[bookkeeping.FREE])
+        slots = self.free[end - count : end][::-1].copy()
+        identities = np.arange(first, first + count)
+        self.order[:count] = slots
+        self.alive[slots] = True
+        self.slot_of[identities] = slots
+        counters[bookkeeping.FREE] = end - count
+        counters[bookkeeping.NEXT_ID] = first + count
+        for part in (bookkeeping.COUNT, bookkeeping.ENTRIES, bookkeeping.ALIVE):
+            counters[part] = count
+        self.rows[slots] = self.default[0]
+        ends = {"_slot": slots, "_id": identities, "_source": links.sources}
+        for name, values in (ends | {"_target": links.targets}).items():
+            self.columns[name][slots] = values
+        for name, (values, there) in links.fields.items():
+            self.columns[name][slots] = values
+            if self.shape.fields[name].optional:
+                self.columns[presence(name)][slots] = there
+        self.build_index()
 
     # Columns ----------------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
 from socialmind.society.declaration import declaration_of
+from socialmind.society.making import begin_networks
 from socialmind.sources.provenance import note_definition
 from socialmind.work.packing import is_private, reference
 
@@ -92,6 +93,7 @@ class ModelKind(ABCMeta):
         made = cls.__new__(cls)
         made._sets_up = False
         made.__init__(**arguments)
+        begin_networks(made)
         made._made = True
         return made
 

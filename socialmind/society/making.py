@@ -17,7 +17,7 @@ from coglogo_py.society import Society
 from socialmind.agents.running import Running
 from socialmind.compiling.layout import row_dtype
 from socialmind.errors import ModelError, SocialmindError, nearest
-from socialmind.fields import Field, presence
+from socialmind.fields import Field, place_of_field, presence
 from socialmind.society.beginning import Beginning, beginning_of, is_table
 from socialmind.society.connection import names_of_minds
 from socialmind.society.parameter import Parameter
@@ -287,6 +287,22 @@ def tables_of(
         tables[name] = network.links_in(society)
         tables[name].settle_in(tables)
     return tables
+
+
+def begin_networks(society: Any) -> None:
+    """Make the links that a society's networks begin with.
+
+    Raises:
+        ModelError: they cannot be made, with the file and line of the network.
+    """
+    for name, network in society.networks.items():
+        if network.start is None:
+            continue
+        try:
+            society.tables[name].begin(network.start, type(society).folder)
+        except SocialmindError as error:
+            file, line = place_of_field(type(society), name)
+            raise ModelError(f"{error}, for the network {name!r}", file=file, line=line) from error
 
 
 def _skills(society: Running, name: str, drive: Any, capacity: int) -> PopulationMinds:
