@@ -1,8 +1,8 @@
 """A laboratory for societies of agents.
 
 What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Population`, `Grid`,
-`Torus`, `Network`, `parameter`, `each` and `once`. A name is imported when it is first used, so that what
-needs none of them (`socialmind --help`) starts fast.
+`Torus`, `Network`, `parameter`, `each` and `once`. A name is imported when it is first used, so
+that what needs none of them (`socialmind --help`) starts fast.
 """
 
 from typing import TYPE_CHECKING

@@ -201,7 +201,9 @@ def _choose_NAME(scheme, minds, slot, weights, plans, count):
     return plan"""
 
 
-def population_text(population: PopulationShape, own_maker: bool, leaving: Sequence[str] = ()) -> str:
+def population_text(
+    population: PopulationShape, own_maker: bool, leaving: Sequence[str] = ()
+) -> str:
     """Return the functions by which compiled rules reach a population.
 
     Args:

@@ -44,7 +44,9 @@ class SocietyModel(mesa.Model):
 
     def __init__(self, society: Any) -> None:
         self.society = society
-        self._living: dict[str, dict[int, SocietyAgent]] = {name: {} for name in society.populations}
+        self._living: dict[str, dict[int, SocietyAgent]] = {
+            name: {} for name in society.populations
+        }
         self._following = False
         self._grid: SocietyGrid | None = None
         super().__init__(rng=society.seed)

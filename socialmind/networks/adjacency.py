@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 FIRST, LAST, DEGREE = 0, 1, 2
 """What the head of an agent's list holds: its first and last half, −1 in none; how many."""
 NEXT, PREVIOUS, AGENT = 0, 1, 2
-"""What a half holds: the next and the previous one of its list, −1 at its ends; its agent's slot."""
+"""What a half holds: the next and the previous one of its list, −1 for none; its agent's slot."""
 
 
 @register_jitable

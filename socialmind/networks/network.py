@@ -58,11 +58,11 @@ class Network(Population):
         directed: bool = False,
         start: Any = None,
     ) -> None:
-        if isinstance(target, type):  # Network(people, Friendship)
-            target, link = None, target
-        super().__init__(agent=link, size=0)
+        of_itself = target is None or isinstance(target, type)
+        # Network(people, Friendship)
+        super().__init__(agent=target if isinstance(target, type) else link, size=0)
         self.source = source
-        self.target = source if target is None else target
+        self.target: Any = source if of_itself else target
         self.directed = directed
         self.start = start
 

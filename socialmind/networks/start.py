@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import inspect
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,10 @@ from socialmind.society.beginning import Beginning, beginning_of, is_table
 from socialmind.values import fitted_column
 
 ENDS = ("source", "target")
+Pair = tuple[NDArray[np.int64], NDArray[np.int64]]
+"""The identities of the sources and the targets of links."""
+Pair = tuple[NDArray[np.int64], NDArray[np.int64]]
+"""The identities of the sources and the targets of links."""
 
 
 @dataclass(frozen=True)
@@ -91,8 +95,11 @@ class Generator:
             where = "networkx.bipartite" if bipartite else "networkx"
             hint = nearest(self.name, known)
             hint = hint if hint.startswith("did") else f"see the generators of {where}"
-            raise SocialmindError(f"the generator {self.name!r}, which {where} does not have; {hint}")
-        return found
+            raise SocialmindError(
+                f"the generator {self.name!r}, which {where} does not have; {hint}"
+            )
+        make: Callable[..., Any] = found
+        return make
 
 
 def generator(name: str, **arguments: Any) -> Generator:
@@ -142,7 +149,7 @@ class Reader:
         name: str,
         joins: LinksShape,
         fields: Mapping[str, Field],
-        ends: tuple[NDArray[np.int64], NDArray[np.int64]],
+        ends: Pair,
     ) -> None:
         self.name, self.joins, self.fields = name, joins, fields
         self.ends = dict(zip(ENDS, ends, strict=True))
@@ -181,15 +188,19 @@ class Reader:
                     f"{table.what}: no column {end!r}; expected the identities of the agents that "
                     "are linked, in the columns source and target"
                 )
-        pairs = {}
-        for end in ENDS:
-            what = f"{table.what}, column {end!r}"
-            field = Field(end, int, "i8", 0)
-            values, _ = fitted_column(field, table.columns[end], table.count, what, table.row)
-            pairs[end] = values.astype(np.int64)
-        self._check_pairs(pairs, lambda row: f"{table.what}, {table.row(row)}")
+        sources, targets = (
+            fitted_column(
+                Field(end, int, "i8", 0),
+                table.columns[end],
+                table.count,
+                f"{table.what}, column {end!r}",
+                table.row,
+            )[0]
+            for end in ENDS
+        )
+        self._check((sources, targets), lambda row: f"{table.what}, {table.row(row)}")
         columns = {name: one for name, one in table.columns.items() if name not in ENDS}
-        return Links(*pairs.values(), self._fitted(columns, table.count, table.what, table.row))
+        return Links(sources, targets, self._fitted(columns, table.count, table.what, table.row))
 
     def of_graph(self, graph: Any, mends: bool = False) -> Links:
         """Return the links of a graph of networkx.
@@ -214,35 +225,29 @@ class Reader:
             )
         places = self._places(graph, what, mends)
         edges = list(graph.edges(data=True))
-        pairs = {
-            end: np.array([places[edge[side]] for edge in edges], np.int64).reshape(-1)
-            for side, end in enumerate(ENDS)
-        }
-        if self.joins.source != self.joins.target and len(edges):
-            turned = np.array([graph.nodes[edge[0]].get("bipartite") == 1 for edge in edges])
-            one, other = pairs.values()
-            pairs = {"source": np.where(turned, other, one), "target": np.where(turned, one, other)}
+        one, other = (np.array([places[edge[side]] for edge in edges], np.int64) for side in (0, 1))
+        if self.joins.source != self.joins.target:
+            turned = np.array([graph.nodes[edge[0]]["bipartite"] == 1 for edge in edges], bool)
+            one, other = np.where(turned, other, one), np.where(turned, one, other)
         elif self.joins.directed and not graph.is_directed():
-            one, other = pairs.values()
-            pairs = {"source": np.append(one, other), "target": np.append(other, one)}
+            one, other = np.append(one, other), np.append(other, one)
             edges += edges
         if mends:
-            kept = self._proper(pairs)
-            pairs = {end: one[kept] for end, one in pairs.items()}
+            kept = self._proper((one, other))
+            one, other = one[kept], other[kept]
             edges = [edges[place] for place in kept.tolist()]
 
         def row(place: int) -> str:
-            one, other = edges[place][:2]
-            return f"edge {one!r}, {other!r}"
+            return f"edge {edges[place][0]!r}–{edges[place][1]!r}"
 
-        self._check_pairs(pairs, lambda place: f"{what}, {row(place)}")
+        self._check((one, other), lambda place: f"{what}, {row(place)}")
         held = {name for edge in edges for name in edge[2]} & set(self.fields)
         columns = {
             name: [edge[2].get(name, self.fields[name].default) for edge in edges]
             for name in self.fields
             if name in held
         }
-        return Links(*pairs.values(), self._fitted(columns, len(edges), what, row))
+        return Links(one, other, self._fitted(columns, len(edges), what, row))
 
     def _places(self, graph: Any, what: str, in_order: bool) -> dict[Any, int]:
         """Return the identity of the agent that each node stands for."""
@@ -271,25 +276,21 @@ class Reader:
             places |= dict(zip(nodes, known, strict=True))
         return places
 
-    def _keys(self, pairs: Mapping[str, NDArray[np.int64]]) -> NDArray[np.int64]:
-        ends = list(pairs.values())
-        if not self.joins.apart:
-            ends = [np.minimum(*ends), np.maximum(*ends)]
+    def _keys(self, pairs: Pair) -> NDArray[np.int64]:
+        """Return what tells the pairs apart that may be linked once each."""
+        ends = pairs if self.joins.apart else (np.minimum(*pairs), np.maximum(*pairs))
         return np.column_stack(ends)
 
-    def _proper(self, pairs: Mapping[str, NDArray[np.int64]]) -> NDArray[np.int64]:
+    def _proper(self, pairs: Pair) -> NDArray[np.int64]:
         """Return the places of the first of each pair, without loops."""
         _, first = np.unique(self._keys(pairs), axis=0, return_index=True)
         first = np.sort(first)
-        if self.joins.source != self.joins.target:
-            return first
-        return first[pairs["source"][first] != pairs["target"][first]]
+        loops = self.joins.source == self.joins.target
+        return first[pairs[0][first] != pairs[1][first]] if loops else first
 
-    def _check_pairs(
-        self, pairs: Mapping[str, NDArray[np.int64]], place: Callable[[int], str]
-    ) -> None:
+    def _check(self, pairs: Pair, place: Callable[[int], str]) -> None:
         """Refuse ends that do not live, loops and pairs that come twice."""
-        for end, identities in pairs.items():
+        for end, identities in zip(ENDS, pairs, strict=True):
             known = self.ends[end]
             wrong = np.flatnonzero(~np.isin(identities, known))
             if len(wrong):
@@ -299,25 +300,24 @@ class Reader:
                     f"{place(row)}: found {identities[row]} as {end}; expected the identity of a "
                     f"living agent of {self.whose[end]!r}{some}"
                 )
-        one, other = pairs.values()
+        one, other = pairs
         loops = np.flatnonzero(one == other) if self.joins.source == self.joins.target else ()
         if len(loops):
             row = int(loops[0])
             raise ValueRefusedError(
                 f"{place(row)}: found a link of agent {one[row]} with itself; expected two agents"
             )
-        if len(one):
-            _, first, again = np.unique(
-                self._keys(pairs), axis=0, return_index=True, return_inverse=True
+        keys = self._keys(pairs)
+        _, first, again = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+        firsts = first[again.reshape(-1)]
+        twice = np.flatnonzero(firsts != np.arange(len(one)))
+        if len(twice):
+            row = int(twice[0])
+            before = place(int(firsts[row])).rpartition(", ")[2]
+            raise ValueRefusedError(
+                f"{place(row)}: found {one[row]} and {other[row]} linked again, as in {before}; "
+                "expected one link between two"
             )
-            firsts = first[again.reshape(-1)]
-            twice = np.flatnonzero(firsts != np.arange(len(one)))
-            if len(twice):
-                row = int(twice[0])
-                raise ValueRefusedError(
-                    f"{place(row)}: found a second link between {one[row]} and {other[row]}, "
-                    f"the first is {place(int(firsts[row])).rpartition(', ')[2]}; expected one"
-                )
 
     def _fitted(
         self, columns: Mapping[str, Any], count: int, what: str, row: Callable[[int], str]
@@ -337,5 +337,3 @@ def seed_of(seed: int, network: str) -> int:
     """Return the seed of a network's generator, 32 bits, from the society's."""
     digest = hashlib.sha256(f"{seed}\n{network}".encode()).digest()
     return int.from_bytes(digest[:4], "little")
-
-

@@ -241,9 +241,7 @@ class NetworkTable(Table):
         self._halves = np.zeros((2 * len(self.rows), 3), np.int64)
         self._heads_out = adjacency.no_lists(len(self._sources.rows))
         apart = self._joins.apart
-        self._heads_in = (
-            adjacency.no_lists(len(self._targets.rows)) if apart else self._heads_out
-        )
+        self._heads_in = adjacency.no_lists(len(self._targets.rows)) if apart else self._heads_out
         slots = self.slots
         sources = self._sources.slot_of[self.columns["_source"][slots]]
         targets = self._targets.slot_of[self.columns["_target"][slots]]
@@ -299,7 +297,7 @@ def _slot_of(table: Table, agent: Any) -> int:
         return agent._slot
     if not is_whole(agent) or not table.contains(int(agent)):
         raise ValueRefusedError(
-            f"found {shown(agent)}; expected a living agent of {table.shape.name!r}, or its identity"
+            f"found {shown(agent)}; expected a living agent of {table.shape.name!r}, or an identity"
         )
     return int(bookkeeping.slot_of_agent(table.slot_of, int(agent)))
 

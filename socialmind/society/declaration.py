@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
+from functools import partial
 from types import FunctionType
 from typing import Any, NamedTuple
 
@@ -117,7 +118,7 @@ def declaration_of(cls: type, model: type) -> Declaration:
     _check_sizes(cls, found)
     _check_devices(cls, model, found)
     for name, network in found.networks.items():
-        _placed(cls, name, lambda network=network: network.check_within(cls, found.parameters))
+        _placed(cls, name, partial(network.check_within, cls, found.parameters))
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
     return found

@@ -23,7 +23,8 @@ _INSTEAD = {
         "write model.{net}.link({one}, {other})",
     ),
     **dict.fromkeys(
-        ("remove", "remove_edge", "delete", "disconnect"), "write model.{net}.unlink({one}, {other})"
+        ("remove", "remove_edge", "delete", "disconnect"),
+        "write model.{net}.unlink({one}, {other})",
     ),
     **dict.fromkeys(
         ("has_edge", "link_neighbor", "is_linked", "contains_edge"),
@@ -52,16 +53,16 @@ def network_call(
             typer.program.bears(net)
         if name in ("link", "unlink"):
             typer.program.changes(net)
-        results = {"link": types.RowType(net), "linked": types.BOOL}
-        return method_call(node, base, name, pair, mark), results.get(name, types.NONE)
+        result: types.AnyType = types.BOOL if name == "linked" else types.NONE
+        if name == "link":
+            result = types.RowType(net)
+        return method_call(node, base, name, pair, mark), result
     if name in _INSTEAD:
         typer.refuse(node, f"{name}() of the network {net!r}", _written(_INSTEAD[name], links, net))
     return None
 
 
-def _pair(
-    typer: Typer, node: ast.Call, links: LinksShape, net: str, name: str
-) -> list[ast.expr]:
+def _pair(typer: Typer, node: ast.Call, links: LinksShape, net: str, name: str) -> list[ast.expr]:
     """Return the two agents of a call, the source and the target of a link."""
     wanted = f"model.{{net}}.{name}({{one}}, {{other}})"
     if len(node.args) != 2 or node.keywords:
