@@ -131,7 +131,7 @@ class Model(metaclass=ModelKind):
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = kind.typed(compiled)
         self.contexts: NDArray[Any] = np.zeros(
-            1, model_dtype(self.shape, self.program.world_columns)
+            1, model_dtype(self.shape, self.program.world_columns, self.program.sought)
         )
         self.context: Any = self.contexts[0]
         tables = {name: parameters.pop(name) for name in kind.populations if name in parameters}

@@ -44,6 +44,11 @@ LINKS: dict[str, tuple[str, int]] = {"heads_out": ("int64", 2), "halves": ("int6
 """Further arrays of a network, as `networks.adjacency` has them."""
 LINKS_APART: dict[str, tuple[str, int]] = {"heads_in": ("int64", 2)}
 """A further array of one in which sources are told from targets."""
+SEEKING = (
+    *("near_cells", "near_entries", "near_heads", "near_heads_0"),
+    *("near_spots", "near_spots_0", "near_found", "near_found_0"),
+)
+"""Further columns of the record for a population whose agents rules look for: its index."""
 
 
 def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]:
@@ -75,12 +80,15 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
     return np.dtype(columns or [("_empty", "i1")], align=population is not None)
 
 
-def model_dtype(shape: ModelShape, more: tuple[str, ...] = ()) -> np.dtype[Any]:
+def model_dtype(
+    shape: ModelShape, more: tuple[str, ...] = (), sought: tuple[str, ...] = ()
+) -> np.dtype[Any]:
     """Return the model's record: parameters, variables, and where everything else is.
 
     Args:
         shape: the model's.
         more: columns that what its rules call of the world needs.
+        sought: the populations whose agents rules look for.
     """
     columns: Columns = []
     for field in [*shape.parameters.values(), *shape.variables.values()]:
@@ -91,6 +99,7 @@ def model_dtype(shape: ModelShape, more: tuple[str, ...] = ()) -> np.dtype[Any]:
     columns += [
         (f"_{one}", "i8") for one in (*shape.world.columns, *more) if one not in plain.split()
     ]
+    columns += [(f"_{name}_{one}", "i8") for name in sought for one in SEEKING]
     for population in shape.populations.values():
         name = population.name
         columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]

@@ -81,6 +81,8 @@ class Program:
         self.functions: dict[str, TypedFunction] = {}
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
         self.births: list[str] = []
+        self._sought: list[str] = []
+        self.patches_sought = False
         self.world_calls: list[tuple[str, ...]] = []
         self.aggregates: list[tuple[str, str, Field]] = []
         self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
@@ -214,6 +216,26 @@ class Program:
         """Note that rules call something of the world: its name, then populations and fields."""
         if call not in self.world_calls:
             self.world_calls.append(call)
+
+    def seeks(self, population: str) -> None:
+        """Note that rules look for the agents of a population who are near somebody."""
+        if population not in self._sought:
+            self._sought.append(population)
+
+    @property
+    def sought(self) -> tuple[str, ...]:
+        """The populations whose agents rules look for."""
+        return tuple(self._sought)
+
+    @property
+    def loops_over_found(self) -> int:
+        """How many loops of the rules go over agents that were found."""
+        marks = (
+            getattr(node, "mark", ("",))[0]
+            for function in self.functions.values()
+            for node in ast.walk(function.tree)
+        )
+        return sum(mark == "found_loop" for mark in marks)
 
     @property
     def world_columns(self) -> tuple[str, ...]:

@@ -130,6 +130,8 @@ class WorldShape:
             compiled code finds each, an expression of the model's record `_model` or a constant.
         commands: what rules call as `model.world.NAME(agent, …)`: rules of the world and an agent.
         calls: what they call so and is no rule: its text stands in the compiled module.
+        extent: how compiled code finds the rectangle that agents are in, in numbers as `Extent` of
+            `worlds.contract` has them; empty where nobody is anywhere.
         columns: whole numbers in the model's record that its compiled code needs.
         kept_columns: those of them that are state, not addresses and sizes.
         robots: the populations that sense and act, by name, as the world has them.
@@ -142,6 +144,7 @@ class WorldShape:
     numbers: Mapping[str, str] = MappingProxyType({})
     commands: Mapping[str, Callable[..., Any]] = MappingProxyType({})
     calls: Mapping[str, WorldCall] = MappingProxyType({})
+    extent: tuple[str, ...] = ()
     columns: tuple[str, ...] = ()
     kept_columns: tuple[str, ...] = ()
     robots: Mapping[str, Any] = MappingProxyType({})

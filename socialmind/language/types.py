@@ -20,6 +20,7 @@ BOOL = Type("a truth value")
 INT = Type("a whole number")
 FLOAT = Type("a number")
 NONE = Type("None")
+NOBODY = Type("None, where an agent may be")
 MODEL = Type("the model")
 RNG = Type("the random stream")
 NUMBERS = (BOOL, INT, FLOAT)
@@ -54,6 +55,34 @@ class RowType:
 
     def __str__(self) -> str:
         return f"an agent of {self.population!r}"
+
+
+@dataclass(frozen=True)
+class MaybeRowType:
+    """An agent of a population, or None."""
+
+    population: str
+
+    def __str__(self) -> str:
+        return f"an agent of {self.population!r} or None"
+
+
+@dataclass(frozen=True)
+class FoundType:
+    """The agents of a population that were found around somebody."""
+
+    population: str
+
+    def __str__(self) -> str:
+        return f"a set of agents of {self.population!r}"
+
+
+@dataclass(frozen=True)
+class PatchesType:
+    """The patches that were found around somebody."""
+
+    def __str__(self) -> str:
+        return "a set of patches"
 
 
 @dataclass(frozen=True)
@@ -169,6 +198,9 @@ AnyType = (
     | OptionalType
     | ArrayType
     | RowType
+    | MaybeRowType
+    | FoundType
+    | PatchesType
     | MindType
     | HierarchyType
     | PopulationType
@@ -194,6 +226,12 @@ def unified(one: AnyType, other: AnyType) -> AnyType | None:
         return one
     if {one, other} == {INT, FLOAT}:
         return FLOAT
+    if {one, other} <= {NOBODY, NONE}:
+        return NOBODY
+    agents = [kind for kind in (one, other) if isinstance(kind, RowType | MaybeRowType)]
+    if agents and all(kind in (NOBODY, NONE) or kind in agents for kind in (one, other)):
+        population = agents[0].population
+        return MaybeRowType(population) if agents[-1].population == population else None
     if isinstance(one, TupleType) and isinstance(other, TupleType):
         if len(one.items) != len(other.items):
             return None

@@ -231,7 +231,7 @@ class NetworkTable(Table):
 
     # The index --------------------------------------------------------------------------------
 
-    def index_arrays(self) -> dict[str, NDArray[Any]]:
+    def link_arrays(self) -> dict[str, NDArray[Any]]:
         """Return the lists of links."""
         arrays = {"heads_out": self._heads_out, "halves": self._halves}
         return arrays | ({"heads_in": self._heads_in} if self._joins.apart else {})

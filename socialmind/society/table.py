@@ -24,6 +24,8 @@ from socialmind.language.shape import PopulationShape
 from socialmind.society.beginning import Beginning
 from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
+from socialmind.worlds.neighbours.asked import QUESTIONS
+from socialmind.worlds.neighbours.index import arrays as index_arrays
 
 if TYPE_CHECKING:
     from coglogo_py import Mind, Society
@@ -116,6 +118,7 @@ class Table:
         self._scratch: dict[str, NDArray[Any]] = {}
         self._networks: list[Any] = []
         self._placed_by: Beginning | None = None
+        self._index: dict[str, NDArray[Any]] = {}
         self._see_columns()
 
     def _see_columns(self) -> None:
@@ -146,12 +149,17 @@ class Table:
         return self.row_class(self, slot)
 
     def __getattr__(self, name: str) -> Any:
-        """Return a field of the living agents, in order of birth: a copy, and read-only."""
+        """Return a field of the living agents, in order of birth: a copy, and read-only.
+
+        Or, under a name that is no field, a question for neighbours: `near`, `nearest` …
+        """
         shape = self.__dict__.get("shape")
         if shape is None or name.startswith("_"):
             raise AttributeError(f"no attribute {name!r}")
         if name in AGGREGATES and name not in shape.fields:
             return partial(self._aggregated, name)
+        if name in QUESTIONS and name not in shape.fields:
+            return partial(QUESTIONS[name], self)
         if name != "id" and name not in shape.fields:
             raise unknown(name, shape.name, type(self), ["id", *shape.fields])
         values = self.columns["_id" if name == "id" else name][self.slots]
@@ -464,7 +472,7 @@ class Table:
         """Take note of a network whose links join agents of this population."""
         self._networks.append(network)
 
-    def index_arrays(self) -> dict[str, NDArray[Any]]:
+    def link_arrays(self) -> dict[str, NDArray[Any]]:
         """Return the arrays of an index over the rows that compiled code reaches, if any."""
         return {}
 
@@ -487,6 +495,16 @@ class Table:
             if self.weighing is not None:
                 self._scratch |= vars(self.weighing)
         return self._scratch
+
+    def index(self, loops: int) -> dict[str, NDArray[Any]]:
+        """Return the arrays by which compiled rules find agents.
+
+        Args:
+            loops: how many loops of the rules go over what they found.
+        """
+        if not self._index or len(self._index["near_entries"]) != len(self.rows):
+            self._index = index_arrays(len(self.rows), loops)
+        return self._index
 
     @property
     def acting_order(self) -> NDArray[np.int64]:

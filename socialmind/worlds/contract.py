@@ -13,7 +13,7 @@ society (`Ground`). Nothing outside this folder asks which world it is.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,6 +25,28 @@ from socialmind.language.shape import WorldShape
 Functions = dict[str, Callable[..., Any]]
 Place = Callable[[str], tuple[str | None, int | None]]
 """Gives the file and the line of an attribute of a model's class."""
+
+
+class Extent(NamedTuple):
+    """The rectangle that agents are in, as those who look for neighbours know it.
+
+    Attributes:
+        low_x: its left end.
+        low_y: its lower end.
+        width: how wide it is.
+        height: how high.
+        wraps_x: whether its right end lies beside its left one.
+        wraps_y: whether its upper end lies beside its lower one.
+        whole: whether it consists of patches, squares of side 1.
+    """
+
+    low_x: float
+    low_y: float
+    width: float
+    height: float
+    wraps_x: bool
+    wraps_y: bool
+    whole: bool
 
 
 class World:
@@ -133,6 +155,11 @@ class Ground:
     def entities(self) -> int:
         """How many things a setup visits beside agents: patches."""
         return 0
+
+    @property
+    def extent(self) -> Extent | None:
+        """The rectangle that agents are in; None where nobody is anywhere."""
+        return None
 
     # Agents in it -----------------------------------------------------------------------------
 

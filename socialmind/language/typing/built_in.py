@@ -12,6 +12,7 @@ from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
 from socialmind.language.typing import tables
 from socialmind.language.typing.comprehensions import REDUCTIONS, reduced
+from socialmind.language.typing.neighbours import how_many
 from socialmind.language.typing.operators import typed_power
 from socialmind.language.typing.signatures import MATH, WRITTEN, Signature
 
@@ -153,6 +154,8 @@ def _len(typer: Typer, node: ast.Call) -> Typed:
         return constant(kind.size, node), types.INT
     if isinstance(kind, types.PopulationType):
         return marked(call("_len", [value], node), ("count", kind.population)), types.INT
+    if isinstance(kind, types.FoundType | types.PatchesType):
+        return how_many(value, kind, node)
     return typer.refuse(node, f"the length of {kind}", "count populations and array fields")
 
 

@@ -16,7 +16,7 @@ from socialmind.language.nodes import Typed, call, constant, marked, written_num
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import RuleSource
-from socialmind.language.typing import operators, tables
+from socialmind.language.typing import neighbours, operators, tables
 from socialmind.language.typing.built_in import BUILT_IN
 from socialmind.language.typing.calls import typed_call
 from socialmind.language.typing.comparisons import typed_comparison
@@ -48,6 +48,7 @@ class ExpressionTyper:
         self.source = source
         self.variables: dict[str, types.AnyType] = {}
         self.assigned: set[str] = set()
+        self.guessed: set[str] = set()
         self.stored = {
             node.id
             for node in ast.walk(source.tree)
@@ -125,6 +126,13 @@ class ExpressionTyper:
         """Return a typed expression as another type, or refuse."""
         if kind == target:
             return value
+        if isinstance(target, types.MaybeRowType) and (
+            kind == types.NOBODY or getattr(kind, "population", None) == target.population
+        ):
+            return neighbours.perhaps(value, kind)
+        if isinstance(kind, types.MaybeRowType) and isinstance(target, types.RowType):
+            value, kind = neighbours.agent_there(value, kind)
+            return self.converted(value, kind, target, what, near)
         if isinstance(kind, types.OptionalType) and target in types.NUMBERS:
             value, kind = self.present(value, kind)
             return self.converted(value, kind, target, what, near)
@@ -176,7 +184,9 @@ class ExpressionTyper:
         if kind in (types.INT, types.FLOAT):
             zero = constant(0 if kind == types.INT else 0.0, node)
             return ast.copy_location(ast.Compare(value, [ast.NotEq()], [zero]), node)
-        if isinstance(kind, types.OptionalType | types.PlanType):
+        if isinstance(kind, types.FoundType | types.PatchesType):
+            self.refuse(node, f"{kind} as a condition", "write `len(…) > 0`")
+        if isinstance(kind, types.OptionalType | types.PlanType | types.MaybeRowType):
             self.refuse(
                 node,
                 "a value that may be None as a condition",
@@ -224,6 +234,8 @@ class ExpressionTyper:
                     f"give {name!r} a value before the if or the loop",
                 )
             kind = self.variables[name]
+            if kind == types.NOBODY:
+                kind = self.variables[name] = self.agent_or_none(name)
             if isinstance(kind, types.TextType):
                 # A text is part of which function this is, not an argument of it.
                 return constant(kind.value, node), kind
@@ -237,6 +249,24 @@ class ExpressionTyper:
         if name in BUILT_IN:
             self.refuse(node, f"the function {name!r} as a value", f"call it: {name}(…)")
         return self.refuse(node, f"the unknown name {name!r}", hints.for_name(self, name))
+
+    def agent_or_none(self, name: str) -> types.AnyType:
+        """Return what a variable may hold that was None so far, by what is assigned elsewhere."""
+        if name in self.guessed:
+            return types.NOBODY
+        self.guessed.add(name)
+        for node in ast.walk(self.source.tree):
+            if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+                if node.targets[0].id == name and not isinstance(node.value, ast.Constant):
+                    try:
+                        _, kind = self.expression(node.value)
+                    except ModelError:  # something in it is not known yet
+                        continue
+                    if isinstance(kind, types.RowType | types.MaybeRowType):
+                        self.guessed.discard(name)
+                        return types.MaybeRowType(kind.population)
+        self.guessed.discard(name)
+        return types.NOBODY
 
     def module_value(self, node: ast.expr, name: str, value: Any) -> Typed:
         """Return a constant of the author's file (or of `math`), written in its place."""
@@ -290,6 +320,8 @@ class ExpressionTyper:
             if isinstance(module, python_types.ModuleType):
                 return self.module_attribute(node, module)
         base, kind = self.expression(node.value)
+        if isinstance(kind, types.MaybeRowType):
+            base, kind = neighbours.agent_there(base, kind)
         new = ast.copy_location(ast.Attribute(base, node.attr, ast.Load()), node)
         if kind == types.MODEL:
             return self._model_attribute(new)

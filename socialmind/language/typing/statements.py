@@ -43,10 +43,14 @@ class FunctionTyper:
             self.breaks: list[Any] = []
             self.counters: frozenset[str] = frozenset()
             self.keeps = 0
+            self.nobodies: dict[str, ast.expr] = {}
             body = self.block(_without_docstring(self.source.tree.body))
             fell_through = self.typer.assigned is not NOWHERE
             if before == (self.kinds, self.result):
                 break
+        for name, node in self.nobodies.items():
+            if self.kinds[name] == types.NOBODY:
+                self.typer.expression(node)  # refuses None where no agent may be
         body = self.promoted() + body
         if self.result is None:
             return body, types.NONE
@@ -98,9 +102,11 @@ class FunctionTyper:
 
     def _on_return(self, node: ast.Return) -> ast.stmt:
         written = node.value
-        if written is None or (isinstance(written, ast.Constant) and written.value is None):
-            self.returned(types.NONE, node)
-            return ast.copy_location(ast.Return(None), node)
+        if written is None or _is_none(written):
+            none = None
+            if isinstance(self.returned(types.NONE, node), types.MaybeRowType):
+                none = marked(constant(None, node), ("nobody",))
+            return ast.copy_location(ast.Return(none), node)
         value, kind = self.typer.there(written)
         if isinstance(kind, types.TableType):
             self.typer.refuse(node, f"{kind} returned", "use the constant where it is needed")
@@ -181,6 +187,12 @@ class FunctionTyper:
 
     def assignment(self, target: ast.expr, value: ast.expr, node: ast.stmt) -> ast.stmt:
         """Return one assignment."""
+        if isinstance(target, ast.Name) and _is_none(value):
+            if self.kinds.get(target.id, types.NOBODY) in types.NUMBERS:
+                self.typer.expression(value)  # refuses it
+            self.nobodies[target.id] = value
+            made = marked(constant(None, value), ("nobody",))
+            return self.stored_in_variable(target, made, types.NOBODY, node)
         if isinstance(target, ast.Name):
             return self.stored_in_variable(target, *self.typer.there(value), node)
         if isinstance(target, ast.Tuple):
@@ -202,6 +214,12 @@ class FunctionTyper:
             self.typer.refuse(
                 node, f"{name!r} from a call that returns nothing", "call it on its own line"
             )
+        if isinstance(kind, types.FoundType | types.PatchesType):
+            self.typer.refuse(
+                node,
+                f"{kind} as the variable {name!r}",
+                "write it where it is used: `for other in …`, `len(…)`, `….one_of(rng)`",
+            )
         if isinstance(kind, types.TextType | types.TupleType | types.ArrayType | types.TableType):
             self.typer.refuse(
                 node,
@@ -218,6 +236,8 @@ class FunctionTyper:
             )
         before = self.kinds.get(name)
         wanted = kind if before is None else types.unified(before, kind)
+        if wanted is None and name in self.nobodies:
+            self.typer.expression(self.nobodies[name])  # refuses None beside numbers
         if wanted is None:
             self.typer.refuse(
                 node, f"{kind} for {name!r}, which is {before} elsewhere", "use another name"
@@ -361,6 +381,10 @@ _ANNOTATIONS: dict[str, types.AnyType] = {
     "bool": types.BOOL,
 }
 """The annotations of variables that are heeded; others say nothing to the typing."""
+
+
+def _is_none(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value is None
 
 
 def _without_docstring(body: list[ast.stmt]) -> list[ast.stmt]:

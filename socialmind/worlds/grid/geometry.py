@@ -225,6 +225,13 @@ def is_on(world: Any, agent: Any, x: float, y: float) -> bool:
     return same_x and math.floor(agent.y + 0.5) == math.floor(y + 0.5)
 
 
+def offset(world: Any, agent: Any, other: Any) -> tuple[float, float]:
+    """Return how far another agent or patch lies to the right of an agent, and how far up."""
+    dx = apart(other.x - agent.x, world.width, world.wraps_x)
+    dy = apart(other.y - agent.y, world.height, world.wraps_y)
+    return dx, dy
+
+
 # Moving ----------------------------------------------------------------------------------------
 
 
@@ -251,7 +258,7 @@ def walk_to(world: Any, agent: Any, x: float, y: float, length: float) -> None:
 
 LOOKING = {
     function.__name__: function
-    for function in (distance, towards, face, right, left, is_on, is_inside, can_move)
+    for function in (distance, offset, towards, face, right, left, is_on, is_inside, can_move)
 }
 MOVING = {function.__name__: function for function in (forward, move_to, walk_to)}
 COMMANDS = LOOKING | MOVING
@@ -334,6 +341,80 @@ def patches_in_radius(
                 dy = dy + height
             if dx * dx + dy * dy <= radius * radius:
                 yield column * height + (first_row + j - low_y) % height
+
+
+@register_jitable
+def axis_around(place: int, steps: int, size: int, wraps: int) -> tuple[int, int, int]:
+    """Return the first column around one, how many there are, and which of them is its own."""
+    if wraps:
+        if 2 * steps + 1 > size:
+            return 0, size, place
+        return place - steps, 2 * steps + 1, steps
+    first = max(place - steps, 0)
+    return first, min(place + steps, size - 1) - first + 1, place - first
+
+
+@register_jitable
+def count_around(
+    x: float,
+    y: float,
+    steps: int,
+    four: int,
+    low_x: int,
+    low_y: int,
+    width: int,
+    height: int,
+    wraps_x: int,
+    wraps_y: int,
+) -> int:
+    """Return how many patches there are around the patch of a point, which is not among them.
+
+    Args:
+        x: of the point.
+        y: likewise.
+        steps: at most so many king's moves away, 0 or more.
+        four: whether only those count that share a side with it.
+        low_x, low_y, width, height, wraps_x, wraps_y: the world.
+    """
+    if steps < 0:
+        raise ValueError("a radius, or a number of steps, below 0")
+    column, row = place_on(x, low_x, width, wraps_x), place_on(y, low_y, height, wraps_y)
+    _, columns, _ = axis_around(column, min(steps, width), width, wraps_x)
+    _, rows, _ = axis_around(row, min(steps, height), height, wraps_y)
+    return columns + rows - 2 if four else columns * rows - 1
+
+
+@register_jitable
+def nth_around(
+    number: int,
+    x: float,
+    y: float,
+    steps: int,
+    four: int,
+    low_x: int,
+    low_y: int,
+    width: int,
+    height: int,
+    wraps_x: int,
+    wraps_y: int,
+) -> int:
+    """Return one of the patches that `count_around` counts, by its number, column by column."""
+    column, row = place_on(x, low_x, width, wraps_x), place_on(y, low_y, height, wraps_y)
+    first_x, columns, own_x = axis_around(column, min(steps, width), width, wraps_x)
+    first_y, rows, own_y = axis_around(row, min(steps, height), height, wraps_y)
+    if not four:
+        if number >= own_x * rows + own_y:
+            number += 1
+        across, up = number // rows, number % rows
+    elif number < own_x:
+        across, up = number, own_y
+    elif number < own_x + rows - 1:
+        across, up = own_x, number - own_x
+        if up >= own_y:
+            up += 1
+    else:
+        across, up = number - rows + 2, own_y
+    return (first_x + across) % width * height + (first_y + up) % height
 
 
 def lattice(size: int | tuple[int, int], n: int) -> list[tuple[int, int]]:

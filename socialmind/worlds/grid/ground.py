@@ -14,9 +14,9 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.memory import check_memory
 from socialmind.agents.running import Running
 from socialmind.compiling.layout import row_dtype
-from socialmind.compiling.lowering import PLACES
+from socialmind.compiling.lowering import PLACES, SPACE
 from socialmind.errors import RuleError, SocialmindError, ValueRefusedError
-from socialmind.worlds.contract import Functions, Ground
+from socialmind.worlds.contract import Extent, Functions, Ground
 from socialmind.worlds.grid.extent import values_of
 from socialmind.worlds.grid.fields import SCRATCH, scratch_size
 from socialmind.worlds.grid.one_per_patch import INSTEAD, NOWHERE, OnePerPatch
@@ -120,6 +120,14 @@ class GridGround(Ground):
     def entities(self) -> int:
         """How many patches there are."""
         return len(self.world.rows)
+
+    @property
+    def extent(self) -> Extent:
+        """The patches, from the first one's end to the last one's."""
+        numbers = self.world.numbers
+        low_x, low_y, width, height, wraps_x, wraps_y = (numbers[name] for name in SPACE)
+        ends = low_x - 0.5, low_y - 0.5, float(width), float(height)
+        return Extent(*ends, bool(wraps_x), bool(wraps_y), True)
 
     def keeper(self, population: str, field: str) -> Callable[[float, str], float] | None:
         """Return what keeps a place in the world."""

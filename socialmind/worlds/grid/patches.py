@@ -259,6 +259,24 @@ class PatchWorld:
         for place in patches_in_radius(x, y, radius, *self._space):
             yield self.row_class(self, place)
 
+    def neighbours(self, who: Any, steps: int = 1) -> list[PatchRow]:
+        """Return the patches around that of an agent, or around a patch, column by column.
+
+        Args:
+            who: an agent or a patch, whose own patch is not among them.
+            steps: at most so many king's moves away, 0 or more.
+        """
+        return self._around(who, steps, 0)
+
+    def neighbours4(self, who: Any) -> list[PatchRow]:
+        """Return the patches that share a side with that of an agent, or with a patch."""
+        return self._around(who, 1, 1)
+
+    def _around(self, who: Any, steps: int, four: int) -> list[PatchRow]:
+        place = float(who.x), float(who.y), steps, four, *self._space
+        count = geometry.count_around(*place)
+        return [self.row_class(self, geometry.nth_around(one, *place)) for one in range(count)]
+
     @property
     def patches(self) -> Iterator[PatchRow]:
         """Yield all patches, column by column."""
@@ -310,6 +328,7 @@ class PatchWorld:
     # Moving ---------------------------------------------------------------------------------------
 
     distance = geometry.distance
+    offset = geometry.offset
     towards = geometry.towards
     face = geometry.face
     right = geometry.right

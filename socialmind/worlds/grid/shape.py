@@ -24,6 +24,49 @@ PATCH = DTYPE
 def _patches(_model):
     return carray(_as_pointer(_model._patches), (WIDTH * HEIGHT,), PATCH)"""
 
+_AROUND = """_count_around = _geometry.count_around
+_nth_around = _geometry.nth_around
+
+
+@_inner
+def _some_patch(rng, count):
+    if count == 0:
+        raise ValueError("one_of() where there is no patch")
+    return _rng_integers(rng, 0, count)"""
+
+_AROUND_ASKER = """@_inner
+def _patches_count_ASKER(_model, who, steps, four):
+    return _count_around(PLACE, steps, four, SPACE)
+
+
+@_inner
+def _patches_nth_ASKER(_model, who, steps, four, number):
+    return _nth_around(number, PLACE, steps, four, SPACE)
+
+
+@_inner
+def _patches_one_ASKER(_model, who, steps, four, rng):
+    number = _some_patch(rng, _patches_count_ASKER(_model, who, steps, four))
+    return _patches_nth_ASKER(_model, who, steps, four, number)
+
+
+@_inner
+def _patches_within_ASKER(_model, who, radius):
+    count = 0
+    for place in _patches_in_radius(PLACE, radius, SPACE):
+        count += 1
+    return count
+
+
+@_inner
+def _patches_one_within_ASKER(_model, who, radius, rng):
+    left = _some_patch(rng, _patches_within_ASKER(_model, who, radius))
+    for place in _patches_in_radius(PLACE, radius, SPACE):
+        if left == 0:
+            return place
+        left -= 1
+    return -1"""
+
 
 class GridShape(WorldShape):
     """A world of patches as rules know it.
@@ -46,6 +89,9 @@ class GridShape(WorldShape):
         self.alone = alone
         own = [text.removeprefix("_model._") for text in numbers.values() if _is_column(text)]
         self.columns = (*dict.fromkeys(own), "patches")
+        low_x, low_y, width, height, wraps_x, wraps_y = (self.numbers[name] for name in SPACE)
+        ends = f"({low_x} - 0.5)", f"({low_y} - 0.5)", f"float({width})", f"float({height})"
+        self.extent = (*ends, wraps_x, wraps_y, "1")
         self.commands = COMMANDS
         self.calls = steps.CALLS
         if alone is not None:
@@ -78,6 +124,8 @@ class GridShape(WorldShape):
             "DTYPE": dtype_text(row_dtype(self.patch, None)),  # last: it holds users' names
         }
         before = [_filled(_BEFORE, fills)]
+        if program.patches_sought:
+            before.append(self._around_text())
         before.append(steps.text(program.world_calls, self.patch, self.numbers))
         if self.alone is None:
             return WorldText("\n\n\n".join(filter(None, before)))
@@ -88,6 +136,16 @@ class GridShape(WorldShape):
         space = ", ".join(self.numbers[name] for name in SPACE)
         before.append(one_per_patch.text(self.alone, {"SPACE": space, **kept}))
         return WorldText("\n\n\n".join(filter(None, before)), "", one_per_patch.TICK)
+
+    def _around_text(self) -> str:
+        """Return how compiled rules find the patches around agents and patches."""
+        space = ", ".join(self.numbers[name] for name in SPACE)
+        height, low_x, low_y = (self.numbers[name] for name in ("height", "low_x", "low_y"))
+        patch = f"float(who // {height} + {low_x}), float(who % {height} + {low_y})"
+        parts = [_AROUND]
+        for asker, place in (("agent", "who.x, who.y"), ("patch", patch)):
+            parts.append(_filled(_AROUND_ASKER, {"ASKER": asker, "PLACE": place, "SPACE": space}))
+        return "\n\n\n".join(parts)
 
 
 def _is_column(text: str) -> bool:
