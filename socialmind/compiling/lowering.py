@@ -257,6 +257,28 @@ class _Lowering(ast.NodeTransformer):
         """Lower what a network is asked by a function of the same name."""
         return _call(f"_network_{mark[2]}_{mark[1]}", *map(self.visit, node.args))
 
+    def lower_linked(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        return _call(f"_network_walk_{'_'.join(mark[1:])}", self.visit(node.args[2]))
+
+    def lower_count_linked(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        of: Any = node.args[0]
+        return _call(f"_network_degree_{'_'.join(of.mark[1:3])}", self.visit(of.args[2]))
+
+    def lower_one_linked(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        of = node.func.value
+        who, rng = self.visit(of.args[2]), self.visit(node.args[0])
+        return _call(f"_network_one_{'_'.join(of.mark[1:])}", who, rng)
+
+    def lower_linked_loop(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
+        """Lower a loop over what is linked, which is walked through by slots."""
+        self.loops += 1
+        slot = f"_linked_{self.loops}"
+        row = _parsed(f"_rows_{mark[1]}(_model)[{slot}]")
+        self.generic_visit(node)
+        node.body.insert(0, ast.Assign([node.target], row))
+        node.target = ast.Name(slot, ast.Store())
+        return node
+
     def lower_link_end(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
         return _call(f"_link_{mark[2]}_{mark[1]}", self.visit(node.value))
 

@@ -47,6 +47,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         own, sought = population.name in own_makers, population.name in program.sought
         parts.append(population_text(population, own, leaving, sought))
     parts.append(neighbours.text(shape, program.sought))
+    parts += [neighbours.THERE.replace("NAME", name) for name in program.perhaps_nobody]
     for name, what, field in program.aggregates:
         parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
     minded = [one for one in shape.populations.values() if one.hierarchy]

@@ -69,9 +69,16 @@ class MaybeRowType:
 
 @dataclass(frozen=True)
 class FoundType:
-    """The agents of a population that were found around somebody."""
+    """The agents of a population that were found around somebody.
+
+    Attributes:
+        population: theirs; that of a network where these are links.
+        through: the network by which they are linked with somebody, and of which of its lists
+            ("out", "in"); None for those that are near.
+    """
 
     population: str
+    through: tuple[str, str] | None = None
 
     def __str__(self) -> str:
         return f"a set of agents of {self.population!r}"

@@ -16,17 +16,19 @@ from numpy.typing import NDArray
 
 FIRST, LAST, DEGREE = 0, 1, 2
 """What the head of an agent's list holds: its first and last half, −1 in none; how many."""
-NEXT, PREVIOUS, AGENT = 0, 1, 2
-"""What a half holds: the next and the previous one of its list, −1 for none; its agent's slot."""
+NEXT, PREVIOUS, AGENT, LINK = 0, 1, 2, 3
+"""What a half holds: the next and the previous one of its list, −1 for none; its agent's slot; the
+link's identity. Both halves of a link are a cache line."""
 
 
 @register_jitable
-def tie(heads: Any, halves: Any, half: int, agent: int) -> None:
-    """Append a half to the list of the agent in a slot."""
+def tie(heads: Any, halves: Any, half: int, agent: int, link: int) -> None:
+    """Append a half of a link, by its identity, to the list of the agent in a slot."""
     last = heads[agent, LAST]
     halves[half, NEXT] = -1
     halves[half, PREVIOUS] = last
     halves[half, AGENT] = agent
+    halves[half, LINK] = link
     if last < 0:
         heads[agent, FIRST] = half
     else:
@@ -37,7 +39,10 @@ def tie(heads: Any, halves: Any, half: int, agent: int) -> None:
 
 @register_jitable
 def untie(heads: Any, halves: Any, half: int) -> None:
-    """Take a half out of its list."""
+    """Take a half out of its list.
+
+    It still knows the next one: who is there in a walk through the list goes on from it.
+    """
     agent = halves[half, AGENT]
     after, before = halves[half, NEXT], halves[half, PREVIOUS]
     if before < 0:
@@ -73,6 +78,16 @@ def link_between(heads_out: Any, heads_in: Any, halves: Any, one: int, other: in
     return -1
 
 
+@register_jitable
+def nth(heads: Any, halves: Any, agent: int, place: int) -> int:
+    """Return the half at a place in the list of the agent in a slot; −1 behind its end."""
+    half = heads[agent, FIRST]
+    while place > 0 and half >= 0:
+        half = halves[half, NEXT]
+        place -= 1
+    return half
+
+
 def no_lists(agents: int) -> NDArray[np.int64]:
     """Return the heads of so many empty lists."""
     return np.tile(np.array([-1, -1, 0], np.int64), (agents, 1))
@@ -83,6 +98,7 @@ def built(
     halves: NDArray[np.int64],
     which: NDArray[np.int64],
     agents: NDArray[np.int64],
+    links: NDArray[np.int64],
 ) -> None:
     """Fill empty lists with halves.
 
@@ -91,11 +107,12 @@ def built(
         halves: the halves; those of other lists stay.
         which: the numbers of those that go in, in order.
         agents: the slot of each one's agent.
+        links: the identity of each one's link.
 
-    >>> heads, halves = no_lists(2), np.zeros((4, 3), np.int64)
-    >>> built(heads, halves, np.arange(4), np.array([0, 1, 0, 0]))
+    >>> heads, halves = no_lists(3), np.zeros((4, 4), np.int64)
+    >>> built(heads, halves, np.arange(4), np.array([0, 1, 0, 2]), np.array([0, 0, 1, 1]))
     >>> heads.tolist(), halves[:, NEXT].tolist()
-    ([[0, 3, 3], [1, 1, 1]], [2, -1, 3, -1])
+    ([[0, 2, 2], [1, 1, 1], [3, 3, 1]], [2, -1, -1, -1])
     """
     if not len(which):
         return
@@ -107,4 +124,5 @@ def built(
     after[ends] = -1
     before[starts] = -1
     halves[half, NEXT], halves[half, PREVIOUS], halves[half, AGENT] = after, before, agent
+    halves[half, LINK] = links[sorting]
     heads[agent[starts]] = np.column_stack([half[starts], half[ends], ends - starts + 1])

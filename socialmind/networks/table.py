@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -40,7 +40,7 @@ class NetworkTable(Table):
         super().__init__(model, shape, 0, None)
         assert shape.links is not None  # a network's
         self._joins: LinksShape = shape.links
-        self._halves = np.zeros((2, 3), np.int64)
+        self._halves = np.zeros((2, 4), np.int64)
 
     def settle_in(self, tables: Mapping[str, Table]) -> None:
         """Take note of the agents that are linked; their tables let the network know of deaths."""
@@ -69,8 +69,9 @@ class NetworkTable(Table):
             self._named(slot)
             self.columns["_source"][slot] = self._sources.columns["_id"][one]
             self.columns["_target"][slot] = self._targets.columns["_id"][other]
-            adjacency.tie(self._heads_out, self._halves, 2 * slot, one)
-            adjacency.tie(self._heads_in, self._halves, 2 * slot + 1, other)
+            identity = self.columns["_id"][slot]
+            adjacency.tie(self._heads_out, self._halves, 2 * slot, one, identity)
+            adjacency.tie(self._heads_in, self._halves, 2 * slot + 1, other, identity)
         return self.row_class(self, slot)
 
     def unlink(self, source: Any, target: Any) -> None:
@@ -141,6 +142,73 @@ class NetworkTable(Table):
         for ends, heads in ((self._sources, self._heads_out), (self._targets, self._heads_in)):
             while ends is table and heads[slot, adjacency.FIRST] >= 0:
                 self._end(int(heads[slot, adjacency.FIRST]) >> 1)
+
+    # Who is linked with whom ------------------------------------------------------------------
+
+    def neighbours(self, agent: Any) -> list[Any]:
+        """Return those whom an agent is linked with, in the order of the links' birth.
+
+        Args:
+            agent: an agent, or the identity of one of the source's population.
+
+        Raises:
+            UnknownNameError: the network is directed: there are `successors` and `predecessors`.
+        """
+        return list(self.linked_set(self._list_of(agent, "neighbours"), "agents", agent))
+
+    def links_of(self, agent: Any) -> list[Any]:
+        """Return the links of an agent, in the order of their birth; `neighbours` has the rest."""
+        return list(self.linked_set(self._list_of(agent, "links_of"), "links", agent))
+
+    def successors(self, agent: Any) -> list[Any]:
+        """Return those whom an agent's links lead to, in the order of the links' birth."""
+        return list(self.linked_set(self._directed("out", "successors"), "agents", agent))
+
+    def predecessors(self, agent: Any) -> list[Any]:
+        """Return those from whom links lead to an agent, in the order of the links' birth."""
+        return list(self.linked_set(self._directed("in", "predecessors"), "agents", agent))
+
+    def links_from(self, agent: Any) -> list[Any]:
+        """Return the links that lead from an agent, in the order of their birth."""
+        return list(self.linked_set(self._directed("out", "links_from"), "links", agent))
+
+    def links_to(self, agent: Any) -> list[Any]:
+        """Return the links that lead to an agent, in the order of their birth."""
+        return list(self.linked_set(self._directed("in", "links_to"), "links", agent))
+
+    def linked_set(self, side: str, what: str, agent: Any) -> LinkedSet:
+        """Return whom or what the list of an agent holds, as rules ask for it.
+
+        Args:
+            side: "out" for the links that it is the source of, "in" for the others; in a network
+                that does not tell them apart "out" is all.
+            what: "agents" at the other ends, or "links".
+            agent: whose list.
+        """
+        of, heads = (self._sources, self._heads_out)
+        ends = self._targets
+        if side == "in":
+            of, heads, ends = self._targets, self._heads_in, self._sources
+        return LinkedSet(self, heads, self if what == "links" else ends, _slot_of(of, agent))
+
+    def _list_of(self, agent: Any, asked: str) -> str:
+        """Return which list holds all links of an agent."""
+        if self._joins.directed and self._sources is self._targets:
+            instead = "links_from() or links_to()" if asked == "links_of" else _BOTH_WAYS
+            name = self.shape.name
+            raise UnknownNameError(f"{asked}() of the directed network {name!r}; write {instead}")
+        is_target = isinstance(agent, Row) and agent._table is self._targets
+        return "in" if is_target and self._joins.apart else "out"
+
+    def _directed(self, side: str, asked: str) -> str:
+        """Return a list of sources or of targets, where these are told apart."""
+        if not self._joins.apart:
+            instead = "links_of()" if asked.startswith("links") else "neighbours()"
+            raise UnknownNameError(
+                f"{asked}() of the network {self.shape.name!r}, which is not directed; "
+                f"write {instead}"
+            )
+        return side
 
     # All links at once ------------------------------------------------------------------------
 
@@ -238,20 +306,21 @@ class NetworkTable(Table):
 
     def build_index(self) -> None:
         """Build the lists of links anew from the rows."""
-        self._halves = np.zeros((2 * len(self.rows), 3), np.int64)
+        self._halves = np.zeros((2 * len(self.rows), 4), np.int64)
         self._heads_out = adjacency.no_lists(len(self._sources.rows))
         apart = self._joins.apart
         self._heads_in = adjacency.no_lists(len(self._targets.rows)) if apart else self._heads_out
         slots = self.slots
+        links = self.columns["_id"][slots]
         sources = self._sources.slot_of[self.columns["_source"][slots]]
         targets = self._targets.slot_of[self.columns["_target"][slots]]
         if apart:
-            adjacency.built(self._heads_out, self._halves, 2 * slots, sources)
-            adjacency.built(self._heads_in, self._halves, 2 * slots + 1, targets)
+            adjacency.built(self._heads_out, self._halves, 2 * slots, sources, links)
+            adjacency.built(self._heads_in, self._halves, 2 * slots + 1, targets, links)
         else:
             both = np.column_stack([2 * slots, 2 * slots + 1]).ravel()
             ends = np.column_stack([sources, targets]).ravel()
-            adjacency.built(self._heads_out, self._halves, both, ends)
+            adjacency.built(self._heads_out, self._halves, both, ends, np.repeat(links, 2))
 
     def follow_ends(self) -> None:
         """Have a list for each slot of agents, of which there are more now."""
@@ -264,7 +333,7 @@ class NetworkTable(Table):
     def reserve(self, slots: int, identities: int) -> None:
         """Have at least so many slots and identities."""
         super().reserve(slots, identities)
-        halves = np.zeros((2 * len(self.rows), 3), np.int64)
+        halves = np.zeros((2 * len(self.rows), 4), np.int64)
         halves[: len(self._halves)] = self._halves
         self._halves = halves
 
@@ -284,6 +353,52 @@ class NetworkTable(Table):
         if self._joins.source == self._joins.target and (ends[0] == ends[1]).any():
             return "a link of an agent with itself"
         return None
+
+
+_BOTH_WAYS = "successors() or predecessors()"
+
+
+class LinkedSet:
+    """What the list of an agent holds: for rules, which loop over it, count it or draw from it.
+
+    A loop meets what is there when it begins, but for links that have ended meanwhile.
+
+    Args:
+        network: the network.
+        heads: the heads of its lists.
+        found: the table of what is found, the agents at the other ends or the links.
+        slot: that of the agent.
+    """
+
+    def __init__(self, network: NetworkTable, heads: Any, found: Table, slot: int) -> None:
+        self._network, self._heads, self._found, self._slot = network, heads, found, slot
+
+    def __len__(self) -> int:
+        return int(self._heads[self._slot, adjacency.DEGREE])
+
+    def __iter__(self) -> Iterator[Any]:
+        halves, alive = self._network._halves, self._network.alive
+        listed = []
+        half = int(self._heads[self._slot, adjacency.FIRST])
+        while half >= 0:
+            listed.append(half)
+            half = int(halves[half, adjacency.NEXT])
+        for half in listed:
+            if alive[half >> 1]:
+                yield self._row(half)
+
+    def one_of(self, rng: Any) -> Any:
+        """Return one of them, drawn at random, or None."""
+        if not len(self):
+            return None
+        place = int(rng.integers(0, len(self)))
+        halves = self._network._halves
+        return self._row(int(adjacency.nth(self._heads, halves, self._slot, place)))
+
+    def _row(self, half: int) -> Any:
+        of_links = self._found is self._network
+        slot = half >> 1 if of_links else int(self._network._halves[half ^ 1, adjacency.AGENT])
+        return self._found.row_class(self._found, slot)
 
 
 def _slot_of(table: Table, agent: Any) -> int:

@@ -41,8 +41,8 @@ def _network_link_NAME(_model, one, other):
         link._source = one._id
         link._target = other._id
         halves = _halves_NAME(_model)
-        _adjacency.tie(_heads_out_NAME(_model), halves, 2 * slot, one._slot)
-        _adjacency.tie(_heads_in_NAME(_model), halves, 2 * slot + 1, other._slot)
+        _adjacency.tie(_heads_out_NAME(_model), halves, 2 * slot, one._slot, link._id)
+        _adjacency.tie(_heads_in_NAME(_model), halves, 2 * slot + 1, other._slot, link._id)
     return rows[slot]
 
 
@@ -59,6 +59,11 @@ def _network_linked_NAME(_model, one, other):
 
 
 @_inner
+def _network_between_NAME(_model, one, other):
+    return _link_between_NAME(_model, one._slot, other._slot)
+
+
+@_inner
 def _end_links_NAME(_model, heads, slot):
     while heads[slot, _adjacency.FIRST] >= 0:
         _die_NAME(_model, _rows_NAME(_model)[heads[slot, _adjacency.FIRST] >> 1])
@@ -72,6 +77,56 @@ def _link_source_NAME(_model, link):
 @_inner
 def _link_target_NAME(_model, link):
     return _agent_TARGET(_model, link._target)"""
+
+_SETS = """@_inner
+def _network_degree_NAME_SIDE(_model, agent):
+    return _heads_SIDE_NAME(_model)[agent._slot, _adjacency.DEGREE]
+
+
+@_inner
+def _network_nth_NAME_SIDE(_model, agent, rng):
+    heads = _heads_SIDE_NAME(_model)
+    degree = heads[agent._slot, _adjacency.DEGREE]
+    if degree == 0:
+        return -1
+    place = _rng_integers(rng, 0, degree)
+    return _adjacency.nth(heads, _halves_NAME(_model), agent._slot, place)
+
+
+@_inner
+def _network_one_NAME_SIDE_agents(_model, agent, rng):
+    half = _network_nth_NAME_SIDE(_model, agent, rng)
+    return half if half < 0 else _halves_NAME(_model)[half ^ 1, _adjacency.AGENT]
+
+
+@_inner
+def _network_one_NAME_SIDE_links(_model, agent, rng):
+    half = _network_nth_NAME_SIDE(_model, agent, rng)
+    return half if half < 0 else half >> 1
+
+
+@_inner
+def _network_walk_NAME_SIDE_agents(_model, agent):
+    halves = _halves_NAME(_model)
+    alive = _alive_NAME(_model)
+    born = _counters_NAME(_model)[_bookkeeping.NEXT_ID]
+    half = _heads_SIDE_NAME(_model)[agent._slot, _adjacency.FIRST]
+    while half >= 0 and halves[half, _adjacency.LINK] < born:
+        if alive[half >> 1]:
+            yield halves[half ^ 1, _adjacency.AGENT]
+        half = halves[half, _adjacency.NEXT]
+
+
+@_inner
+def _network_walk_NAME_SIDE_links(_model, agent):
+    halves = _halves_NAME(_model)
+    alive = _alive_NAME(_model)
+    born = _counters_NAME(_model)[_bookkeeping.NEXT_ID]
+    half = _heads_SIDE_NAME(_model)[agent._slot, _adjacency.FIRST]
+    while half >= 0 and halves[half, _adjacency.LINK] < born:
+        if alive[half >> 1]:
+            yield half >> 1
+        half = halves[half, _adjacency.NEXT]"""
 
 _OTHER = """@_inner
 def _link_other_NAME(_model, link, agent):
@@ -108,7 +163,9 @@ def network_text(network: PopulationShape) -> str:
         "TARGET": links.target,
         "NAME": network.name,
     }
-    text = "\n\n\n".join([_LINKS, _OTHER if same else _OTHERS])
+    sides = ("out", "in") if links.apart else ("out",)
+    sets = [_SETS.replace("SIDE", side) for side in sides]
+    text = "\n\n\n".join([_LINKS, _OTHER if same else _OTHERS, *sets])
     for mark, fill in fills.items():
         text = text.replace(mark, fill)
     return text

@@ -22,7 +22,7 @@ from socialmind.language.typing.built_in import (
 )
 from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.draws import typed_draw
-from socialmind.language.typing.links import link_call, network_call
+from socialmind.language.typing.links import link_call, network_call, one_linked
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
 from socialmind.language.typing.world_calls import population_aggregate, world_call
@@ -183,6 +183,8 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
         if name != "one_of":
             advice = "loop over it, or write len(…) or ….one_of(rng)"
             typer.refuse(node, f"{name}() of {kind}", hints.SETS.get(name, advice))
+        if isinstance(kind, types.FoundType) and kind.through is not None:
+            return one_linked(typer, node, base, kind)
         return neighbours.one_found(typer, node, base, kind)
     if kind == types.RNG:
         return typed_draw(typer, node, base, name)
