@@ -10,13 +10,13 @@ import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py.border.errors import shown
-from coglogo_py.border.numbers import is_number, is_truth
+from coglogo_py.border.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, nearest
 from socialmind.fields import Field
 from socialmind.language.shape import LinksShape
@@ -24,9 +24,9 @@ from socialmind.society.beginning import Beginning, beginning_of, is_table
 from socialmind.values import fitted_column
 
 ENDS = ("source", "target")
-Pair = tuple[NDArray[np.int64], NDArray[np.int64]]
+Pair: TypeAlias = tuple[NDArray[np.int64], NDArray[np.int64]]
 """The identities of the sources and the targets of links."""
-Pair = tuple[NDArray[np.int64], NDArray[np.int64]]
+Pair: TypeAlias = tuple[NDArray[np.int64], NDArray[np.int64]]
 """The identities of the sources and the targets of links."""
 
 
@@ -205,7 +205,8 @@ class Reader:
     def of_graph(self, graph: Any, mends: bool = False) -> Links:
         """Return the links of a graph of networkx.
 
-        Nodes that are whole numbers are identities; others stand for the agents in order of birth
+        Nodes that have an attribute ``agent`` stand for the agents of these identities; nodes that
+        are whole numbers are identities themselves; others stand for the agents in order of birth
         (between two populations those with ``bipartite=0`` for the source's, the others for the
         target's). In a directed network an undirected edge is a link each way. Attributes of edges
         that are called as fields are their values.
@@ -251,6 +252,9 @@ class Reader:
 
     def _places(self, graph: Any, what: str, in_order: bool) -> dict[Any, int]:
         """Return the identity of the agent that each node stands for."""
+        agents = dict(graph.nodes(data="agent"))
+        if agents and not in_order and all(is_whole(one) for one in agents.values()):
+            return agents  # as `to_networkx` names them
         whole = all(isinstance(node, int | np.integer) for node in graph.nodes)
         if self.joins.source == self.joins.target:
             parts = {"source": list(graph.nodes)}
@@ -277,13 +281,15 @@ class Reader:
         return places
 
     def _keys(self, pairs: Pair) -> NDArray[np.int64]:
-        """Return what tells the pairs apart that may be linked once each."""
-        ends = pairs if self.joins.apart else (np.minimum(*pairs), np.maximum(*pairs))
-        return np.column_stack(ends)
+        """Return a number for each pair; pairs that may be linked once have the same."""
+        one, other = pairs
+        if not self.joins.apart:
+            one, other = np.minimum(one, other), np.maximum(one, other)
+        return one * (other.max(initial=0) + 1) + other
 
     def _proper(self, pairs: Pair) -> NDArray[np.int64]:
         """Return the places of the first of each pair, without loops."""
-        _, first = np.unique(self._keys(pairs), axis=0, return_index=True)
+        _, first = np.unique(self._keys(pairs), return_index=True)
         first = np.sort(first)
         loops = self.joins.source == self.joins.target
         return first[pairs[0][first] != pairs[1][first]] if loops else first
@@ -308,8 +314,8 @@ class Reader:
                 f"{place(row)}: found a link of agent {one[row]} with itself; expected two agents"
             )
         keys = self._keys(pairs)
-        _, first, again = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-        firsts = first[again.reshape(-1)]
+        _, first, again = np.unique(keys, return_index=True, return_inverse=True)
+        firsts = first[again]
         twice = np.flatnonzero(firsts != np.arange(len(one)))
         if len(twice):
             row = int(twice[0])

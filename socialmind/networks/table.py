@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,18 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py.border.errors import shown
-from coglogo_py.border.numbers import is_whole
 from socialmind.agents import bookkeeping
 from socialmind.agents.rows import Row
 from socialmind.columns import column, columns_of
-from socialmind.errors import UnknownNameError, ValueRefusedError
+from socialmind.errors import UnknownNameError, nearest
 from socialmind.fields import presence
 from socialmind.language.shape import LinksShape, PopulationShape
-from socialmind.networks import adjacency
+from socialmind.networks import adjacency, exchange
+from socialmind.networks.linked import LinkedSet, slot_in
 from socialmind.networks.start import Generator, Links, Reader, is_graph, seed_of
 from socialmind.society.table import Table
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from socialmind.agents.running import Running
 
 
@@ -36,15 +38,17 @@ class NetworkTable(Table):
         shape: the shape of the links.
     """
 
+    joins: LinksShape
+
     def __init__(self, model: Running, shape: PopulationShape) -> None:
         super().__init__(model, shape, 0, None)
         assert shape.links is not None  # a network's
-        self._joins: LinksShape = shape.links
+        object.__setattr__(self, "joins", shape.links)
         self._halves = np.zeros((2, 4), np.int64)
 
     def settle_in(self, tables: Mapping[str, Table]) -> None:
         """Take note of the agents that are linked; their tables let the network know of deaths."""
-        self._sources, self._targets = tables[self._joins.source], tables[self._joins.target]
+        self._sources, self._targets = tables[self.joins.source], tables[self.joins.target]
         for table in dict.fromkeys((self._sources, self._targets)):
             table.joined_by(self)
         self.build_index()
@@ -78,7 +82,7 @@ class NetworkTable(Table):
         """End the link between two agents, if there is one."""
         slot = self._slot_between(*self._ends(source, target))
         if slot >= 0:
-            self._end(slot)
+            self._cut(slot)
 
     def linked(self, source: Any, target: Any) -> bool:
         """Say whether two agents are linked; in a directed network, from the first to the second.
@@ -107,7 +111,7 @@ class NetworkTable(Table):
 
     def _ends(self, source: Any, target: Any) -> tuple[int, int]:
         """Return the slots of two agents; users give identities too."""
-        return _slot_of(self._sources, source), _slot_of(self._targets, target)
+        return slot_in(self._sources, source), slot_in(self._targets, target)
 
     def _slot_between(self, one: int, other: int) -> int:
         heads_out, heads_in = self._heads_out, self._heads_in
@@ -124,9 +128,9 @@ class NetworkTable(Table):
     def die(self, agent: Any) -> None:
         """End a link."""
         if self.alive[agent._slot]:
-            self._end(agent._slot)
+            self._cut(agent._slot)
 
-    def _end(self, slot: int) -> None:
+    def _cut(self, slot: int) -> None:
         adjacency.untie(self._heads_out, self._halves, 2 * slot)
         adjacency.untie(self._heads_in, self._halves, 2 * slot + 1)
         identity = int(self.columns["_id"][slot])
@@ -141,7 +145,7 @@ class NetworkTable(Table):
         """
         for ends, heads in ((self._sources, self._heads_out), (self._targets, self._heads_in)):
             while ends is table and heads[slot, adjacency.FIRST] >= 0:
-                self._end(int(heads[slot, adjacency.FIRST]) >> 1)
+                self._cut(int(heads[slot, adjacency.FIRST]) >> 1)
 
     # Who is linked with whom ------------------------------------------------------------------
 
@@ -189,20 +193,20 @@ class NetworkTable(Table):
         ends = self._targets
         if side == "in":
             of, heads, ends = self._targets, self._heads_in, self._sources
-        return LinkedSet(self, heads, self if what == "links" else ends, _slot_of(of, agent))
+        return LinkedSet(self, heads, self if what == "links" else ends, slot_in(of, agent))
 
     def _list_of(self, agent: Any, asked: str) -> str:
         """Return which list holds all links of an agent."""
-        if self._joins.directed and self._sources is self._targets:
+        if self.joins.directed and self._sources is self._targets:
             instead = "links_from() or links_to()" if asked == "links_of" else _BOTH_WAYS
             name = self.shape.name
             raise UnknownNameError(f"{asked}() of the directed network {name!r}; write {instead}")
         is_target = isinstance(agent, Row) and agent._table is self._targets
-        return "in" if is_target and self._joins.apart else "out"
+        return "in" if is_target and self.joins.apart else "out"
 
     def _directed(self, side: str, asked: str) -> str:
         """Return a list of sources or of targets, where these are told apart."""
-        if not self._joins.apart:
+        if not self.joins.apart:
             instead = "links_of()" if asked.startswith("links") else "neighbours()"
             raise UnknownNameError(
                 f"{asked}() of the network {self.shape.name!r}, which is not directed; "
@@ -253,7 +257,7 @@ class NetworkTable(Table):
     @property
     def _reader(self) -> Reader:
         ends = (np.asarray(self._sources.id), np.asarray(self._targets.id))
-        return Reader(self.shape.name, self._joins, self.shape.fields, ends)
+        return Reader(self.shape.name, self.joins, self.shape.fields, ends)
 
     def replace(self, links: Links) -> None:
         """End all links and make others, which act from the next tick on.
@@ -297,18 +301,89 @@ class NetworkTable(Table):
             return column(ends, f"society.{self.shape.name}.{name}")
         return super().__getattr__(name)
 
+    # As data ----------------------------------------------------------------------------------
+
+    @property
+    def ends(self) -> tuple[Table, ...]:
+        """The populations whose agents it links: the source's and, if another, the target's."""
+        return tuple(dict.fromkeys((self._sources, self._targets)))
+
+    def degrees(self, population: str | None = None) -> NDArray[np.int64]:
+        """Return how many links each of the living has, in order of birth; both ways if directed.
+
+        Args:
+            population: whose agents; the source's unless given.
+        """
+        table = self._end(population)
+        counts = np.zeros(len(table.rows), np.int64)
+        if table is self._sources:
+            counts += self._heads_out[:, adjacency.DEGREE]
+        if table is self._targets and self.joins.apart:
+            counts += self._heads_in[:, adjacency.DEGREE]
+        return counts[table.slots]
+
+    def out_degrees(self) -> NDArray[np.int64]:
+        """Return how many links lead from each living agent of the source's population."""
+        self._directed("out", "out_degrees")
+        return self._heads_out[self._sources.slots, adjacency.DEGREE]
+
+    def in_degrees(self) -> NDArray[np.int64]:
+        """Return how many links lead to each living agent of the target's population."""
+        self._directed("in", "in_degrees")
+        return self._heads_in[self._targets.slots, adjacency.DEGREE]
+
+    def components(self, population: str | None = None) -> NDArray[np.int64]:
+        """Return the number of the component that each of the living belongs to.
+
+        Two agents are in one component if links lead from one to the other, whichever way.
+        Components are numbered from 0 in the order in which their first agents were born.
+
+        Args:
+            population: whose agents; the source's unless given.
+        """
+        return exchange.components(self)[self.ends.index(self._end(population))]
+
+    def edges(self) -> pd.DataFrame:
+        """Return the links as a data frame: source, target and the fields, in order of birth."""
+        return exchange.edges(self)
+
+    def to_networkx(self) -> Any:
+        """Return a graph of networkx: nodes are identities with the agents' fields, edges links.
+
+        Between two populations nodes are called as ``"firms 3"``.
+        """
+        return exchange.graph(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the network: ``.graphml`` with its agents, ``.csv`` or ``.parquet`` the links.
+
+        Raises:
+            SocialmindError: another suffix, or the file cannot be written.
+        """
+        return exchange.save(self, path)
+
+    def _end(self, population: str | None) -> Table:
+        """Return one of the populations that it links."""
+        known = {table.shape.name: table for table in self.ends}
+        if population is not None and population not in known:
+            raise UnknownNameError(
+                f"the network {self.shape.name!r} links no agents of {shown(population)}; "
+                f"{nearest(str(population), known)}"
+            )
+        return self._sources if population is None else known[population]
+
     # The index --------------------------------------------------------------------------------
 
     def link_arrays(self) -> dict[str, NDArray[Any]]:
         """Return the lists of links."""
         arrays = {"heads_out": self._heads_out, "halves": self._halves}
-        return arrays | ({"heads_in": self._heads_in} if self._joins.apart else {})
+        return arrays | ({"heads_in": self._heads_in} if self.joins.apart else {})
 
     def build_index(self) -> None:
         """Build the lists of links anew from the rows."""
         self._halves = np.zeros((2 * len(self.rows), 4), np.int64)
         self._heads_out = adjacency.no_lists(len(self._sources.rows))
-        apart = self._joins.apart
+        apart = self.joins.apart
         self._heads_in = adjacency.no_lists(len(self._targets.rows)) if apart else self._heads_out
         slots = self.slots
         links = self.columns["_id"][slots]
@@ -325,7 +400,7 @@ class NetworkTable(Table):
     def follow_ends(self) -> None:
         """Have a list for each slot of agents, of which there are more now."""
         self._heads_out = _with_lists(self._heads_out, len(self._sources.rows))
-        if self._joins.apart:
+        if self.joins.apart:
             self._heads_in = _with_lists(self._heads_in, len(self._targets.rows))
         else:
             self._heads_in = self._heads_out
@@ -340,81 +415,22 @@ class NetworkTable(Table):
     def odd_rows(self, rows: NDArray[Any], state: Mapping[str, NDArray[Any]]) -> str | None:
         """Say what is odd about the links of a state, if anything."""
         ends = []
-        for name, of in (("_source", self._joins.source), ("_target", self._joins.target)):
+        for name, of in (("_source", self.joins.source), ("_target", self.joins.target)):
             known = np.asarray(state[f"{of}.slot_of"])
             end = rows[name]
             if len(end) and (end.min() < 0 or end.max() >= len(known) or (known[end] < 0).any()):
                 return "links of agents that do not live"
             ends.append(end)
-        if not self._joins.directed and not self._joins.apart:
+        if not self.joins.directed and not self.joins.apart:
             ends = [np.minimum(*ends), np.maximum(*ends)]
         if len(np.unique(np.column_stack(ends), axis=0)) != len(rows):
             return "two links between the same agents"
-        if self._joins.source == self._joins.target and (ends[0] == ends[1]).any():
+        if self.joins.source == self.joins.target and (ends[0] == ends[1]).any():
             return "a link of an agent with itself"
         return None
 
 
 _BOTH_WAYS = "successors() or predecessors()"
-
-
-class LinkedSet:
-    """What the list of an agent holds: for rules, which loop over it, count it or draw from it.
-
-    A loop meets what is there when it begins, but for links that have ended meanwhile.
-
-    Args:
-        network: the network.
-        heads: the heads of its lists.
-        found: the table of what is found, the agents at the other ends or the links.
-        slot: that of the agent.
-    """
-
-    def __init__(self, network: NetworkTable, heads: Any, found: Table, slot: int) -> None:
-        self._network, self._heads, self._found, self._slot = network, heads, found, slot
-
-    def __len__(self) -> int:
-        return int(self._heads[self._slot, adjacency.DEGREE])
-
-    def __iter__(self) -> Iterator[Any]:
-        halves, alive = self._network._halves, self._network.alive
-        listed = []
-        half = int(self._heads[self._slot, adjacency.FIRST])
-        while half >= 0:
-            listed.append(half)
-            half = int(halves[half, adjacency.NEXT])
-        for half in listed:
-            if alive[half >> 1]:
-                yield self._row(half)
-
-    def one_of(self, rng: Any) -> Any:
-        """Return one of them, drawn at random, or None."""
-        if not len(self):
-            return None
-        place = int(rng.integers(0, len(self)))
-        halves = self._network._halves
-        return self._row(int(adjacency.nth(self._heads, halves, self._slot, place)))
-
-    def _row(self, half: int) -> Any:
-        of_links = self._found is self._network
-        slot = half >> 1 if of_links else int(self._network._halves[half ^ 1, adjacency.AGENT])
-        return self._found.row_class(self._found, slot)
-
-
-def _slot_of(table: Table, agent: Any) -> int:
-    """Return the slot of an agent, as rules give it, or as users do: the agent or its identity."""
-    if isinstance(agent, Row):
-        if agent._table is not table:
-            raise UnknownNameError(
-                f"{agent!r}, which is of {agent._table.shape.name!r}; expected an agent of "
-                f"{table.shape.name!r}"
-            )
-        return agent._slot
-    if not is_whole(agent) or not table.contains(int(agent)):
-        raise ValueRefusedError(
-            f"found {shown(agent)}; expected a living agent of {table.shape.name!r}, or an identity"
-        )
-    return int(bookkeeping.slot_of_agent(table.slot_of, int(agent)))
 
 
 def _with_lists(heads: NDArray[np.int64], agents: int) -> NDArray[np.int64]:

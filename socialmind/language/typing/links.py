@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from typing import TYPE_CHECKING
 
-from socialmind.errors import nearest
 from socialmind.language import types
 from socialmind.language.nodes import Typed, constant, marked
 from socialmind.language.shape import LinksShape
