@@ -257,9 +257,6 @@ class _Lowering(ast.NodeTransformer):
         """Lower what a network is asked by a function of the same name."""
         return _call(f"_network_{mark[2]}_{mark[1]}", *map(self.visit, node.args))
 
-    def lower_linked(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_network_walk_{'_'.join(mark[1:])}", self.visit(node.args[2]))
-
     def lower_count_linked(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         of: Any = node.args[0]
         return _call(f"_network_degree_{'_'.join(of.mark[1:3])}", self.visit(of.args[2]))
@@ -269,15 +266,30 @@ class _Lowering(ast.NodeTransformer):
         who, rng = self.visit(of.args[2]), self.visit(node.args[0])
         return _call(f"_network_one_{'_'.join(of.mark[1:])}", who, rng)
 
-    def lower_linked_loop(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
-        """Lower a loop over what is linked, which is walked through by slots."""
+    def lower_linked_loop(self, node: ast.For, mark: tuple[Any, ...]) -> list[ast.stmt]:
+        """Lower a loop over what is linked: a walk from link to link, which may end meanwhile."""
+        asked: Any = node.iter
+        _, net, side, what = asked.mark
         self.loops += 1
-        slot = f"_linked_{self.loops}"
-        row = _parsed(f"_rows_{mark[1]}(_model)[{slot}]")
-        self.generic_visit(node)
-        node.body.insert(0, ast.Assign([node.target], row))
-        node.target = ast.Name(slot, ast.Store())
-        return node
+        who, half, born, over = (f"_{one}_{self.loops}" for one in ("who", "half", "born", "over"))
+        lines = parsed(
+            f"{who} = WHO\n"
+            f"{half} = -2\n"
+            f"{born} = _network_born_{net}(_model)\n"
+            f"{over} = False\n"
+            f"while True:\n"
+            f"    {half} = _network_next_{net}_{side}(_model, {who}, {half}, {born})\n"
+            f"    if {half} < 0:\n"
+            f"        {over} = True\n"
+            f"        break\n"
+            f"    {ast.unparse(node.target)} = _network_{what}_{net}_{side}(_model, {half})\n"
+            f"if {over}:\n"
+            f"    pass\n"
+        ).body
+        lines[0].value = ast.Attribute(self.visit(asked.args[2]), "_slot", ast.Load())
+        lines[4].body += self.block(node.body)
+        lines[5].body += self.block(node.orelse)
+        return list(lines[: 6 if node.orelse else 5])
 
     def lower_link_end(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
         return _call(f"_link_{mark[2]}_{mark[1]}", self.visit(node.value))

@@ -59,6 +59,11 @@ def _network_linked_NAME(_model, one, other):
 
 
 @_inner
+def _network_born_NAME(_model):
+    return _counters_NAME(_model)[_bookkeeping.NEXT_ID]
+
+
+@_inner
 def _network_between_NAME(_model, one, other):
     return _link_between_NAME(_model, one._slot, other._slot)
 
@@ -106,27 +111,28 @@ def _network_one_NAME_SIDE_links(_model, agent, rng):
 
 
 @_inner
-def _network_walk_NAME_SIDE_agents(_model, agent):
+def _network_next_NAME_SIDE(_model, agent, half, born):
     halves = _halves_NAME(_model)
     alive = _alive_NAME(_model)
-    born = _counters_NAME(_model)[_bookkeeping.NEXT_ID]
-    half = _heads_SIDE_NAME(_model)[agent._slot, _adjacency.FIRST]
-    while half >= 0 and halves[half, _adjacency.LINK] < born:
-        if alive[half >> 1]:
-            yield halves[half ^ 1, _adjacency.AGENT]
+    if half < 0:
+        half = _heads_SIDE_NAME(_model)[agent, _adjacency.FIRST]
+    else:
         half = halves[half, _adjacency.NEXT]
+    while half >= 0 and not alive[half >> 1]:
+        half = halves[half, _adjacency.NEXT]
+    if half >= 0 and halves[half, _adjacency.LINK] >= born:
+        return -1
+    return half
 
 
 @_inner
-def _network_walk_NAME_SIDE_links(_model, agent):
-    halves = _halves_NAME(_model)
-    alive = _alive_NAME(_model)
-    born = _counters_NAME(_model)[_bookkeeping.NEXT_ID]
-    half = _heads_SIDE_NAME(_model)[agent._slot, _adjacency.FIRST]
-    while half >= 0 and halves[half, _adjacency.LINK] < born:
-        if alive[half >> 1]:
-            yield half >> 1
-        half = halves[half, _adjacency.NEXT]"""
+def _network_agents_NAME_SIDE(_model, half):
+    return _rows_ENDS(_model)[_halves_NAME(_model)[half ^ 1, _adjacency.AGENT]]
+
+
+@_inner
+def _network_links_NAME_SIDE(_model, half):
+    return _rows_NAME(_model)[half >> 1]"""
 
 _OTHER = """@_inner
 def _link_other_NAME(_model, link, agent):
@@ -164,7 +170,8 @@ def network_text(network: PopulationShape) -> str:
         "NAME": network.name,
     }
     sides = ("out", "in") if links.apart else ("out",)
-    sets = [_SETS.replace("SIDE", side) for side in sides]
+    ends = {"out": links.target, "in": links.source}
+    sets = [_SETS.replace("SIDE", side).replace("ENDS", ends[side]) for side in sides]
     text = "\n\n\n".join([_LINKS, _OTHER if same else _OTHERS, *sets])
     for mark, fill in fills.items():
         text = text.replace(mark, fill)
