@@ -1,4 +1,4 @@
-"""Whom or what an agent is linked with, as interpreted rules go over it, count it or draw from it."""
+"""Whom an agent is linked with, as interpreted rules go over it, count it or draw from it."""
 
 from __future__ import annotations
 

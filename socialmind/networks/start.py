@@ -17,15 +17,13 @@ from numpy.typing import NDArray
 
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_number, is_truth, is_whole
-from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, nearest
+from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, called_at, nearest
 from socialmind.fields import Field
 from socialmind.language.shape import LinksShape
 from socialmind.society.beginning import Beginning, beginning_of, is_table
 from socialmind.values import fitted_column
 
 ENDS = ("source", "target")
-Pair: TypeAlias = tuple[NDArray[np.int64], NDArray[np.int64]]
-"""The identities of the sources and the targets of links."""
 Pair: TypeAlias = tuple[NDArray[np.int64], NDArray[np.int64]]
 """The identities of the sources and the targets of links."""
 
@@ -116,7 +114,8 @@ def generator(name: str, **arguments: Any) -> Generator:
     'watts_strogatz_graph'
     """
     if not isinstance(name, str):
-        raise ModelError(f"generator({shown(name)})", "the name of a generator of networkx")
+        found = f"generator({shown(name)})"
+        raise ModelError(found, "the name of a generator of networkx", None, *called_at())
     return Generator(name, arguments)
 
 
@@ -307,8 +306,8 @@ class Reader:
                     f"living agent of {self.whose[end]!r}{some}"
                 )
         one, other = pairs
-        loops = np.flatnonzero(one == other) if self.joins.source == self.joins.target else ()
-        if len(loops):
+        loops = np.flatnonzero(one == other)
+        if len(loops) and self.joins.source == self.joins.target:
             row = int(loops[0])
             raise ValueRefusedError(
                 f"{place(row)}: found a link of agent {one[row]} with itself; expected two agents"

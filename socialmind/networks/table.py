@@ -18,7 +18,8 @@ from socialmind.fields import presence
 from socialmind.language.shape import LinksShape, PopulationShape
 from socialmind.networks import adjacency, exchange
 from socialmind.networks.linked import LinkedSet, slot_in
-from socialmind.networks.start import Generator, Links, Reader, is_graph, seed_of
+from socialmind.networks.start import Generator, Links, Reader, seed_of
+from socialmind.society.beginning import is_table
 from socialmind.society.table import Table
 
 if TYPE_CHECKING:
@@ -248,8 +249,8 @@ class NetworkTable(Table):
         Raises:
             SocialmindError: a row or an edge is wrong; nothing has changed then.
         """
-        names = () if is_graph(data) or isinstance(data, str | Path) else columns_of(data, "links")
-        if names and not {"source", "target"} & set(names):
+        of_fields = is_table(data) and not isinstance(data, str | Path)
+        if of_fields and not {"source", "target"} & set(columns_of(data, "links")):
             super().set_from(data, by)
             return
         self.replace(self._reader.read(data, Path))

@@ -233,7 +233,9 @@ def test_links_are_those_of_networkx(compiled, count):
             assert {p.id: [o.id for o in ask(p)] for p in town.people} == lists, number
         fans = {one: list(follows.pred[one]) for one in follows}
         assert {p.id: [o.id for o in town.follows.predecessors(p)] for p in town.people} == fans
-        strengths = {(e["source"], e["target"]): e["strength"] for *_, e in friends.edges(data=True)}
+        strengths = {
+            (e["source"], e["target"]): e["strength"] for *_, e in friends.edges(data=True)
+        }
         links = zip(town.friends.source, town.friends.target, strict=True)
         assert dict(zip(links, town.friends.strength, strict=True)) == strengths
         assert town.met == met, number
@@ -332,7 +334,9 @@ def test_lists_of_links_are_a_function_of_the_rows(village):
         for place, person in enumerate(village.people):
             ends = [t for s, t in zip(*mine, strict=True) if s == person.id]
             if network is village.friends:
-                ends = [s + t - person.id for s, t in zip(*mine, strict=True) if person.id in (s, t)]
+                ends = [
+                    s + t - person.id for s, t in zip(*mine, strict=True) if person.id in (s, t)
+                ]
             assert asked[place] == ends
 
 

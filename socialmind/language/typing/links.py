@@ -171,5 +171,6 @@ def link_call(
 
 def _written(advice: str, links: LinksShape, net: str) -> str:
     one, other = links.source.rstrip("s"), links.target.rstrip("s")
-    other = "other" if one == other else other
+    if one == other:
+        one, other = "one", "other"
     return advice.format(net=net, one=one, other=other)
