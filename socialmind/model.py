@@ -54,6 +54,7 @@ class Model(metaclass=ModelKind):
     - `ticks`: how long a run is unless it says otherwise;
     - `score_every`: where it is taught without a plane, after how many ticks its method `score()`
       is asked again; 0, at the end alone;
+    - `record_links`: whether a run records the links of its networks too, when it records agents;
     - parameters: `price: float = parameter(167.0, unit="wheat", low=0.0)`;
     - variables: `warmth: float = 0.0`;
     - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;
@@ -85,6 +86,7 @@ class Model(metaclass=ModelKind):
     name: ClassVar[str] = ""
     ticks: ClassVar[int] = 1000
     score_every: ClassVar[int] = 0
+    record_links: ClassVar[bool] = False
     setup: ClassVar[tuple[PhaseDeclaration, ...]] = ()
     schedule: ClassVar[tuple[PhaseDeclaration, ...]] = ()
     parameters: ClassVar[dict[str, Parameter]] = {}

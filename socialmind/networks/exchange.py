@@ -32,6 +32,27 @@ def columns_of_links(network: NetworkTable) -> dict[str, Any]:
     return columns | {name: getattr(network, name) for name in plain}
 
 
+def links_of_all(model: Any) -> dict[str, Any]:
+    """Return the links of all networks of a model as one table, as runs record them.
+
+    Returns:
+        A list for each column: ``network``, ``link``, ``source``, ``target`` and the fields, None
+        where a network's links have no such field.
+    """
+    parts = {name: columns_of_links(model.tables[name]) for name in model.networks}
+    names = dict.fromkeys(column for part in parts.values() for column in part)
+    table: dict[str, Any] = {
+        "network": [n for n, p in parts.items() for _ in range(len(p["link"]))]
+    }
+    for column in names:
+        table[column] = [
+            value
+            for part in parts.values()
+            for value in np.asarray(part.get(column, [None] * len(part["link"])), object).tolist()
+        ]
+    return table
+
+
 def edges(network: NetworkTable) -> pd.DataFrame:
     """Return the links as a data frame, one row each; `Network(start=…)` and `set_from` take it."""
     import pandas as pd

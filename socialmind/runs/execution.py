@@ -26,7 +26,7 @@ from socialmind.runs import continuing, folders, sources
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.record import LONGEST
-from socialmind.runs.tables import AGENTS, SERIES, TABLES, GrowingTable
+from socialmind.runs.tables import AGENTS, LINKS, SERIES, TABLES, GrowingTable
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
@@ -242,7 +242,8 @@ class _Execution:
     ) -> None:
         self._capsule = capsule
         self._model = model
-        self._every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
+        names = checkpoint.parts if checkpoint else _tables_of(model)
+        self._every = capsule.manifest.steps(names)
         parts = checkpoint.parts if checkpoint else {}
         self._tables = {
             name: GrowingTable(
@@ -252,11 +253,11 @@ class _Execution:
                 _source_of(model, name),
                 checkpoint.sums if checkpoint else None,
             )
-            for name in TABLES
+            for name in names
         }
         self._begun_with = self._tables[AGENTS].columns
         self._first = next(iter(getattr(model, "populations", {})), None)
-        self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(TABLES, -1)
+        self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(names, -1)
         self._loop_seconds = checkpoint.loop_seconds if checkpoint else 0.0
         self._started = started - (checkpoint.seconds if checkpoint else 0.0)
 
@@ -325,10 +326,12 @@ class _Execution:
         """Take down what is due at this tick and not in the tables yet."""
         for name, every in self._every.items():
             if tick > self._recorded[name] and (tick % every == 0 or tick == length):
-                columns: Any = self._model.series() if name == SERIES else self._model.agents()
+                columns: Any = _RECORDED[name](self._model)
                 if name == SERIES and hasattr(columns, "items"):
                     columns = {column: [value] for column, value in columns.items()}
-                elif self._begun_with is not None and isinstance(columns, Mapping):
+                elif (
+                    name == AGENTS and self._begun_with is not None and isinstance(columns, Mapping)
+                ):
                     columns = as_before(columns, self._begun_with, self._first)
                 self._tables[name].add(tick, columns)
                 self._recorded[name] = tick
@@ -360,6 +363,25 @@ class _Execution:
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
 
 
+def _tables_of(model: Model) -> tuple[str, ...]:
+    """Return the names of the tables that a run of a model has."""
+    return (*TABLES, LINKS) if model.record_links and model.networks else TABLES
+
+
+def _links(model: Model) -> Any:
+    from socialmind.networks.exchange import links_of_all
+
+    return links_of_all(model)
+
+
+_RECORDED: dict[str, Callable[[Any], Any]] = {
+    SERIES: lambda model: model.series(),
+    AGENTS: lambda model: model.agents(),
+    LINKS: _links,
+}
+"""What is asked of a model for a table at a tick."""
+
+
 class _Timer:
     """A time to wait, by a clock that some virtual machines set forth and back.
 
@@ -378,7 +400,7 @@ class _Timer:
 
 def _source_of(model: Model, name: str) -> str:
     """The method that gives a table's rows, with the file and line where it is written."""
-    written = getattr(getattr(type(model), name), "__code__", None)
+    written = getattr(getattr(type(model), name, None), "__code__", None)
     place = "" if written is None else f"{written.co_filename}:{written.co_firstlineno}: "
     return f"{place}{name}()"
 

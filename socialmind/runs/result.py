@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,7 +12,7 @@ from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.folders import FINISHED
 from socialmind.runs.sources import recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, SERIES, check_content, read
+from socialmind.runs.tables import AGENTS, LINKS, SERIES, check_content, read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -82,6 +83,15 @@ class Run:
         return self._table(AGENTS)
 
     @cached_property
+    def links(self) -> pd.DataFrame:
+        """One row a link and recorded tick: ``tick``, ``network``, ends and fields.
+
+        Raises:
+            SocialmindError: the model does not say `record_links = True`.
+        """
+        return self._table(LINKS)
+
+    @cached_property
     def schemes(self) -> dict[str, CognitiveScheme]:
         """The cognitive schemes that the run used, by the population that has such minds."""
         from coglogo_py import CognitiveScheme, SchemeError
@@ -111,10 +121,12 @@ class Run:
 
     def _table(self, name: str) -> pd.DataFrame:
         if self.manifest.status == FINISHED:
+            self._refuse_without(name, self.manifest.tables)
             paths = [self._capsule.table(name)]
             check_content(paths[0], self.manifest.tables[name]["sha256"])
         elif self._capsule.checkpoint.is_file():
             checkpoint = Checkpoint.load(self._capsule.checkpoint)
+            self._refuse_without(name, checkpoint.parts)
             checkpoint.check_parts(self._capsule.parts)
             paths = [self._capsule.parts / part for part in checkpoint.parts[name]]
         else:
@@ -123,3 +135,10 @@ class Run:
                 "finish it with --resume"
             )
         return read(paths, name).to_pandas()
+
+    def _refuse_without(self, name: str, tables: Container[str]) -> None:
+        if name not in tables:
+            raise SocialmindError(
+                f"{self.folder}: no {name} were recorded; the class of a model with networks asks "
+                "for its links by record_links = True"
+            )

@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 SERIES = "series"
 AGENTS = "agents"
 TABLES = (SERIES, AGENTS)
+"""The tables of every run."""
+LINKS = "links"
+"""The table of a run whose model says that links are recorded."""
 
 ROW_GROUP = 1 << 15
 """Rows in a row group of a merged table."""

@@ -18,7 +18,7 @@ from socialmind.runs.capsule import Capsule
 from socialmind.runs.columns import from_arrow
 from socialmind.runs.execution import Progress, run
 from socialmind.runs.sources import changes_since, recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, TABLES, content_of, pieces
+from socialmind.runs.tables import AGENTS, content_of, pieces
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -122,7 +122,8 @@ def replay(
             on_progress=on_progress,
             engine=manifest.engine,
         )
-        for name in TABLES:
+        made = Capsule(again).manifest.tables
+        for name in [one for one in manifest.tables if one in made]:
             found = compare(stored.table(name), Capsule(again).table(name), name, exact, first)
             differences += [found] if found else []
     return Replay(exact, tuple(differences), tuple(notes))
@@ -132,7 +133,7 @@ def _tampering(stored: Capsule) -> list[Difference]:
     """Tables that are not those the run wrote, by the hashes in its manifest."""
     return [
         Difference(name, f"{stored.table(name).name} is not the table that the run wrote")
-        for name in TABLES
+        for name in stored.manifest.tables
         if content_of(stored.table(name)).sha256 != stored.manifest.tables[name]["sha256"]
     ]
 
