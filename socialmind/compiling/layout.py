@@ -47,6 +47,7 @@ LINKS_APART: dict[str, tuple[str, int]] = {"heads_in": ("int64", 2)}
 SEEKING = (
     *("near_cells", "near_entries", "near_heads", "near_heads_0"),
     *("near_spots", "near_spots_0", "near_found", "near_found_0"),
+    *("near_marks", "near_marks_0"),
 )
 """Further columns of the record for a population whose agents rules look for: its index."""
 

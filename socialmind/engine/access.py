@@ -128,6 +128,13 @@ def _die_NAME(_model, agent):
         _died(_counters_NAME(_model), alive, _slot_of_NAME(_model), agent._slot, agent._id)
         DEAD_MIND"""
 
+THERE = """@_inner
+def _near_there_NAME(_model, slot):
+    if slot < 0:
+        raise ValueError("an agent that is None was used")
+    return _rows_NAME(_model)[slot]"""
+"""How rules reach an agent that may be None: by its slot, −1 for none."""
+
 _MINDS = """@_inner
 def _mind_place_NAME(agent):
     if agent._mind < 0:

@@ -11,6 +11,7 @@ import numpy as np
 from coglogo_py import CognitiveScheme
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.laying_out import culturons_of
+from socialmind.compiling.layout import SEEKING
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
 
@@ -42,11 +43,11 @@ def connect(model: Running) -> None:
 
 
 def connected_arrays(model: Running) -> list[Any]:
-    """Return the arrays of a model that change in a run, beside its record and its minds."""
+    """Return the arrays of a model that are state, beside its record and its minds."""
     return [
         array
         for name, array in _all_arrays(model).items()
-        if not name.endswith(("_names", "_default", "_hierarchy"))
+        if not name.endswith(("_names", "_default", "_hierarchy", *SEEKING))
     ]
 
 

@@ -21,11 +21,10 @@ from socialmind.fields import Field, presence, set_default
 from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
+from socialmind.language.typing.neighbours import AGENTS
 from socialmind.society.beginning import Beginning
 from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
-from socialmind.worlds.neighbours.asked import QUESTIONS
-from socialmind.worlds.neighbours.index import arrays as index_arrays
 
 if TYPE_CHECKING:
     from coglogo_py import Mind, Society
@@ -158,7 +157,9 @@ class Table:
             raise AttributeError(f"no attribute {name!r}")
         if name in AGGREGATES and name not in shape.fields:
             return partial(self._aggregated, name)
-        if name in QUESTIONS and name not in shape.fields:
+        if name in AGENTS and name not in shape.fields:
+            from socialmind.worlds.neighbours.asked import QUESTIONS
+
             return partial(QUESTIONS[name], self)
         if name != "id" and name not in shape.fields:
             raise unknown(name, shape.name, type(self), ["id", *shape.fields])
@@ -503,7 +504,9 @@ class Table:
             loops: how many loops of the rules go over what they found.
         """
         if not self._index or len(self._index["near_entries"]) != len(self.rows):
-            self._index = index_arrays(len(self.rows), loops)
+            from socialmind.worlds.neighbours.index import arrays
+
+            self._index = arrays(len(self.rows), loops)
         return self._index
 
     @property

@@ -167,18 +167,28 @@ def _world_move_to_NAME(_model, agent, x, y):
     ):
         raise ValueError("a patch that is taken")
     agent.x = x
-    agent.y = y"""
+    agent.y = y
+    MOVED"""
 
 TICK = "    _world_begin(_model)\nPHASES    _world_end(_model)\n"
 
 
-def text(populations: tuple[str, ...], fills: Mapping[str, str]) -> str:
-    """Return how compiled rules move agents of which a patch has room for one."""
+def text(
+    populations: tuple[str, ...], fills: Mapping[str, str], sought: tuple[str, ...] = ()
+) -> str:
+    """Return how compiled rules move agents of which a patch has room for one.
+
+    Args:
+        populations: by name.
+        fills: where the world is.
+        sought: the populations whose agents rules look for.
+    """
     living = [f"_counters_{name}(_model)[_bookkeeping.ALIVE]" for name in populations]
     parts = [_TEXT.replace("LIVING", f"({' + '.join(living) or '0'})")]
     for number, name in enumerate(populations):
         own = {"COUNT": str(len(populations)), "NUMBER": str(number), **fills, "NAME": name}
-        part = _OF_POPULATION
+        moved = "_near_moved_NAME(_model, agent)" if name in sought else "return"
+        part = _OF_POPULATION.replace("MOVED", moved)
         for mark, fill in own.items():
             part = part.replace(mark, fill)
         parts.append(part)

@@ -13,9 +13,7 @@ from socialmind.worlds.contract import Extent
 Slots = NDArray[np.int64]
 
 
-def near(
-    extent: Extent, slots: Slots, columns: Any, x: float, y: float, radius: float
-) -> Slots:
+def near(extent: Extent, slots: Slots, columns: Any, x: float, y: float, radius: float) -> Slots:
     """Return the slots of those at most a radius from a place.
 
     Args:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -14,7 +15,7 @@ from socialmind.agents.running import Running
 from socialmind.compiling.lowering import PLACES
 from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, nearest
 from socialmind.fields import place_of_field
-from socialmind.worlds.contract import Functions, Ground, address
+from socialmind.worlds.contract import Extent, Functions, Ground, address
 from socialmind.worlds.plane.devices.sensors import RangeFinder
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
@@ -169,6 +170,11 @@ class Arena(Ground):
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take nothing: the rows of the bodies are its only memory."""
+
+    @property
+    def extent(self) -> Extent:
+        """A plane without ends that matter to who is near whom."""
+        return Extent(0.0, 0.0, math.inf, math.inf, False, False, False)
 
     def keeper(self, population: str, field: str) -> Callable[[float, str], float] | None:
         """Return what refuses a place outside the arena."""

@@ -101,7 +101,7 @@ def _before_minds(_model, rng):
     if _model._outside == 0:
         if _call(_model._move, _model._plane, 0, 0) != 0:
             raise ValueError("the motion of a body is not finite")
-STAGES
+LISTINGSTAGES
 INFORM
     return
 
@@ -118,11 +118,12 @@ BUILD = """    if _call(_model._build, _model._plane, 0, 0) < 0:
 it, slowly."""
 
 
-def plane_text(plane: PlaneProgram) -> str:
+def plane_text(plane: PlaneProgram, looked_for: tuple[str, ...] = ()) -> str:
     """Return the functions of a plane's tick.
 
     Args:
         plane: the typed devices.
+        looked_for: the populations whose agents rules and devices look for.
 
     Returns:
         The text; PHASES stands for the calls of the phases of the schedule.
@@ -157,7 +158,12 @@ def plane_text(plane: PlaneProgram) -> str:
     obey = "".join(
         f"    if not _model._{one}_steered:\n        _obey_{one}(_model)\n" for one in minded
     )
-    tick = _TICK.replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
+    listing = "".join(f"    _near_list_{name}(_model)\n" for name in looked_for)
+    tick = (
+        _TICK.replace("LISTING", listing)
+        .replace("STAGES", "\n".join(lines))
+        .replace("INFORM", inform)
+    )
     tick = tick.replace("OBEY", obey)
     parts.append(tick.replace("BUILD", BUILD if plane.shifting else ""))
     think = [f"    if not _model._{one}_steered:\n        _think_{one}(_model)" for one in minded]
