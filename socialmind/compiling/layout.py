@@ -40,10 +40,14 @@ WEIGHING: dict[str, tuple[str, int]] = {
 """Further arrays of a population whose hierarchies weigh plans, as `WeighingPlaces` has them."""
 
 
-LINKS: dict[str, tuple[str, int]] = {"heads_out": ("int64", 2), "halves": ("int64", 2)}
+LINKS: dict[str, tuple[str, int]] = {
+    "heads_out": ("int64", 2),
+    "ties_out": ("int64", 2),
+    "joined": ("int64", 2),
+}
 """Further arrays of a network, as `networks.adjacency` has them."""
-LINKS_APART: dict[str, tuple[str, int]] = {"heads_in": ("int64", 2)}
-"""A further array of one in which sources are told from targets."""
+LINKS_APART: dict[str, tuple[str, int]] = {"heads_in": ("int64", 2), "ties_in": ("int64", 2)}
+"""Further arrays of one in which sources are told from targets."""
 SEEKING = (
     *("near_cells", "near_entries", "near_heads", "near_heads_0"),
     *("near_spots", "near_spots_0", "near_found", "near_found_0"),

@@ -271,18 +271,21 @@ class _Lowering(ast.NodeTransformer):
         asked: Any = node.iter
         _, net, side, what = asked.mark
         self.loops += 1
-        who, half, born, over = (f"_{one}_{self.loops}" for one in ("who", "half", "born", "over"))
+        names = ("whose", "at", "last", "born", "over")
+        whose, at, last, born, over = (f"_{one}_{self.loops}" for one in names)
         lines = parsed(
-            f"{who} = WHO\n"
-            f"{half} = -2\n"
+            f"{whose} = WHO\n"
+            f"{at} = {last} = -1\n"
             f"{born} = _network_born_{net}(_model)\n"
             f"{over} = False\n"
             f"while True:\n"
-            f"    {half} = _network_next_{net}_{side}(_model, {who}, {half}, {born})\n"
-            f"    if {half} < 0:\n"
+            f"    {at} = _network_step_{net}_{side}(_model, {whose}, {at}, {last}, {born})\n"
+            f"    if {at} < 0:\n"
             f"        {over} = True\n"
             f"        break\n"
-            f"    {ast.unparse(node.target)} = _network_{what}_{net}_{side}(_model, {half})\n"
+            f"    {last} = _network_link_at_{net}_{side}(_model, {whose}, {at})\n"
+            f"    {ast.unparse(node.target)} = "
+            f"_network_{what}_{net}_{side}(_model, {whose}, {at})\n"
             f"if {over}:\n"
             f"    pass\n"
         ).body

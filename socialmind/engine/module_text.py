@@ -172,6 +172,12 @@ def _loops_text(shape: ModelShape, program: Program, setup: str, tick: str) -> s
         "        return True\n"
         for name in program.births
     )
+    room += "".join(
+        f"    if _adjacency.short_of_space(_ties_{side}_{name}(_model)):\n        return True\n"
+        for name in program.births
+        if shape.populations[name].links is not None
+        for side in ("out", "in")
+    )
     return f'''@_inner
 def _end_tick(_model):
 {settle}    return

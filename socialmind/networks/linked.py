@@ -24,40 +24,37 @@ class LinkedSet:
 
     Args:
         network: the network.
-        heads: the heads of its lists.
+        lists: the heads of its lists, and the array that they lie in.
         found: the table of what is found, the agents at the other ends or the links.
         slot: that of the agent.
     """
 
-    def __init__(self, network: NetworkTable, heads: Any, found: Table, slot: int) -> None:
-        self._network, self._heads, self._found, self._slot = network, heads, found, slot
+    def __init__(self, network: NetworkTable, lists: Any, found: Table, slot: int) -> None:
+        self._network, self._found, self._slot = network, found, slot
+        self._heads, self._ties = lists
 
     def __len__(self) -> int:
         return int(self._heads[self._slot, adjacency.DEGREE])
 
     def __iter__(self) -> Iterator[Any]:
-        halves, alive = self._network._halves, self._network.alive
-        listed = []
-        half = int(self._heads[self._slot, adjacency.FIRST])
-        while half >= 0:
-            listed.append(half)
-            half = int(halves[half, adjacency.NEXT])
-        for half in listed:
-            if alive[half >> 1]:
-                yield self._row(half)
+        begin = int(self._heads[self._slot, adjacency.BEGIN])
+        listed = self._ties[begin : begin + len(self)].tolist()
+        alive = self._network.alive
+        for entry in listed:
+            if alive[entry[adjacency.SLOT]]:
+                yield self._row(entry)
 
     def one_of(self, rng: Any) -> Any:
         """Return one of them, drawn at random, or None."""
         if not len(self):
             return None
         place = int(rng.integers(0, len(self)))
-        halves = self._network._halves
-        return self._row(int(adjacency.nth(self._heads, halves, self._slot, place)))
+        begin = int(self._heads[self._slot, adjacency.BEGIN])
+        return self._row(self._ties[begin + place].tolist())
 
-    def _row(self, half: int) -> Any:
-        of_links = self._found is self._network
-        slot = half >> 1 if of_links else int(self._network._halves[half ^ 1, adjacency.AGENT])
-        return self._found.row_class(self._found, slot)
+    def _row(self, entry: list[int]) -> Any:
+        part = adjacency.SLOT if self._found is self._network else adjacency.AGENT
+        return self._found.row_class(self._found, entry[part])
 
 
 def slot_in(table: Table, agent: Any) -> int:

@@ -45,7 +45,7 @@ class NetworkTable(Table):
         super().__init__(model, shape, 0, None)
         assert shape.links is not None  # a network's
         object.__setattr__(self, "joins", shape.links)
-        self._halves = np.zeros((2, 4), np.int64)
+        self._joined = np.zeros((len(self.rows), 2), np.int64)
 
     def settle_in(self, tables: Mapping[str, Table]) -> None:
         """Take note of the agents that are linked; their tables let the network know of deaths."""
@@ -74,9 +74,13 @@ class NetworkTable(Table):
             self._named(slot)
             self.columns["_source"][slot] = self._sources.columns["_id"][one]
             self.columns["_target"][slot] = self._targets.columns["_id"][other]
-            identity = self.columns["_id"][slot]
-            adjacency.tie(self._heads_out, self._halves, 2 * slot, one, identity)
-            adjacency.tie(self._heads_in, self._halves, 2 * slot + 1, other, identity)
+            self._joined[slot] = one, other
+            identity = int(self.columns["_id"][slot])
+            if not (
+                adjacency.tie(self._heads_out, self._ties_out, one, identity, slot, other)
+                and adjacency.tie(self._heads_in, self._ties_in, other, identity, slot, one)
+            ):
+                self.build_index()
         return self.row_class(self, slot)
 
     def unlink(self, source: Any, target: Any) -> None:
@@ -115,8 +119,8 @@ class NetworkTable(Table):
         return slot_in(self._sources, source), slot_in(self._targets, target)
 
     def _slot_between(self, one: int, other: int) -> int:
-        heads_out, heads_in = self._heads_out, self._heads_in
-        return int(adjacency.link_between(heads_out, heads_in, self._halves, one, other))
+        out, into = (self._heads_out, self._ties_out), (self._heads_in, self._ties_in)
+        return int(adjacency.link_between(*out, *into, one, other))
 
     def create(self) -> Any:
         """Refuse: a link joins two agents."""
@@ -132,21 +136,24 @@ class NetworkTable(Table):
             self._cut(agent._slot)
 
     def _cut(self, slot: int) -> None:
-        adjacency.untie(self._heads_out, self._halves, 2 * slot)
-        adjacency.untie(self._heads_in, self._halves, 2 * slot + 1)
         identity = int(self.columns["_id"][slot])
+        one, other = self._joined[slot].tolist()
+        adjacency.untie(self._heads_out, self._ties_out, one, identity)
+        adjacency.untie(self._heads_in, self._ties_in, other, identity)
         bookkeeping.died(self.counters, self.alive, self.slot_of, slot, identity)
 
     def end_links_of(self, table: Table, slot: int) -> None:
-        """End the links of an agent that dies, the oldest first.
+        """End the links of an agent that dies, the youngest first.
 
         Args:
             table: its population.
             slot: its slot there.
         """
-        for ends, heads in ((self._sources, self._heads_out), (self._targets, self._heads_in)):
-            while ends is table and heads[slot, adjacency.FIRST] >= 0:
-                self._cut(int(heads[slot, adjacency.FIRST]) >> 1)
+        out, into = (self._heads_out, self._ties_out), (self._heads_in, self._ties_in)
+        for ends, (heads, ties) in ((self._sources, out), (self._targets, into)):
+            while ends is table and heads[slot, adjacency.DEGREE] > 0:
+                last = heads[slot, adjacency.BEGIN] + heads[slot, adjacency.DEGREE] - 1
+                self._cut(int(ties[last, adjacency.SLOT]))
 
     # Who is linked with whom ------------------------------------------------------------------
 
@@ -190,11 +197,11 @@ class NetworkTable(Table):
             what: "agents" at the other ends, or "links".
             agent: whose list.
         """
-        of, heads = (self._sources, self._heads_out)
-        ends = self._targets
+        of, ends = self._sources, self._targets
+        lists = self._heads_out, self._ties_out
         if side == "in":
-            of, heads, ends = self._targets, self._heads_in, self._sources
-        return LinkedSet(self, heads, self if what == "links" else ends, slot_in(of, agent))
+            of, ends, lists = ends, of, (self._heads_in, self._ties_in)
+        return LinkedSet(self, lists, self if what == "links" else ends, slot_in(of, agent))
 
     def _list_of(self, agent: Any, asked: str) -> str:
         """Return which list holds all links of an agent."""
@@ -376,27 +383,32 @@ class NetworkTable(Table):
     # The index --------------------------------------------------------------------------------
 
     def link_arrays(self) -> dict[str, NDArray[Any]]:
-        """Return the lists of links."""
-        arrays = {"heads_out": self._heads_out, "halves": self._halves}
-        return arrays | ({"heads_in": self._heads_in} if self.joins.apart else {})
+        """Return the lists of links, and the slots of the agents that each link joins."""
+        arrays = {"heads_out": self._heads_out, "ties_out": self._ties_out, "joined": self._joined}
+        if self.joins.apart:
+            arrays |= {"heads_in": self._heads_in, "ties_in": self._ties_in}
+        return arrays
 
     def build_index(self) -> None:
         """Build the lists of links anew from the rows."""
-        self._halves = np.zeros((2 * len(self.rows), 4), np.int64)
-        self._heads_out = adjacency.no_lists(len(self._sources.rows))
-        apart = self.joins.apart
-        self._heads_in = adjacency.no_lists(len(self._targets.rows)) if apart else self._heads_out
         slots = self.slots
         links = self.columns["_id"][slots]
         sources = self._sources.slot_of[self.columns["_source"][slots]]
         targets = self._targets.slot_of[self.columns["_target"][slots]]
-        if apart:
-            adjacency.built(self._heads_out, self._halves, 2 * slots, sources, links)
-            adjacency.built(self._heads_in, self._halves, 2 * slots + 1, targets, links)
+        self._joined = np.zeros((len(self.rows), 2), np.int64)
+        self._joined[slots, 0], self._joined[slots, 1] = sources, targets
+        count = len(self._sources.rows)
+        if self.joins.apart:
+            lists = adjacency.built(sources, links, slots, targets, count)
+            self._heads_out, self._ties_out = lists
+            lists = adjacency.built(targets, links, slots, sources, len(self._targets.rows))
         else:
-            both = np.column_stack([2 * slots, 2 * slots + 1]).ravel()
-            ends = np.column_stack([sources, targets]).ravel()
-            adjacency.built(self._heads_out, self._halves, both, ends, np.repeat(links, 2))
+            ends, others = (
+                np.column_stack(both).ravel() for both in ((sources, targets), (targets, sources))
+            )
+            lists = adjacency.built(ends, np.repeat(links, 2), np.repeat(slots, 2), others, count)
+            self._heads_out, self._ties_out = lists
+        self._heads_in, self._ties_in = lists
 
     def follow_ends(self) -> None:
         """Have a list for each slot of agents, of which there are more now."""
@@ -409,9 +421,25 @@ class NetworkTable(Table):
     def reserve(self, slots: int, identities: int) -> None:
         """Have at least so many slots and identities."""
         super().reserve(slots, identities)
-        halves = np.zeros((2 * len(self.rows), 4), np.int64)
-        halves[: len(self._halves)] = self._halves
-        self._halves = halves
+        self._joined = np.concatenate(
+            [self._joined, np.zeros((len(self.rows) - len(self._joined), 2), np.int64)]
+        )
+
+    @property
+    def short_of_room(self) -> bool:
+        """Whether the next tick could bring more links than there is room for."""
+        return super().short_of_room or self._short_of_space
+
+    @property
+    def _short_of_space(self) -> bool:
+        return any(adjacency.short_of_space(ties) for ties in (self._ties_out, self._ties_in))
+
+    def grow(self) -> None:
+        """Make room for links, and for their lists, as they are short."""
+        if super().short_of_room:
+            super().grow()
+        if self._short_of_space:
+            self.build_index()
 
     def odd_rows(self, rows: NDArray[Any], state: Mapping[str, NDArray[Any]]) -> str | None:
         """Say what is odd about the links of a state, if anything."""
@@ -435,4 +463,4 @@ _BOTH_WAYS = "successors() or predecessors()"
 
 
 def _with_lists(heads: NDArray[np.int64], agents: int) -> NDArray[np.int64]:
-    return np.concatenate([heads, adjacency.no_lists(agents - len(heads))])
+    return np.concatenate([heads, np.zeros((agents - len(heads), 3), np.int64)])

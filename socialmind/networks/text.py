@@ -2,28 +2,53 @@
 
 from __future__ import annotations
 
-from socialmind.compiling.layout import view_text
 from socialmind.language.shape import PopulationShape
 
 HEAD = "from socialmind.networks import adjacency as _adjacency"
 
-_LINKS = """@_inner
+_NOT_APART = """@_inner
 def _heads_in_NAME(_model):
-    return HEADS_IN
+    return _heads_out_NAME(_model)
 
 
 @_inner
+def _ties_in_NAME(_model):
+    return _ties_out_NAME(_model)"""
+
+_LINKS = """@_inner
 def _link_between_NAME(_model, one, other):
     return _adjacency.link_between(
-        _heads_out_NAME(_model), _heads_in_NAME(_model), _halves_NAME(_model), one, other
+        _heads_out_NAME(_model),
+        _ties_out_NAME(_model),
+        _heads_in_NAME(_model),
+        _ties_in_NAME(_model),
+        one,
+        other,
     )
 
 
 @_inner
-def _untie_NAME(_model, slot):
-    halves = _halves_NAME(_model)
-    _adjacency.untie(_heads_out_NAME(_model), halves, 2 * slot)
-    _adjacency.untie(_heads_in_NAME(_model), halves, 2 * slot + 1)
+def _untie_NAME(_model, link):
+    joined = _joined_NAME(_model)
+    source, target = joined[link._slot, 0], joined[link._slot, 1]
+    _adjacency.untie(_heads_out_NAME(_model), _ties_out_NAME(_model), source, link._id)
+    _adjacency.untie(_heads_in_NAME(_model), _ties_in_NAME(_model), target, link._id)
+
+
+@_inner
+def _tie_NAME(_model, link, one, other):
+    joined = _joined_NAME(_model)
+    joined[link._slot, 0] = one
+    joined[link._slot, 1] = other
+    if not (
+        _adjacency.tie(
+            _heads_out_NAME(_model), _ties_out_NAME(_model), one, link._id, link._slot, other
+        )
+        and _adjacency.tie(
+            _heads_in_NAME(_model), _ties_in_NAME(_model), other, link._id, link._slot, one
+        )
+    ):
+        raise _bookkeeping.NoRoomError("more links in a tick than their lists have room for")
 
 
 @_inner
@@ -40,9 +65,7 @@ def _network_link_NAME(_model, one, other):
         link = _named_NAME(_model, slot)
         link._source = one._id
         link._target = other._id
-        halves = _halves_NAME(_model)
-        _adjacency.tie(_heads_out_NAME(_model), halves, 2 * slot, one._slot, link._id)
-        _adjacency.tie(_heads_in_NAME(_model), halves, 2 * slot + 1, other._slot, link._id)
+        _tie_NAME(_model, link, one._slot, other._slot)
     return rows[slot]
 
 
@@ -69,9 +92,10 @@ def _network_between_NAME(_model, one, other):
 
 
 @_inner
-def _end_links_NAME(_model, heads, slot):
-    while heads[slot, _adjacency.FIRST] >= 0:
-        _die_NAME(_model, _rows_NAME(_model)[heads[slot, _adjacency.FIRST] >> 1])
+def _end_links_NAME(_model, heads, ties, slot):
+    while heads[slot, _adjacency.DEGREE] > 0:
+        last = heads[slot, _adjacency.BEGIN] + heads[slot, _adjacency.DEGREE] - 1
+        _die_NAME(_model, _rows_NAME(_model)[ties[last, _adjacency.SLOT]])
 
 
 @_inner
@@ -89,50 +113,50 @@ def _network_degree_NAME_SIDE(_model, agent):
 
 
 @_inner
-def _network_nth_NAME_SIDE(_model, agent, rng):
+def _network_one_NAME_SIDE(_model, agent, rng, part):
     heads = _heads_SIDE_NAME(_model)
     degree = heads[agent._slot, _adjacency.DEGREE]
     if degree == 0:
         return -1
-    place = _rng_integers(rng, 0, degree)
-    return _adjacency.nth(heads, _halves_NAME(_model), agent._slot, place)
+    place = heads[agent._slot, _adjacency.BEGIN] + _rng_integers(rng, 0, degree)
+    return _ties_SIDE_NAME(_model)[place, part]
 
 
 @_inner
 def _network_one_NAME_SIDE_agents(_model, agent, rng):
-    half = _network_nth_NAME_SIDE(_model, agent, rng)
-    return half if half < 0 else _halves_NAME(_model)[half ^ 1, _adjacency.AGENT]
+    return _network_one_NAME_SIDE(_model, agent, rng, _adjacency.AGENT)
 
 
 @_inner
 def _network_one_NAME_SIDE_links(_model, agent, rng):
-    half = _network_nth_NAME_SIDE(_model, agent, rng)
-    return half if half < 0 else half >> 1
+    return _network_one_NAME_SIDE(_model, agent, rng, _adjacency.SLOT)
 
 
 @_inner
-def _network_next_NAME_SIDE(_model, agent, half, born):
-    halves = _halves_NAME(_model)
-    alive = _alive_NAME(_model)
-    if half < 0:
-        half = _heads_SIDE_NAME(_model)[agent, _adjacency.FIRST]
-    else:
-        half = halves[half, _adjacency.NEXT]
-    while half >= 0 and not alive[half >> 1]:
-        half = halves[half, _adjacency.NEXT]
-    if half >= 0 and halves[half, _adjacency.LINK] >= born:
-        return -1
-    return half
+def _network_step_NAME_SIDE(_model, agent, at, last, born):
+    return _adjacency.step(
+        _heads_SIDE_NAME(_model), _ties_SIDE_NAME(_model), agent, at, last, born
+    )
 
 
 @_inner
-def _network_agents_NAME_SIDE(_model, half):
-    return _rows_ENDS(_model)[_halves_NAME(_model)[half ^ 1, _adjacency.AGENT]]
+def _network_at_NAME_SIDE(_model, agent, at, part):
+    return _ties_SIDE_NAME(_model)[_heads_SIDE_NAME(_model)[agent, _adjacency.BEGIN] + at, part]
 
 
 @_inner
-def _network_links_NAME_SIDE(_model, half):
-    return _rows_NAME(_model)[half >> 1]"""
+def _network_link_at_NAME_SIDE(_model, agent, at):
+    return _network_at_NAME_SIDE(_model, agent, at, _adjacency.LINK)
+
+
+@_inner
+def _network_agents_NAME_SIDE(_model, agent, at):
+    return _rows_ENDS(_model)[_network_at_NAME_SIDE(_model, agent, at, _adjacency.AGENT)]
+
+
+@_inner
+def _network_links_NAME_SIDE(_model, agent, at):
+    return _rows_NAME(_model)[_network_at_NAME_SIDE(_model, agent, at, _adjacency.SLOT)]"""
 
 _OTHER = """@_inner
 def _link_other_NAME(_model, link, agent):
@@ -161,9 +185,7 @@ def network_text(network: PopulationShape) -> str:
     links = network.links
     assert links is not None  # a network's
     same = links.source == links.target
-    own = view_text(network.name, "heads_in", "int64", 2)
     fills = {
-        "HEADS_IN": own if links.apart else "_heads_out_NAME(_model)",
         "SAME": str(same),
         "SOURCE": links.source,
         "TARGET": links.target,
@@ -172,7 +194,9 @@ def network_text(network: PopulationShape) -> str:
     sides = ("out", "in") if links.apart else ("out",)
     ends = {"out": links.target, "in": links.source}
     sets = [_SETS.replace("SIDE", side).replace("ENDS", ends[side]) for side in sides]
-    text = "\n\n\n".join([_LINKS, _OTHER if same else _OTHERS, *sets])
+    text = "\n\n\n".join(
+        [*([] if links.apart else [_NOT_APART]), _LINKS, _OTHER if same else _OTHERS, *sets]
+    )
     for mark, fill in fills.items():
         text = text.replace(mark, fill)
     return text
@@ -180,7 +204,7 @@ def network_text(network: PopulationShape) -> str:
 
 def untying(network: PopulationShape) -> str:
     """Return the line by which a link that ends leaves the lists of its agents."""
-    return f"_untie_{network.name}(_model, agent._slot)"
+    return f"_untie_{network.name}(_model, agent)"
 
 
 def ending_links(population: str, networks: list[PopulationShape]) -> list[str]:
@@ -193,7 +217,8 @@ def ending_links(population: str, networks: list[PopulationShape]) -> list[str]:
         if not links.apart:
             del ends["in"]
         lines += [
-            f"_end_links_{network.name}(_model, _heads_{end}_{network.name}(_model), agent._slot)"
+            f"_end_links_{network.name}(_model, _heads_{end}_{network.name}(_model), "
+            f"_ties_{end}_{network.name}(_model), agent._slot)"
             for end, of in ends.items()
             if of == population
         ]
