@@ -365,7 +365,8 @@ class _Execution:
 
 def _tables_of(model: Model) -> tuple[str, ...]:
     """Return the names of the tables that a run of a model has."""
-    return (*TABLES, LINKS) if model.record_links and model.networks else TABLES
+    wanted = getattr(model, "record_links", False) and model.networks
+    return (*TABLES, LINKS) if wanted else TABLES
 
 
 def _links(model: Model) -> Any:
