@@ -133,3 +133,9 @@ def view_text(population: str, array: str, kind: str, dimensions: int) -> str:
     place = f"_model._{population}_{array}"
     shape = "".join(f"{place}_{axis}, " for axis in range(dimensions))
     return f"carray(_as_pointer({place}), ({shape}), np.{kind})"
+
+
+def view_function_text(population: str, array: str, kind: str, dimensions: int) -> str:
+    """Return a function of the model's record that gives an array of a population."""
+    view = view_text(population, array, kind, dimensions)
+    return f"@_inner\ndef _{array}_{population}(_model):\n    return {view}"

@@ -225,10 +225,9 @@ class _Lowering(ast.NodeTransformer):
     # Agents -----------------------------------------------------------------------------------
 
     def lower_id(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.Attribute(self.visit(node.value), "_id", ast.Load())
+        return ast.Attribute(self.visit(node.value), f"_{mark[0]}", ast.Load())
 
-    def lower_plan(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.Attribute(self.visit(node.value), "_plan", ast.Load())
+    lower_plan = lower_id
 
     def lower_no_plan(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Constant(-1)
@@ -344,7 +343,7 @@ class _Lowering(ast.NodeTransformer):
         return ast.Attribute(self.visit(node.args[0]), "_slot", ast.Load())
 
     def lower_agent_there(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_near_there_{mark[1]}", self.visit(node.args[0]))
+        return _call(f"_there_{mark[1]}", self.visit(node.args[0]))
 
     def lower_none_agent(self, node: ast.Compare, mark: tuple[Any, ...]) -> ast.expr:
         operator = ast.GtE() if mark[1] else ast.Lt()

@@ -10,6 +10,7 @@ from socialmind.compiling.layout import (
     dtype_text,
     population_arrays,
     row_dtype,
+    view_function_text,
     view_text,
 )
 from socialmind.language.shape import PopulationShape
@@ -37,6 +38,13 @@ def _rows_NAME(_model):
 @_inner
 def _agent_NAME(_model, identity):
     return _rows_NAME(_model)[_find_slot(_slot_of_NAME(_model), identity)]
+
+
+@_inner
+def _there_NAME(_model, slot):
+    if slot < 0:
+        raise ValueError("an agent that is None was used")
+    return _rows_NAME(_model)[slot]
 
 
 @_inner
@@ -227,8 +235,7 @@ def population_text(
     for array, (kind, dimensions) in population_arrays(population).items():
         if array.startswith(("scheme_", "minds_")):
             continue
-        view = view_text(name, array, kind, dimensions)
-        parts.append(f"@_inner\ndef _{array}_{name}(_model):\n    return {view}")
+        parts.append(view_function_text(name, array, kind, dimensions))
     fills = {
         "NEW_MIND": "pass",
         "HATCHED_MIND": "pass",

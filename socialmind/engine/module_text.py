@@ -122,9 +122,8 @@ def _phase_text(shape: ModelShape, phase: Phase, sought: tuple[str, ...]) -> str
             f"    _begin(rng, {ORDER_TAG}, {phase.tag}, _model._tick)",
             "    _shuffle(rng, acting, count)",
         ]
-    if phase.shape.shuffled and minded:
-        lines.append(f"    values = _minds_{population}(_model).values")
-    if phase.shape.shuffled:
+        if minded:
+            lines.append(f"    values = _minds_{population}(_model).values")
         lines.append(f"    large = count > {CACHED_AGENTS}")
     lines.append("    for place in range(count):")
     if phase.shape.shuffled:

@@ -52,7 +52,7 @@ NAMES = {
     "one_of": "write model.{all}.one_of(rng)",
     "n_of": "count in a for loop, with model.{all}.one_of(rng)",
     "count": "write len(model.{all}), or count in a for loop",
-    "mean": "add up in a for loop, and divide",
+    "mean": "write model.{all}.mean('energy'), with the name of a field",
     "fd": "write model.world.forward({agent}, length)",
     "rt": "write model.world.right({agent}, degrees)",
     "lt": "write model.world.left({agent}, degrees)",

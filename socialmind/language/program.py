@@ -143,31 +143,25 @@ class Program:
                 misspelt = close(name, known)
                 if place == 1 and names[0] in known and population is not None:
                     misspelt = f"write def {source.name}({name}, {names[0]})"
-                raise ModelError(
+                raise source.error(
                     f"the parameter {name!r} of the rule {source.name!r}",
                     f"{first}`model` and `rng`, as far as it needs them",
                     misspelt
                     or _INSTEAD.get(name)
                     or "values reach a rule through the fields of the agent and the model",
-                    source.file,
-                    source.line,
                 )
         if population is not None and not names:
-            raise ModelError(
+            raise source.error(
                 f"the rule {source.name!r} without parameters",
                 f"an agent of {population!r} first",
                 f"write def {source.name}({population.rstrip('s')}, model, rng)",
-                source.file,
-                source.line,
             )
         symbol, result = self.specialised(source, tuple(kinds), None, source.tree)
         if result != NONE:
-            raise ModelError(
+            raise source.error(
                 f"the rule {source.name!r}, which returns {result}",
                 "a rule that returns nothing",
                 "write what it found into a field",
-                source.file,
-                source.line,
             )
         return symbol, tuple(takes)
 
@@ -182,12 +176,10 @@ class Program:
             symbol, takes = self._entry(function, population)
             if population in self._reached[symbol]:
                 source = self.functions[symbol].source
-                raise ModelError(
+                raise source.error(
                     f"the plan {plan!r}, in which an agent carries out its plan",
                     "a plan that ends",
                     "leave run_plan() to the rule that chooses the plan",
-                    source.file,
-                    source.line,
                 )
             self.plans[population][plan] = symbol, takes
         if not self.plans[population]:
@@ -381,6 +373,13 @@ def present(value: Any) -> Any:
     return value
 
 
+def agent_there(agent: Any) -> Any:
+    """Return an agent that may be None; raise when it is."""
+    if agent is None:
+        raise ValueError("an agent that is None was used; ask `is not None` before")
+    return agent
+
+
 RUNTIME: dict[str, Any] = {
     **{
         f"_{name}": function
@@ -388,6 +387,8 @@ RUNTIME: dict[str, Any] = {
         if isinstance(function, python_types.FunctionType) and not name.startswith("_")
     },
     "_present": present,
+    "_agent_there": agent_there,
+    "_perhaps": lambda agent: agent,
     "_as_int": int,
     "_as_float": float,
     "_abs": abs,
@@ -412,12 +413,10 @@ def _check_definition(source: RuleSource) -> None:
     arguments = source.tree.args
     for name in source.parameters:
         if name.startswith("_"):
-            raise ModelError(
+            raise source.error(
                 f"the parameter {name!r} of the rule {source.name!r}",
                 None,
                 "leave the leading underscore out",
-                source.file,
-                source.line,
             )
     odd = [
         (arguments.vararg, "*arguments"),
@@ -428,10 +427,8 @@ def _check_definition(source: RuleSource) -> None:
     ]
     for found, what in odd:
         if found:
-            raise ModelError(
+            raise source.error(
                 f"{what} on the rule {source.name!r}",
                 "plain parameters",
                 "write def rule(agent, model, rng)",
-                source.file,
-                source.line,
             )

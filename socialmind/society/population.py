@@ -19,7 +19,7 @@ from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
 from socialmind.language.shape import PopulationShape
 from socialmind.society.beginning import is_table
-from socialmind.society.table import Table
+from socialmind.society.table import KEPT_BY_TABLES, Table
 
 if TYPE_CHECKING:
     from coglogo_py import CognitiveScheme
@@ -30,11 +30,8 @@ if TYPE_CHECKING:
     from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 
-TAKEN_NAMES = frozenset((
-    "id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy", "minds", "acting", "alive",
-    "columns", "counters", "default", "dtype", "free", "model", "order", "row_class", "rows",
-    "shape", "slot_of", "society", "weighing",
-))  # fmt: skip
+_OF_AGENTS = ("id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy")
+TAKEN_NAMES = KEPT_BY_TABLES.union(_OF_AGENTS)
 """What an agent, and a population's table, keep under these names beside its methods."""
 
 

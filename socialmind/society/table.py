@@ -27,9 +27,10 @@ from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
-    from coglogo_py import Mind, Society
+    from coglogo_py import Mind
     from socialmind.agents.running import Running
     from socialmind.language.program import Program
+    from socialmind.mind.contract import CognitonMinds
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
 
@@ -68,7 +69,7 @@ class Table:
         model: Running,
         shape: PopulationShape,
         size: int,
-        society: Society | None,
+        society: CognitonMinds | None,
         minds: Callable[[int], PopulationMinds] | None = None,
     ) -> None:
         self.model = model
@@ -80,6 +81,7 @@ class Table:
         for field in shape.fields.values():
             set_default(self.default, field)
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
+        keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
         for name in ("x", "y", "heading"):
             if name in shape.fields:
@@ -150,7 +152,8 @@ class Table:
     def __getattr__(self, name: str) -> Any:
         """Return a field of the living agents, in order of birth: a copy, and read-only.
 
-        Or, under a name that is no field, a question for neighbours: `near`, `nearest` …
+        Or, under a name that is no field, what is asked of all of them (`mean`, …) or around
+        somebody (`near`, `nearest` …).
         """
         shape = self.__dict__.get("shape")
         if shape is None or name.startswith("_"):
@@ -279,8 +282,6 @@ class Table:
         self, name: str, values: NDArray[Any], of: Beginning | None = None
     ) -> NDArray[Any]:
         """Return places and headings as agents keep them, one by one as rules set them."""
-        if name == "heading":
-            return np.array([turned(one) for one in values.tolist()], float)
         keep = self._keepers.get(name)
         if keep is None:
             return values
@@ -457,13 +458,9 @@ class Table:
         return {name: getattr(self, name).copy() for name in self._STATE}
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take the arrays of a checkpoint."""
+        """Take the arrays of a checkpoint, as `check_state` finds them."""
         for name in self._STATE:
             setattr(self, name, np.array(state[name]))
-        if self.rows.dtype != self.dtype:
-            raise SocialmindError(
-                f"the checkpoint's agents of {self.shape.name!r} have other fields than the model's"
-            )
         self.acting = np.zeros(len(self.rows), np.int64)
         self._see_columns()
 

@@ -22,7 +22,9 @@ if TYPE_CHECKING:
 
 def built_in(typer: Typer, node: ast.Call, name: str) -> Typed:
     """Return the call of a built-in function as both speeds run it."""
-    if name in REDUCTIONS and node.args and isinstance(node.args[0], ast.GeneratorExp):
+    keyed = name in ("min", "max") and any(one.arg == "key" for one in node.keywords)
+    several = node.args and isinstance(node.args[0], ast.GeneratorExp)
+    if (name in REDUCTIONS and several) or (keyed and len(node.args) == 1):
         return reduced(typer, node, name)
     without_keywords(typer, node, name)
     return BUILT_IN[name](typer, node)
@@ -33,7 +35,7 @@ def without_keywords(typer: Typer, node: ast.Call, name: str) -> None:
     if node.keywords:
         advice = f"write the values in their order, without names: {name}({WRITTEN.get(name, '…')})"
         if node.keywords[0].arg == "key":
-            advice = "keep the best so far in a for loop"
+            advice = f"write {name}(model.flock, key=lambda one: one.energy)"
         typer.refuse(node, f"{name}() with {node.keywords[0].arg}=", advice)
 
 
@@ -133,16 +135,15 @@ def _extreme(name: str) -> Callable[[Typer, ast.Call], Typed]:
 
 def _sum(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.several(_only(typer, node, "sum"))
-    if isinstance(kind, types.TableType) and kind.item in (types.BOOL, types.INT):
-        return call(
-            "_total_int", [tables.written(tuple(map(int, kind.values)), node)], node
-        ), types.INT
-    if isinstance(kind, types.TableType) and kind.item == types.FLOAT:
-        return call("_total", [value, constant(0.0, node)], node), types.FLOAT
-    if not isinstance(kind, types.ArrayType):
+    if not isinstance(kind, types.TableType | types.ArrayType):
         typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
-    if kind.of == types.FLOAT:
+    of = kind.item if isinstance(kind, types.TableType) else kind.of
+    if of not in types.NUMBERS:
+        typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
+    if of == types.FLOAT:
         return call("_total", [value, constant(0.0, node)], node), types.FLOAT
+    if isinstance(kind, types.TableType):
+        value = tables.written(tuple(map(int, kind.values)), node)
     return call("_total_int", [value], node), types.INT
 
 

@@ -205,14 +205,10 @@ class ExpressionTyper:
 
     def _on_constant(self, node: ast.Constant) -> Typed:
         value = node.value
-        if isinstance(value, bool):
-            return constant(value, node), types.BOOL
-        if isinstance(value, int):
-            if not -(2**63) <= value < 2**63:
-                self.refuse(node, f"the number {value}", "write it as a float", "at most 64 bits")
-            return constant(value, node), types.INT
-        if isinstance(value, float):
-            return constant(value, node), types.FLOAT
+        if isinstance(value, int) and not -(2**63) <= value < 2**63:
+            self.refuse(node, f"the number {value}", "write it as a float", "at most 64 bits")
+        if isinstance(value, bool | int | float):
+            return constant(value, node), SCALARS[type(value)]
         if isinstance(value, str):
             return constant(value, node), types.TextType(value)
         if value is None:
@@ -472,20 +468,12 @@ class ExpressionTyper:
 
     # Operators, names of a scheme, calls -------------------------------------------------------
 
-    def _on_unaryop(self, node: ast.UnaryOp) -> Typed:
-        return operators.typed_sign(self, node)
-
-    def _on_binop(self, node: ast.BinOp) -> Typed:
-        return operators.typed_operation(self, node)
-
-    def _on_boolop(self, node: ast.BoolOp) -> Typed:
-        return operators.typed_logic(self, node)
-
-    def _on_ifexp(self, node: ast.IfExp) -> Typed:
-        return operators.typed_choice(self, node)
-
-    def _on_compare(self, node: ast.Compare) -> Typed:
-        return typed_comparison(self, node)
+    _on_unaryop = operators.typed_sign
+    _on_binop = operators.typed_operation
+    _on_boolop = operators.typed_logic
+    _on_ifexp = operators.typed_choice
+    _on_compare = typed_comparison
+    _on_call = typed_call
 
     def plan_name(self, near: ast.expr, text: types.TextType, population: str) -> ast.expr:
         """Return a written text as the name of a plan of a population's scheme."""
@@ -496,9 +484,6 @@ class ExpressionTyper:
         """Return the place in the population's table of names of a written name."""
         place: int = self.program.name(population, part, keys, self.source.file, node.lineno)
         return place
-
-    def _on_call(self, node: ast.Call) -> Typed:
-        return typed_call(self, node)
 
 
 def _is_for(node: Any, name: str) -> bool:

@@ -359,11 +359,8 @@ class FunctionTyper:
         self.typer.assigned = both(after_body, self.typer.assigned)
         return ast.copy_location(ast.If(test, body, orelse), node)
 
-    def _on_while(self, node: ast.While) -> ast.stmt:
-        return while_loop(self, node)
-
-    def _on_for(self, node: ast.For) -> list[ast.stmt]:
-        return for_loop(self, node)
+    _on_while = while_loop
+    _on_for = for_loop
 
     def _on_break(self, node: ast.Break) -> ast.stmt:
         self.breaks[-1] = both(self.breaks[-1], self.typer.assigned)

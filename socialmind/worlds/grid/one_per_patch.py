@@ -173,14 +173,12 @@ def _world_move_to_NAME(_model, agent, x, y):
 TICK = "    _world_begin(_model)\nPHASES    _world_end(_model)\n"
 
 
-def text(
-    populations: tuple[str, ...], fills: Mapping[str, str], sought: tuple[str, ...] = ()
-) -> str:
+def text(populations: tuple[str, ...], fills: Mapping[str, str], sought: tuple[str, ...]) -> str:
     """Return how compiled rules move agents of which a patch has room for one.
 
     Args:
-        populations: by name.
-        fills: where the world is.
+        populations: all of the model.
+        fills: how compiled code finds where the world is, and keeps a place in it.
         sought: the populations whose agents rules look for.
     """
     living = [f"_counters_{name}(_model)[_bookkeeping.ALIVE]" for name in populations]
@@ -263,6 +261,15 @@ class OnePerPatch(PatchWorld):
     def snapshot(self) -> dict[str, NDArray[Any]]:
         """Return copies of the arrays that a checkpoint keeps."""
         return super().snapshot() | {"taken": self._taken.copy()}
+
+    def misfit(self, state: Mapping[str, Any]) -> str | None:
+        """Say what is wrong with arrays that are offered as a state, or None."""
+        found = super().misfit(state)
+        if found is None:
+            there = state["taken"][state["taken"] != NOBODY]
+            if len(there) and (there.min() < 0 or len(np.unique(there)) < len(there)):
+                found = "world.taken holds agents that stand on no patch, or on two"
+        return found
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take the arrays of a checkpoint."""

@@ -168,9 +168,6 @@ class Arena(Ground):
             return "context holds an interruption that the model lacks"
         return None
 
-    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take nothing: the rows of the bodies are its only memory."""
-
     @property
     def extent(self) -> Extent:
         """A plane without ends that matter to who is near whom."""
