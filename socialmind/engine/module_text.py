@@ -193,25 +193,17 @@ def _tick(_model, rng):
     _model._tick += 1
 
 
-def prepare(models):
-    """Run the setup."""
-    _prepare(models.view(MODEL))
-
-
-def advance(models, ticks):
-    """Run up to so many ticks; return how many, fewer when there is no room for births."""
-    return _advance(models.view(MODEL), ticks)
-
-
 @_kept(__name__)
-def _prepare(models):
+def prepare(models):
+    """Run the setup of a society, whose record is given as an array of one MODEL."""
     _model = models[0]
     rng = _stream(_model)
 {setup}    _end_tick(_model)
 
 
 @_kept(__name__, nogil=True)
-def _advance(models, ticks):
+def advance(models, ticks):
+    """Run up to so many ticks; return how many, fewer when there is no room for births."""
     _model = models[0]
     rng = _stream(_model)
     for done in range(ticks):

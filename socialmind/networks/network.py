@@ -20,6 +20,7 @@ from socialmind.society.population import TAKEN_NAMES, Population
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
+    from socialmind.society.blueprint import TableForm
 
 
 class Link:
@@ -121,6 +122,11 @@ class Network(Population):
         joined = LinksShape(self.source.name, self.target.name, bool(self.directed))
         return PopulationShape(self.name, class_fields(self.agent), links=joined)
 
-    def links_in(self, society: Running) -> NetworkTable:
-        """Return the network of a running society, without links."""
-        return NetworkTable(society, society.shape.populations[self.name])
+    def links_in(self, society: Running, form: TableForm) -> NetworkTable:
+        """Return the network of a running society, without links.
+
+        Args:
+            society: the society.
+            form: what its tables have in common in all societies.
+        """
+        return NetworkTable(society, society.shape.populations[self.name], form)

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from socialmind.agents.running import Running
+    from socialmind.society.blueprint import TableForm
 
 
 class NetworkTable(Table):
@@ -37,12 +38,13 @@ class NetworkTable(Table):
     Args:
         model: the model.
         shape: the shape of the links.
+        form: what its tables have in common in all societies.
     """
 
     joins: LinksShape
 
-    def __init__(self, model: Running, shape: PopulationShape) -> None:
-        super().__init__(model, shape, 0, None)
+    def __init__(self, model: Running, shape: PopulationShape, form: TableForm) -> None:
+        super().__init__(model, shape, form, 0, None)
         assert shape.links is not None  # a network's
         object.__setattr__(self, "joins", shape.links)
         self._joined = np.zeros((len(self.rows), 2), np.int64)

@@ -21,12 +21,13 @@ from typing import TYPE_CHECKING, Any
 
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents.agent_columns import as_before
+from socialmind.agents.group_columns import group_instances, has_groups
 from socialmind.errors import SocialmindError
 from socialmind.runs import continuing, folders, sources
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.record import LONGEST
-from socialmind.runs.tables import AGENTS, LINKS, SERIES, TABLES, GrowingTable
+from socialmind.runs.tables import AGENTS, GROUPS, LINKS, SERIES, TABLES, GrowingTable
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
@@ -248,6 +249,7 @@ class _Execution:
     ) -> None:
         self._capsule = capsule
         self._model = model
+        # A run that began without a table of groups, or of links, goes on without.
         names = checkpoint.parts if checkpoint else _tables_of(model)
         self._every = capsule.manifest.steps(names)
         parts = checkpoint.parts if checkpoint else {}
@@ -259,11 +261,11 @@ class _Execution:
                 _source_of(model, name),
                 checkpoint.sums if checkpoint else None,
             )
-            for name in names
+            for name in self._every
         }
         self._begun_with = self._tables[AGENTS].columns
         self._first = next(iter(getattr(model, "populations", {})), None)
-        self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(names, -1)
+        self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(self._every, -1)
         self._loop_seconds = checkpoint.loop_seconds if checkpoint else 0.0
         self._started = started - (checkpoint.seconds if checkpoint else 0.0)
 
@@ -332,7 +334,7 @@ class _Execution:
         """Take down what is due at this tick and not in the tables yet."""
         for name, every in self._every.items():
             if tick > self._recorded[name] and (tick % every == 0 or tick == length):
-                columns: Any = _RECORDED[name](self._model)
+                columns: Any = self._columns(name)
                 if name == SERIES and hasattr(columns, "items"):
                     columns = {column: [value] for column, value in columns.items()}
                 elif (
@@ -341,6 +343,16 @@ class _Execution:
                     columns = as_before(columns, self._begun_with, self._first)
                 self._tables[name].add(tick, columns)
                 self._recorded[name] = tick
+
+    def _columns(self, name: str) -> Any:
+        """Return what is recorded in a table now."""
+        if name == GROUPS:
+            return group_instances(self._model)
+        if name == LINKS:
+            from socialmind.networks.exchange import links_of_all
+
+            return links_of_all(self._model)
+        return self._model.series() if name == SERIES else self._model.agents()
 
     def _checkpoint(self, status: str = folders.RUNNING) -> Checkpoint:
         """Make everything up to now safe."""
@@ -369,24 +381,11 @@ class _Execution:
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
 
 
-def _tables_of(model: Model) -> tuple[str, ...]:
+def _tables_of(model: Model) -> list[str]:
     """Return the names of the tables that a run of a model has."""
-    wanted = getattr(model, "record_links", False) and model.networks
-    return (*TABLES, LINKS) if wanted else TABLES
-
-
-def _links(model: Model) -> Any:
-    from socialmind.networks.exchange import links_of_all
-
-    return links_of_all(model)
-
-
-_RECORDED: dict[str, Callable[[Any], Any]] = {
-    SERIES: lambda model: model.series(),
-    AGENTS: lambda model: model.agents(),
-    LINKS: _links,
-}
-"""What is asked of a model for a table at a tick."""
+    links = getattr(model, "record_links", False) and model.networks
+    further = {GROUPS: has_groups(model), LINKS: links}
+    return [*TABLES, *(name for name, wanted in further.items() if wanted)]
 
 
 class _Timer:

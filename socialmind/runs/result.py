@@ -12,7 +12,7 @@ from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.folders import FINISHED
 from socialmind.runs.sources import recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, LINKS, SERIES, check_content, read
+from socialmind.runs.tables import AGENTS, GROUPS, LINKS, SERIES, check_content, read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -83,6 +83,15 @@ class Run:
         return self._table(AGENTS)
 
     @cached_property
+    def groups(self) -> pd.DataFrame:
+        """One row a living group and recorded tick: its type, identity, members and culturons.
+
+        Raises:
+            SocialmindError: the run recorded none.
+        """
+        return self._table(GROUPS)
+
+    @cached_property
     def links(self) -> pd.DataFrame:
         """One row a link and recorded tick: ``tick``, ``network``, ends and fields.
 
@@ -121,12 +130,12 @@ class Run:
 
     def _table(self, name: str) -> pd.DataFrame:
         if self.manifest.status == FINISHED:
-            self._refuse_without(name, self.manifest.tables)
+            self._check_recorded(name, self.manifest.tables)
             paths = [self._capsule.table(name)]
             check_content(paths[0], self.manifest.tables[name]["sha256"])
         elif self._capsule.checkpoint.is_file():
             checkpoint = Checkpoint.load(self._capsule.checkpoint)
-            self._refuse_without(name, checkpoint.parts)
+            self._check_recorded(name, checkpoint.parts)
             checkpoint.check_parts(self._capsule.parts)
             paths = [self._capsule.parts / part for part in checkpoint.parts[name]]
         else:
@@ -136,9 +145,14 @@ class Run:
             )
         return read(paths, name).to_pandas()
 
-    def _refuse_without(self, name: str, tables: Container[str]) -> None:
+    def _check_recorded(self, name: str, tables: Container[str]) -> None:
         if name not in tables:
+            of = (
+                "of models with networks that say record_links = True"
+                if name == LINKS
+                else "of models whose minds can form groups"
+            )
             raise SocialmindError(
-                f"{self.folder}: no {name} were recorded; the class of a model with networks asks "
-                "for its links by record_links = True"
+                f"{self.folder}: has no table of {name}; only runs {of} record one, from their "
+                "beginning"
             )

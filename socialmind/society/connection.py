@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import operator
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from coglogo_py.laying_out import culturons_of
+from coglogo_py.names import Names
 from socialmind.compiling.layout import SEEKING
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
@@ -25,21 +27,56 @@ def connect(model: Running) -> None:
 
     The arrays are kept: while they are, no other array can take an address that was written.
     """
-    arrays = _all_arrays(model)
-    known = model.connected
-    if len(known) == len(arrays) and all(map(operator.is_, known, arrays.values())):
+    now, known = _held(model), model.connected
+    if len(known) == len(now) and all(map(operator.is_, known, now)):
         return
-    context = model.context
-    context["_stream"] = _address(model.stream)
-    for name, table in model.tables.items():
-        context[f"_{name}_room"] = len(table.rows)
-    for name, array in arrays.items():
-        context[f"_{name}"] = _address(array)
+    arrays = _all_arrays(model)
+    numbers = [_address(model.stream), *(len(table.rows) for table in model.tables.values())]
+    for array in arrays.values():
+        numbers.append(_address(array))
         if array.dtype.names is None:
-            for axis, length in enumerate(array.shape):
-                context[f"_{name}_{axis}"] = length
-    model.connected = list(arrays.values())
-    model.ground.connect(context)
+            numbers += array.shape
+    words = model.record.places_of(tuple(arrays), lambda: _columns(model, arrays))
+    words_of(model)[words] = numbers
+    model.connected = now
+    model.ground.connect(model.context)
+
+
+def words_of(model: Running) -> NDArray[np.int64]:
+    """Return the model's record as the whole numbers of eight bytes that it was made from."""
+    words: Any = model.contexts.base
+    found: NDArray[np.int64] = words
+    return found
+
+
+def _columns(model: Running, arrays: Mapping[str, Any]) -> list[str]:
+    """Return the columns of the record that `connect` writes, in its order."""
+    columns = ["_stream", *(f"_{name}_room" for name in model.tables)]
+    for name, array in arrays.items():
+        columns.append(f"_{name}")
+        if array.dtype.names is None:
+            columns += [f"_{name}_{axis}" for axis in range(array.ndim)]
+    return columns
+
+
+_OF_TABLES = operator.attrgetter(
+    "rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"
+)
+
+
+def _held(model: Running) -> list[Any]:
+    """Return what holds the arrays of a model: while it is the same, so are they."""
+    held: list[Any] = [*model.ground.arrays().values()]
+    for name in model.program.sought:
+        held += model.tables[name].index(model.program.loops_over_found).values()
+    for table in model.tables.values():
+        held += _OF_TABLES(table)
+        held += table.link_arrays().values()
+        if table.minds is not None:
+            held.append(table.minds.record.record)
+        if table.society is not None:
+            held += (table.society.arrays, table.society.minds)
+    return held
 
 
 def connected_arrays(model: Running) -> list[Any]:
@@ -52,7 +89,7 @@ def connected_arrays(model: Running) -> list[Any]:
 
 
 def _address(array: Any) -> int:
-    return int(array.__array_interface__["data"][0])
+    return int(array.ctypes.data)
 
 
 def _all_arrays(model: Running) -> dict[str, Any]:
@@ -84,6 +121,7 @@ def names_of_minds(
     scheme: CognitiveScheme | None,
     assembly: Assembly | None = None,
     file: Path | None = None,
+    names: Names | None = None,
 ) -> list[int]:
     """Return where in a scheme and a hierarchy the names stand that a population's rules write.
 
@@ -93,6 +131,7 @@ def names_of_minds(
         scheme: that of its minds.
         assembly: its hierarchy of skills.
         file: where the scheme was read from, for errors.
+        names: where its parts stand, in a culture; by default where they stand in it alone.
 
     Raises:
         ModelError: a rule names what the minds do not have, or a plan has no function.
@@ -101,7 +140,7 @@ def names_of_minds(
     owners: dict[str, str] = {}
     if scheme is not None:
         _check_plans(program, population, scheme, file)
-        tables |= _parts_of_scheme(scheme)
+        tables |= _parts_of_scheme(names or Names(scheme))
         place = "" if file is None else f" ({file})"
         owners |= dict.fromkeys(tables, f"the scheme {scheme.name!r}{place}")
     if assembly is not None:
@@ -113,21 +152,21 @@ def names_of_minds(
     return program.placed(population, tables, owners)
 
 
-def _parts_of_scheme(scheme: CognitiveScheme) -> dict[str, dict[Any, int]]:
+def _parts_of_scheme(names: Names) -> dict[str, dict[Any, int]]:
     """Return the places of a scheme's parts by part and name."""
-    tables: dict[str, dict[Any, int]] = {
-        "plan": {name: place for place, name in enumerate(scheme.plans)},
-        "cogniton": {one.name: place for place, one in enumerate(scheme.cognitons)},
-        "group": {one.name: place for place, one in enumerate(scheme.groups)},
-        "role": {},
-        "culturon": {},
+    return {
+        "plan": dict(names.plans),
+        "cogniton": dict(names.cognitons),
+        "group": dict(names.groups),
+        **{
+            part: {(group, name): k for group, places in of.items() for name, k in places.items()}
+            for part, of in (
+                ("role", names.roles),
+                ("culturon", names.culturons),
+                ("attribute", names.attributes),
+            )
+        },
     }
-    for group in scheme.groups:
-        for role in group.roles:
-            tables["role"][group.name, role.name] = len(tables["role"])
-        for culturon in culturons_of(group):
-            tables["culturon"][group.name, culturon.name] = len(tables["culturon"])
-    return tables
 
 
 def _check_plans(

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from socialmind.society.declaration import kept_names
+from socialmind.society.making import begin_networks
 from socialmind.work.packing import packed, unpacked
 
 
@@ -33,6 +34,22 @@ def fresh(society: Any) -> Any:
     settings = _settings_of(society)
     settings["scheme"], settings["hierarchy"] = society._given
     return type(society)(**settings)
+
+
+def unbegun(society: Any, model: Any) -> dict[str, Any]:
+    """Return the state of a society before its setup: that of another one, made like it.
+
+    Args:
+        society: just made.
+        model: `Model`, which makes it.
+    """
+    kind: Any = type(society)
+    made = kind.__new__(kind)
+    made._sets_up = False
+    model.__init__(made, **_settings_of(society))
+    begin_networks(made)
+    state: dict[str, Any] = made.state()
+    return state
 
 
 def own_of(society: Any, model: type) -> dict[str, Any]:

@@ -62,6 +62,9 @@ class Population:
             (`{"Fear": (0.0, 10.0)}`); `explain` proposes no change beyond them.
         table: what they begin with, a row an agent, a column a field: a CSV or Parquet file beside
             the model, a data frame, an Arrow table, or columns by their names.
+        culture: a name that several populations give: they form groups together, whatever their
+            schemes, and groups of the same name are one type of group. None: populations share
+            groups only if their schemes are equal.
     """
 
     agent: type
@@ -80,6 +83,7 @@ class Population:
     actuators: Mapping[str, Act] = field(default_factory=dict)
     bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     table: Any = None
+    culture: str | None = None
     name: str = field(default="", init=False)
     joins: ClassVar[bool] = False
     """Whether it is no population but a network, whose rows join agents."""
@@ -109,6 +113,12 @@ class Population:
                 f"plans for {name!r}, which has no mind",
                 None,
                 "name its scheme: mind='scheme.yaml'",
+            )
+        if self.culture is not None and not (isinstance(self.culture, str) and self.mind):
+            raise ModelError(
+                f"culture={shown(self.culture)} for {name!r}",
+                "a name, of a population that has a mind",
+                "write mind='scheme.yaml', culture='village'",
             )
         self._check_size()
         self._check_hierarchy()

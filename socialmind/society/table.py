@@ -13,11 +13,10 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
 from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
-from socialmind.agents.rows import Row, held_class, row_class
+from socialmind.agents.rows import Row
 from socialmind.columns import check_fields, column, columns_of
-from socialmind.compiling.layout import row_dtype
 from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
-from socialmind.fields import Field, presence, set_default
+from socialmind.fields import Field, presence
 from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
     from socialmind.mind.contract import CognitonMinds
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
+    from socialmind.society.blueprint import TableForm
 
 
 KEPT_BY_TABLES = frozenset((
@@ -59,6 +59,7 @@ class Table:
     Args:
         model: the model.
         shape: the population's shape.
+        form: what its tables have in common in all societies.
         size: how many agents there are at the start.
         society: the minds, or None.
         minds: makes the hierarchies for so many agents, or None.
@@ -68,6 +69,7 @@ class Table:
         self,
         model: Running,
         shape: PopulationShape,
+        form: TableForm,
         size: int,
         society: CognitonMinds | None,
         minds: Callable[[int], PopulationMinds] | None = None,
@@ -76,18 +78,14 @@ class Table:
         self.shape = shape
         self.society = society
         self.minds = None if minds is None else minds(max(size, 1))
-        self.dtype = row_dtype(dict(shape.fields), shape)
-        self.default = np.zeros(1, self.dtype)
-        for field in shape.fields.values():
-            set_default(self.default, field)
+        self.dtype = form.dtype
+        self.default = form.default.copy()
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
         keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
-        for name in ("x", "y", "heading"):
+        for name in self._keepers:
             if name in shape.fields:
                 self.default[name] = self._kept_within(name, self.default[name])
-        if shape.minded:
-            self.default["_mind"] = self.default["_plan"] = self.default["_decided"] = -1
         capacity = max(size, 1)
         self.rows = np.zeros(capacity, self.dtype)
         self.order = np.zeros(capacity, np.int64)
@@ -113,8 +111,7 @@ class Table:
             description = self.minds.assembly.description
             weighing = model.populations[shape.name].weighing
             self.weighing = weighing.places(society.scheme, description)
-        self._bare = row_class(shape, self._keepers)
-        self._held = held_class(self._bare, shape)
+        self._bare, self._held = form.row_classes(self._keepers)
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
         self._networks: list[Any] = []
@@ -445,7 +442,16 @@ class Table:
         for network in self._networks:
             network.follow_ends()
         if self.society is not None:
-            self.society.reserve(slots - len(self))  # a mind for each slot
+            # A mind for each slot, and for those of the others who share these minds.
+            others = [
+                one
+                for one in self.model.tables.values()
+                if one is not self
+                and one.society is not None
+                and one.society.minds is self.society.minds
+            ]
+            vacant = sum(len(one.rows) - len(one) for one in others)
+            self.society.reserve(slots - len(self) + vacant)
         if self.minds is not None:
             self.minds.grow(slots)
 

@@ -210,5 +210,5 @@ def test_links_are_recorded_alike_however_often_a_run_is_stopped(tmp_path):
     assert Run(whole).agents.columns.tolist() == ["tick", "agent", "x", "y"]
     (home / "model.py").write_text(MODEL.replace("record_links = True", "ticks = 3"))
     without = Run(run(load_model(home), out=tmp_path / "without", compiled=False))
-    with pytest.raises(SocialmindError, match=r"no links were recorded; .* record_links = True"):
+    with pytest.raises(SocialmindError, match=r"has no table of links; .* record_links = True"):
         without.links  # noqa: B018

@@ -21,7 +21,7 @@ from socialmind.fields import Field
 from socialmind.language.shape import AGENT, WorldCall
 from socialmind.language.types import BOOL, FLOAT, NONE, RNG, PatchType
 from socialmind.worlds.grid.geometry import ahead, is_inside, nearer
-from socialmind.worlds.grid.patches import PatchRow, PatchWorld
+from socialmind.worlds.grid.patches import PatchForm, PatchRow, PatchWorld
 
 NOBODY = -1
 
@@ -212,8 +212,13 @@ class OnePerPatch(PatchWorld):
         numbers: where the world is.
     """
 
-    def __init__(self, fields: dict[str, Field], numbers: Mapping[str, int]) -> None:
-        super().__init__(fields, numbers)
+    def __init__(
+        self,
+        fields: dict[str, Field],
+        numbers: Mapping[str, int],
+        form: PatchForm | None = None,
+    ) -> None:
+        super().__init__(fields, numbers, form)
         size = len(self.rows)
         self._taken = np.full(size, NOBODY, np.int64)
         self._free = np.zeros(size + 1, np.int64)

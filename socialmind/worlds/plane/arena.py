@@ -93,17 +93,26 @@ class Arena(Ground):
         """Return the range finders of the populations that have some."""
         eyes = {}
         for name, robots in self.shape.robots.items():
+            rays = self._rays(name)
+            if len(rays):
+                fields: Any = self.society.tables[name].dtype.fields
+                readings = fields["readings"][1] - fields["x"][1]
+                eyes[name] = Eyes(robots.kind, rays, readings)
+        return eyes
+
+    def _rays(self, name: str) -> NDArray[Any]:
+        """Return the rays of a population's range finders, which are the same in all societies."""
+        made = self.society.program.made
+        if ("rays", name) not in made:
             radius = self.shape.bodies[name].radius
             rays = [
                 one.lines(radius, number)
-                for number, one in enumerate(robots.sensors.values())
+                for number, one in enumerate(self.shape.robots[name].sensors.values())
                 if isinstance(one, RangeFinder)
             ]
-            if rays:
-                fields: Any = self.society.tables[name].dtype.fields
-                readings = fields["readings"][1] - fields["x"][1]
-                eyes[name] = Eyes(robots.kind, np.concatenate(rays), readings)
-        return eyes
+            made["rays", name] = np.concatenate(rays) if rays else np.zeros(0)
+        found: NDArray[Any] = made["rays", name]
+        return found
 
     def _attached(self) -> list[tuple[int | None, Any]]:
         """Return the numbers and tables of the bodies, and of the obstacles."""
