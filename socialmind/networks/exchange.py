@@ -17,11 +17,10 @@ from socialmind.errors import SocialmindError
 if TYPE_CHECKING:
     import pandas as pd
 
-    from socialmind.networks.table import NetworkTable
     from socialmind.society.table import Table
 
 
-def columns_of_links(network: NetworkTable) -> dict[str, Any]:
+def columns_of_links(network: Any) -> dict[str, Any]:
     """Return identity, ends and fields of the links, in order of birth; array fields are left out.
 
     Returns:
@@ -53,7 +52,7 @@ def links_of_all(model: Any) -> dict[str, Any]:
     return table
 
 
-def edges(network: NetworkTable) -> pd.DataFrame:
+def edges(network: Any) -> pd.DataFrame:
     """Return the links as a data frame, one row each; `Network(start=…)` and `set_from` take it."""
     import pandas as pd
 
@@ -62,7 +61,7 @@ def edges(network: NetworkTable) -> pd.DataFrame:
     return pd.DataFrame({name: list(values) for name, values in columns.items()})
 
 
-def graph(network: NetworkTable) -> Any:
+def graph(network: Any) -> Any:
     """Return the network as a graph of networkx, directed as it is.
 
     Nodes are agents, called by their identities; between two populations by population and
@@ -105,7 +104,7 @@ def _attributes(columns: dict[str, list[Any]]) -> list[dict[str, Any]]:
     ]
 
 
-def save(network: NetworkTable, path: str | Path) -> Path:
+def save(network: Any, path: str | Path) -> Path:
     """Write a network into a file.
 
     Args:
@@ -138,7 +137,7 @@ def save(network: NetworkTable, path: str | Path) -> Path:
     return path
 
 
-def components(network: NetworkTable) -> tuple[NDArray[np.int64], ...]:
+def components(network: Any) -> tuple[NDArray[np.int64], ...]:
     """Return to which component each agent belongs, whichever way links lead.
 
     Components are numbered from 0 in the order in which their first agents were born; between two

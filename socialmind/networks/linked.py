@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
@@ -12,9 +12,6 @@ from socialmind.agents.rows import Row
 from socialmind.errors import UnknownNameError, ValueRefusedError
 from socialmind.networks import adjacency
 from socialmind.society.table import Table
-
-if TYPE_CHECKING:
-    from socialmind.networks.table import NetworkTable
 
 
 class LinkedSet:
@@ -29,7 +26,7 @@ class LinkedSet:
         slot: that of the agent.
     """
 
-    def __init__(self, network: NetworkTable, lists: Any, found: Table, slot: int) -> None:
+    def __init__(self, network: Table, lists: Any, found: Table, slot: int) -> None:
         self._network, self._found, self._slot = network, found, slot
         self._heads, self._ties = lists
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import close, nearest
 from socialmind.language import hints, types
 from socialmind.language.aggregates import AGGREGATES
+from socialmind.language.networks import link_call, network_call, one_linked
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
 from socialmind.language.typing import neighbours
@@ -22,7 +23,6 @@ from socialmind.language.typing.built_in import (
 )
 from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.draws import typed_draw
-from socialmind.language.typing.links import link_call, network_call, one_linked
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
 from socialmind.language.typing.world_calls import population_aggregate, world_call

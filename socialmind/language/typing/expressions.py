@@ -12,6 +12,7 @@ import numpy as np
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field
 from socialmind.language import hints, types
+from socialmind.language.networks import link_attribute
 from socialmind.language.nodes import Typed, call, constant, marked, written_number
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
@@ -20,7 +21,6 @@ from socialmind.language.typing import neighbours, operators, tables
 from socialmind.language.typing.built_in import BUILT_IN
 from socialmind.language.typing.calls import typed_call
 from socialmind.language.typing.comparisons import typed_comparison
-from socialmind.language.typing.links import link_attribute
 from socialmind.language.typing.signatures import MATH_CONSTANTS
 
 _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
