@@ -67,6 +67,11 @@ class Network(Population):
         self.directed = directed
         self.start = start
 
+    def __str__(self) -> str:
+        """What listings call it."""
+        way = "→" if self.directed or self.source is not self.target else "–"
+        return f"{self.name} ({self.source.name} {way} {self.target.name})"
+
     def check(self) -> None:
         """Refuse links of a wrong class, names that are taken, and ends that are no populations.
 
