@@ -59,6 +59,8 @@ class Model(metaclass=ModelKind):
     - variables: `warmth: float = 0.0`;
     - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;
     - networks of links between their agents: `friends = Network(humans)`;
+    - messages between agents, `offers = Messages(Offer, to=humans)`, and what two of them may come
+      to, `theft = Interaction(…)`;
     - `world = Torus("world_size", Land)`;
     - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`.
 

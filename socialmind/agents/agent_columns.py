@@ -55,6 +55,8 @@ def agent_columns(model: Running) -> dict[str, Any]:
         if table.shape.minded:
             part["plan"] = model.plans(table)
             part |= memberships(table, kinds)
+        if table.shape.steps is not None:
+            part["plan_step"] = table.plan_steps(table.slots)
         for field in table.shape.fields.values():
             if field.size is None and field.name != "heading":
                 alone = len(tables) == 1 or field.name not in OWN

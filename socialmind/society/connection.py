@@ -174,17 +174,19 @@ def _check_plans(
 ) -> None:
     """Refuse a plan of a scheme that has no function."""
     if population in program.plans:
+        known = program.plans[population].names
         for plan in scheme.plans:
-            if plan not in program.plans[population]:
+            if plan not in known:
                 raise ModelError(
                     f"the plan {plan!r} of the scheme {scheme.name!r}, which has no function",
                     "a function for each plan",
-                    f"the population {population!r} has {', '.join(program.plans[population])}",
+                    f"the population {population!r} has {', '.join(known)}",
                     file,
                 )
 
 
 def plan_functions(program: Program, population: str, scheme: CognitiveScheme) -> Any:
     """Return the number of each plan's function, in the scheme's order."""
-    known = {plan: place for place, plan in enumerate(program.plans.get(population, {}))}
+    plans = program.plans.get(population)
+    known = {plan: place for place, plan in enumerate(() if plans is None else plans.names)}
     return np.array([known.get(plan, -1) for plan in scheme.plans], np.int64)

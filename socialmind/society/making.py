@@ -20,7 +20,9 @@ from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, place_of_field, presence
 from socialmind.society.beginning import Beginning, beginning_of, is_table
 from socialmind.society.blueprint import Blueprint, SchemeFiles
+from socialmind.society.civilisations import found
 from socialmind.society.connection import names_of_minds
+from socialmind.society.messages import MessageTable
 from socialmind.society.parameter import Parameter
 from socialmind.society.population import Population
 from socialmind.society.table import Table
@@ -193,6 +195,15 @@ def _check_plans(
 ) -> None:
     """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
     cognitons = [one.name for one in scheme.cognitons]
+    for civilisation in population.civilisations:
+        for cogniton in civilisation.cognitons:
+            if cogniton not in cognitons:
+                raise civilisation.error(
+                    f"the cogniton {cogniton!r} of {civilisation.name!r}, which the scheme "
+                    f"{scheme.name!r} does not have",
+                    None,
+                    nearest(cogniton, cognitons),
+                )
     for cogniton in population.bounds:
         if cogniton not in cognitons:
             raise ModelError(
@@ -269,12 +280,12 @@ def tables_of(
         SocialmindError: a table holds what a field cannot, or more agents than there is memory for.
     """
     sizes = {}
+    peoples = {}
     for name, population in society.populations.items():
-        sizes[name] = (
-            beginnings[name].count
-            if name in beginnings
-            else size_of(society.context, population.size, 0)
-        )
+        peoples[name] = [size_of(society.context, one, 0) for one in population.sizes]
+        sizes[name] = sum(peoples[name])
+        if name in beginnings:
+            sizes[name] = beginnings[name].count
         # Beside its row an agent has a place in five more arrays, and its mind.
         row = blueprint.tables[name].dtype.itemsize + 5 * 8
         what = f"{shown(sizes[name])} agents of {name!r} in {society.name}"
@@ -286,11 +297,14 @@ def tables_of(
         if name in society.assemblies:
             skills = partial(_skills, society, name, steerings[name].drive)
         shape = society.shape.populations[name]
-        tables[name] = Table(
-            society, shape, blueprint.tables[name], sizes[name], minds.get(name), skills
-        )
+        kind = Table if shape.messages_to is None else MessageTable
+        form = blueprint.tables[name]
+        tables[name] = kind(society, shape, form, sizes[name], minds.get(name), skills)
         if name in beginnings:
             tables[name].begin_with(beginnings[name])
+        civilisations = society.populations[name].civilisations
+        if civilisations:
+            found(tables[name], civilisations, peoples[name], society.seed)
     for name, network in society.networks.items():
         tables[name] = network.links_in(society, blueprint.tables[name])
         tables[name].settle_in(tables)

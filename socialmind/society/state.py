@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from socialmind.society.connection import words_of
+from socialmind.society.messages import fill_mailboxes
 from socialmind.society.state_check import check_state
 
 if TYPE_CHECKING:
@@ -60,6 +61,7 @@ def restore(model: Running, state: Mapping[str, NDArray[Any]]) -> None:
             table.minds.restore(_part(own, "hierarchy"))
     for table in model.tables.values():
         table.build_index()
+    fill_mailboxes(model.tables)
     model.ground.build()
 
 

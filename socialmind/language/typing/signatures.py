@@ -101,6 +101,7 @@ OF_SEVERAL = ("choice", "permutation", "shuffle")
 """Draws among several values, which `draws` types."""
 
 WRITTEN = {
+    "agent.reconsider_plan": "factor",
     "rng.random": "",
     "rng.uniform": "low, high",
     "rng.integers": "low, high",
