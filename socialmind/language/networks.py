@@ -9,7 +9,7 @@ from socialmind.language import types
 from socialmind.language.nodes import Typed, constant, marked
 from socialmind.language.shape import LinksShape
 from socialmind.language.typing.minds import method_call
-from socialmind.language.typing.neighbours import agent_there
+from socialmind.language.typing.neighbours import AGENTS, agent_there
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -65,6 +65,9 @@ def network_call(
         return method_call(node, base, name, pair, mark), result
     if name in ALL or name in ONE_WAY:
         return _linked(typer, node, base, links, net, name)
+    if name in AGENTS:
+        advice = f"ask the agents: model.{links.source}.{name}(…)"
+        typer.refuse(node, f"{name}() of the network {net!r}, whose links are nowhere", advice)
     if name in _INSTEAD:
         typer.refuse(node, f"{name}() of the network {net!r}", _written(_INSTEAD[name], links, net))
     return None

@@ -16,6 +16,7 @@ from socialmind.columns import column, columns_of
 from socialmind.errors import UnknownNameError, nearest
 from socialmind.fields import presence
 from socialmind.language.shape import LinksShape, PopulationShape
+from socialmind.language.typing.neighbours import AGENTS
 from socialmind.networks import adjacency, exchange
 from socialmind.networks.linked import LinkedSet, slot_in
 from socialmind.networks.start import Generator, Links, Reader, seed_of
@@ -309,6 +310,11 @@ class NetworkTable(Table):
         if name in ("source", "target") and "shape" in self.__dict__:
             ends = self.columns[f"_{name}"][self.slots]
             return column(ends, f"society.{self.shape.name}.{name}")
+        if name in AGENTS and "shape" in self.__dict__:
+            raise UnknownNameError(
+                f"{name}() of the network {self.shape.name!r}, whose links are nowhere; ask the "
+                f"agents: society.{self.joins.source}.{name}(…)"
+            )
         return super().__getattr__(name)
 
     # As data ----------------------------------------------------------------------------------

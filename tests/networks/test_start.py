@@ -194,6 +194,8 @@ def test_users_links_are_checked_and_nothing_changes():
         town.friends.successors(0)
     with pytest.raises(UnknownNameError, match=r"write successors\(\) or predecessors\(\)"):
         town.follows.neighbours(0)
+    with pytest.raises(UnknownNameError, match="whose links are nowhere; ask the agents"):
+        town.friends.near(town.people[0], 2)
     with pytest.raises(UnknownNameError, match="'friends' of town stays"):
         town.friends = 3
     assert pairs(town.friends) == before
@@ -257,6 +259,7 @@ RULES = [
     ("model.ties.link(one)", "link() like this; write model.ties.link(one, other)"),
     ("model.ties.add(one, one)", "add() of the network 'ties'; write model.ties.link(one, other)"),
     ("model.ties.create()", "create() of the network 'ties'; write model.ties.link("),
+    ("model.ties.nearest(one)", "nearest() of the network 'ties', whose links are nowhere; ask"),
     ("model.ties.successors(one)", "which is not directed; write neighbours"),
     ("model.ties.neighbours(3)", "a whole number for neighbours() of 'ties'; expected an agent"),
     ("model.ties.link(one, one).hatch()", "hatch() of a link of 'ties'; between two there is one"),
