@@ -21,6 +21,8 @@ LINK, SLOT, AGENT = 0, 1, 2
 The first row of all says where the free room begins, and how many links the lists hold."""
 LEAST = 4
 """Room for so many links when an agent gets its first."""
+AT_FIRST = 4096
+"""Room for so many links at most, 16 an agent, before there are any: rules may make all at once."""
 
 
 @register_jitable
@@ -163,7 +165,8 @@ def built(
     room = np.where(degree > 0, np.maximum(LEAST, degree + degree // 2), 0)
     begin = 1 + np.cumsum(room) - room
     top = 1 + int(room.sum())
-    ties = np.zeros((top + len(agents) + LEAST * count + 256, 3), np.int64)
+    free = len(agents) + LEAST * count + min(16 * count, 4 * AT_FIRST) + 256
+    ties = np.zeros((top + free, 3), np.int64)
     ties[0, :2] = top, len(agents)
     sorting = np.argsort(agents, kind="stable")
     before = np.cumsum(degree) - degree

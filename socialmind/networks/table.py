@@ -55,6 +55,8 @@ class NetworkTable(Table):
         self._sources, self._targets = tables[self.joins.source], tables[self.joins.target]
         for table in dict.fromkeys((self._sources, self._targets)):
             table.joined_by(self)
+        room = min(16 * sum(map(len, self.ends)), adjacency.AT_FIRST) + bookkeeping.MARGIN
+        self.reserve(room, room)
         self.build_index()
 
     # Links ------------------------------------------------------------------------------------
