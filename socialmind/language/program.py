@@ -238,7 +238,7 @@ class Program:
         """The populations whose agents rules look for."""
         return tuple(self._sought)
 
-    @property
+    @cached_property
     def loops_over_found(self) -> int:
         """How many loops of the rules go over agents that were found."""
         return sum(mark[0] == "found_loop" for mark in self._marks())
@@ -248,7 +248,7 @@ class Program:
         """Whether rules hold agents that may be None."""
         return any(mark[0] in ("perhaps", "agent_there") for mark in self._marks())
 
-    @property
+    @cached_property
     def perhaps_nobody(self) -> tuple[str, ...]:
         """The populations of which a rule uses an agent that may be None."""
         used = (mark[1] for mark in self._marks() if mark[0] == "agent_there")
