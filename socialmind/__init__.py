@@ -1,8 +1,8 @@
 """A laboratory for societies of agents.
 
 What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Population`, `Grid`,
-`Torus`, `parameter`, `each` and `once`. A name is imported when it is first used, so that what
-needs none of them (`socialmind --help`) starts fast.
+`Torus`, `Network`, `parameter`, `each` and `once`. A name is imported when it is first used, so
+that what needs none of them (`socialmind --help`) starts fast.
 """
 
 from typing import TYPE_CHECKING
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from socialmind.language.plans import until as until
     from socialmind.language.plans import when as when
     from socialmind.model import Model as Model
+    from socialmind.networks.network import Link as Link
+    from socialmind.networks.network import Network as Network
+    from socialmind.networks.start import generator as generator
     from socialmind.society.civilisations import Civilisation as Civilisation
     from socialmind.society.messages import Messages as Messages
     from socialmind.society.parameter import Parameter as Parameter
@@ -44,6 +47,8 @@ else:
             "socialmind.errors": "IdleWarning ModelError RuleError SocialmindError",
             "socialmind.language.plans": "repeat sequence until when",
             "socialmind.model": "Model",
+            "socialmind.networks.network": "Link Network",
+            "socialmind.networks.start": "generator",
             "socialmind.society.civilisations": "Civilisation",
             "socialmind.society.messages": "Messages",
             "socialmind.society.parameter": "Parameter parameter",

@@ -54,9 +54,11 @@ class Model(metaclass=ModelKind):
     - `ticks`: how long a run is unless it says otherwise;
     - `score_every`: where it is taught without a plane, after how many ticks its method `score()`
       is asked again; 0, at the end alone;
+    - `record_links`: whether a run records the links of its networks too, when it records agents;
     - parameters: `price: float = parameter(167.0, unit="wheat", low=0.0)`;
     - variables: `warmth: float = 0.0`;
     - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;
+    - networks of links between their agents: `friends = Network(humans)`;
     - messages between agents, `offers = Messages(Offer, to=humans)`, and what two of them may come
       to, `theft = Interaction(…)`;
     - `world = Torus("world_size", Land)`;
@@ -86,11 +88,13 @@ class Model(metaclass=ModelKind):
     name: ClassVar[str] = ""
     ticks: ClassVar[int] = 1000
     score_every: ClassVar[int] = 0
+    record_links: ClassVar[bool] = False
     setup: ClassVar[tuple[PhaseDeclaration, ...]] = ()
     schedule: ClassVar[tuple[PhaseDeclaration, ...]] = ()
     parameters: ClassVar[dict[str, Parameter]] = {}
     variables: ClassVar[dict[str, Field]] = {}
     populations: ClassVar[dict[str, Population]] = {}
+    networks: ClassVar[dict[str, Any]] = {}
     declared_world: ClassVar[World] = World()
     rewards: ClassVar[dict[str, Any]] = {}
     interruptions: ClassVar[dict[str, Any]] = {}
@@ -151,6 +155,7 @@ class Model(metaclass=ModelKind):
         self.names = making.names_in_minds(self, files)
         self.engine = Engine(self, compiled)
         if self._sets_up:
+            making.begin_networks(self)
             self.engine.set_up(partial(copying.unbegun, self, Model))
             self.ground.build()
 

@@ -1,4 +1,4 @@
-"""Observation of minds: cognitons and weights of plans, influence and variables, as columns."""
+"""Observation as columns: of minds, cognitons, weights, influence; of networks, degrees."""
 
 from __future__ import annotations
 
@@ -75,6 +75,31 @@ def hierarchy_columns(table: Table) -> dict[str, NDArray[Any]]:
         for part, (names, array) in parts.items()
         for place, name in enumerate(names)
     }
+
+
+def network_columns(table: Table) -> dict[str, NDArray[Any]]:
+    """Return what the networks of a model say of a population's living as columns.
+
+    Args:
+        table: a population.
+
+    Returns:
+        For every network that links its agents `degree_<network>`, how many links each has; where
+        links lead from one to another `out_degree_<network>` and `in_degree_<network>`, as far as
+        its agents are at these ends; and `component_<network>`, the number of its component. Rows
+        are in order of birth.
+    """
+    columns: dict[str, NDArray[Any]] = {}
+    name = table.shape.name
+    for network in table._networks:
+        joins, called = network.joins, network.shape.name
+        columns[f"degree_{called}"] = network.degrees(name)
+        if joins.directed and joins.source == name:
+            columns[f"out_degree_{called}"] = network.out_degrees()
+        if joins.directed and joins.target == name:
+            columns[f"in_degree_{called}"] = network.in_degrees()
+        columns[f"component_{called}"] = network.components(name)
+    return columns
 
 
 def _add_culturons(

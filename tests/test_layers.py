@@ -24,6 +24,7 @@ LAYERS = (
     "economy",
     "worlds",
     "society",
+    "networks",
     "engine",
     "observation",
     "mesa",

@@ -24,7 +24,7 @@ OWN = ("tick", POPULATION, "agent", "plan")
 
 
 def default_series(model: Any, stops: bool) -> dict[str, Any]:
-    """Return the size of each population, what the world records, and the variables.
+    """Return the size of each population and network, the world's series, and the variables.
 
     Args:
         model: a running model.
@@ -45,11 +45,12 @@ def agent_columns(model: Running) -> dict[str, Any]:
         A sequence for each column, over the living.
     """
     kinds: dict[str, set[type]] = {}
-    for table in model.tables.values():
+    tables = {name: model.tables[name] for name in model.populations}
+    for table in tables.values():
         for field in table.shape.fields.values():
             kinds.setdefault(field.name, set()).add(field.kind)
     parts: dict[str, dict[str, Any]] = {}
-    for name, table in model.tables.items():
+    for name, table in tables.items():
         part: dict[str, Any] = {"agent": table.id}
         if table.shape.minded:
             part["plan"] = model.plans(table)
@@ -58,7 +59,7 @@ def agent_columns(model: Running) -> dict[str, Any]:
             part["plan_step"] = table.plan_steps(table.slots)
         for field in table.shape.fields.values():
             if field.size is None and field.name != "heading":
-                alone = len(model.tables) == 1 or field.name not in OWN
+                alone = len(tables) == 1 or field.name not in OWN
                 column = field.name if alone else f"{name}.{field.name}"
                 values = getattr(table, field.name)
                 if field.kind is bool and kinds[field.name] != {bool}:

@@ -225,6 +225,21 @@ def _hierarchy(row: Row) -> Any:
     return row._table.minds.of(row._slot)
 
 
+def _source(link: Row) -> Any:
+    """The agent that a link comes from."""
+    return link._table.end_of(link._slot, "source")
+
+
+def _target(link: Row) -> Any:
+    """The agent that a link leads to."""
+    return link._table.end_of(link._slot, "target")
+
+
+def _other(link: Row, agent: Row) -> Any:
+    """Return the agent at the other end of a link."""
+    return link._table.other_end(link._slot, agent)
+
+
 def row_class(shape: PopulationShape, kept: Collection[str]) -> type[Row]:
     """Return the class of a population's rows as rules hold them, its fields as properties.
 
@@ -248,6 +263,10 @@ def row_class(shape: PopulationShape, kept: Collection[str]) -> type[Row]:
         members["plan_step"] = property(_plan_step)
     if shape.hierarchy:
         members["hierarchy"] = property(_hierarchy)
+    if shape.links is not None:
+        members["source"] = property(_source)
+        members["target"] = property(_target)
+        members["other"] = _other
     return type(shape.name, (Row,), members)
 
 

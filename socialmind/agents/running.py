@@ -19,7 +19,7 @@ class Running(Protocol):
         physics: what moves bodies in its world.
         contexts: its record, an array of one: parameters, variables, and where its arrays are.
         context: the record itself.
-        tables: its populations, by name.
+        tables: its populations and networks, by name.
         schemes: the schemes of those with cogniton minds.
         assemblies: the hierarchies of those with skills, laid out.
         names: where in them the names stand that rules write, by population.
@@ -60,6 +60,10 @@ class Running(Protocol):
     @property
     def populations(self) -> Mapping[str, Any]:
         """What was declared of its populations."""
+
+    @property
+    def networks(self) -> Mapping[str, Any]:
+        """What was declared of its networks."""
 
     @property
     def interruptions(self) -> Mapping[str, Any]:

@@ -46,7 +46,11 @@ def print_model(name: str) -> None:
     rows = [_population(one) for one in model_class.populations.values()]
     lines = [("population", "size", "agents", "mind", "fields"), *rows]
     tables = [aligned(lines)] if rows else []
-    facts = [("variables", ", ".join(model_class.shape.variables)), ("world", _world(model_class))]
+    facts = [
+        ("variables", ", ".join(model_class.shape.variables)),
+        ("world", _world(model_class)),
+        ("networks", ", ".join(map(str, model_class.networks.values()))),
+    ]
     if model_class.shape.world.has_episodes:
         from socialmind.experiments.scoring import measures_of
 

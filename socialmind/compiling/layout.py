@@ -40,6 +40,14 @@ WEIGHING: dict[str, tuple[str, int]] = {
 """Further arrays of a population whose hierarchies weigh plans, as `WeighingPlaces` has them."""
 
 
+LINKS: dict[str, tuple[str, int]] = {
+    "heads_out": ("int64", 2),
+    "ties_out": ("int64", 2),
+    "joined": ("int64", 2),
+}
+"""Further arrays of a network, as `networks.adjacency` has them."""
+LINKS_APART: dict[str, tuple[str, int]] = {"heads_in": ("int64", 2), "ties_in": ("int64", 2)}
+"""Further arrays of one in which sources are told from targets."""
 SEEKING = (
     *("near_cells", "near_entries", "near_heads", "near_heads_0"),
     *("near_spots", "near_spots_0", "near_found", "near_found_0"),
@@ -57,6 +65,8 @@ def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]
             arrays |= WEIGHING
         arrays |= {f"scheme_{name}": ENGINE_ARRAYS[name] for name in SchemeArrays._fields}
         arrays |= {f"minds_{name}": ENGINE_ARRAYS[name] for name in MindArrays._fields}
+    if population.links is not None:
+        arrays |= LINKS | (LINKS_APART if population.links.apart else {})
     return arrays
 
 
@@ -67,6 +77,8 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
         columns += [("_id", "i8"), ("_slot", "i8")]
         if population.minded:
             columns += [("_mind", "i8"), ("_plan", "i8"), ("_decided", "i8")]
+        if population.links is not None:
+            columns += [("_source", "i8"), ("_target", "i8")]
         if population.steps is not None:
             columns += [("_step", "i8"), ("_rounds", "i8", (population.steps.depth,))]
         if population.messages_to is not None:

@@ -259,6 +259,54 @@ class _Lowering(ast.NodeTransformer):
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
     lower_run_plan = lower_reconsider_plan = lower_send = lower_method
 
+    def lower_network(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        """Lower what a network is asked by a function of the same name."""
+        return _call(f"_network_{mark[2]}_{mark[1]}", *map(self.visit, node.args))
+
+    def lower_count_linked(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        of: Any = node.args[0]
+        return _call(f"_network_degree_{'_'.join(of.mark[1:3])}", self.visit(of.args[2]))
+
+    def lower_one_linked(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        of = node.func.value
+        who, rng = self.visit(of.args[2]), self.visit(node.args[0])
+        return _call(f"_network_one_{'_'.join(of.mark[1:])}", who, rng)
+
+    def lower_linked_loop(self, node: ast.For, mark: tuple[Any, ...]) -> list[ast.stmt]:
+        """Lower a loop over what is linked: a walk from link to link, which may end meanwhile."""
+        asked: Any = node.iter
+        _, net, side, what = asked.mark
+        self.loops += 1
+        names = ("whose", "at", "last", "born", "over")
+        whose, at, last, born, over = (f"_{one}_{self.loops}" for one in names)
+        lines = parsed(
+            f"{whose} = WHO\n"
+            f"{at} = {last} = -1\n"
+            f"{born} = _network_born_{net}(_model)\n"
+            f"{over} = False\n"
+            f"while True:\n"
+            f"    {at} = _network_step_{net}_{side}(_model, {whose}, {at}, {last}, {born})\n"
+            f"    if {at} < 0:\n"
+            f"        {over} = True\n"
+            f"        break\n"
+            f"    {last} = _network_link_at_{net}_{side}(_model, {whose}, {at})\n"
+            f"    {ast.unparse(node.target)} = "
+            f"_network_{what}_{net}_{side}(_model, {whose}, {at})\n"
+            f"if {over}:\n"
+            f"    pass\n"
+        ).body
+        lines[0].value = ast.Attribute(self.visit(asked.args[2]), "_slot", ast.Load())
+        lines[4].body += self.block(node.body)
+        lines[5].body += self.block(node.orelse)
+        return list(lines[: 6 if node.orelse else 5])
+
+    def lower_link_end(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        return _call(f"_link_{mark[2]}_{mark[1]}", self.visit(node.value))
+
+    def lower_link_other(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        link, agent = self.visit(node.func.value), self.visit(node.args[0])
+        return _call(f"_link_other_{mark[1]}{mark[2]}", link, agent)
+
     def lower_aggregate(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         population, what, field = mark[1:]
         return _call(aggregate_name(population, what, field))

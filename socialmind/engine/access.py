@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.laying_out import ENGINE_ARRAYS
 from socialmind.compiling.layout import (
@@ -135,6 +137,13 @@ def _die_NAME(_model, agent):
         _died(_counters_NAME(_model), alive, _slot_of_NAME(_model), agent._slot, agent._id)
         DEAD_MIND"""
 
+THERE = """@_inner
+def _near_there_NAME(_model, slot):
+    if slot < 0:
+        raise ValueError("an agent that is None was used")
+    return _rows_NAME(_model)[slot]"""
+"""How rules reach an agent that may be None: by its slot, −1 for none."""
+
 _MESSAGES = """from socialmind.agents import message as _messages
 
 
@@ -251,7 +260,7 @@ def _choose_NAME(scheme, minds, slot, weights, plans, count):
 def population_text(
     population: PopulationShape,
     own_maker: bool,
-    leaving: str = "",
+    leaving: Sequence[str] = (),
     sought: bool = False,
     reconsiders: bool = False,
 ) -> str:
@@ -260,7 +269,7 @@ def population_text(
     Args:
         population: its shape.
         own_maker: whether its minds have a decision maker of the modeller's own.
-        leaving: the line by which an agent that dies leaves the world, if there is any.
+        leaving: the lines by which an agent that dies leaves the world and its networks.
         sought: whether rules look for its agents.
         reconsiders: whether its agents reconsider their plans.
     """
@@ -317,8 +326,7 @@ def population_text(
         born = f"born = carray(_as_pointer(_model._{name}_default), (1,), {name}_ROW)[0]"
         lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
         fills["HATCHED_MIND"] = "\n    ".join([*lines, fills["HATCHED_MIND"]])
-    if leaving:
-        fills["DEAD_MIND"] = f"{leaving}\n        {fills['DEAD_MIND']}"
+    fills["DEAD_MIND"] = "\n        ".join([*filter(None, leaving), fills["DEAD_MIND"]])
     if sought:
         fills["DEAD_MIND"] = f"_near_died_{name}(_model, agent)\n        {fills['DEAD_MIND']}"
         for mark in ("NEW_MIND", "HATCHED_MIND"):

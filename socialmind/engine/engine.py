@@ -87,7 +87,7 @@ class Engine:
         """The rules as interpreted Python."""
         if self._functions is None:
             program, names = self.model.program, self.model.ground.functions()
-            if program.sought or program.patches_sought:
+            if program.sought or program.patches_sought or program.seeks_somebody:
                 from socialmind.worlds.neighbours.interpreted import FUNCTIONS
 
                 names = {**FUNCTIONS, **names}

@@ -13,7 +13,7 @@ from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
 from socialmind.engine import interactions_text
-from socialmind.engine.access import AGENTS, population_text
+from socialmind.engine.access import AGENTS, THERE, population_text
 from socialmind.engine.plans_text import call_text, plans_text
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
@@ -34,9 +34,18 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     world = shape.world.text(program)
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
+    networks = [one for one in shape.populations.values() if one.links is not None]
+    if networks:
+        from socialmind.networks import text as links
+
+        parts += [links.HEAD, *map(links.network_text, networks)]
     for population in shape.populations.values():
         name = population.name
-        leaving = shape.world.leaving(name)
+        leaving = [shape.world.leaving(name)]
+        if population.links is not None:
+            leaving = [links.untying(population)]
+        elif networks:
+            leaving += links.ending_links(name, networks)
         sought, reconsiders = name in program.sought, name in program.reconsidered
         own = name in own_makers
         parts.append(population_text(population, own, leaving, sought, reconsiders))
@@ -44,6 +53,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         from socialmind.worlds.neighbours.text import text
 
         parts.append(text(shape, program.sought))
+    parts += [THERE.replace("NAME", name) for name in program.perhaps_nobody]
     for name, what, field in program.aggregates:
         parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
     minded = [one for one in shape.populations.values() if one.hierarchy]
@@ -212,6 +222,12 @@ def _loops_text(shape: ModelShape, program: Program, setup: str, tick: str) -> s
         f"    if _short_of_room(_counters_{name}(_model), _slot_of_{name}(_model)):\n"
         "        return True\n"
         for name in program.births
+    )
+    room += "".join(
+        f"    if _adjacency.short_of_space(_ties_{side}_{name}(_model)):\n        return True\n"
+        for name in program.births
+        if shape.populations[name].links is not None
+        for side in ("out", "in")
     )
     return f'''@_inner
 def _end_tick(_model):

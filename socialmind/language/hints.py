@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from socialmind.language.typer import Typer
 
 _LOOP = "write a for loop: `for other in model.{all}:`"
+_LINKED = "write model.friends.{}; the model declares its network: friends = Network({{all}})"
 _DRAW = "draw from the rule's stream: `rng.random()`, with the parameter `rng`"
 _HERE = "write model.world.patch({agent}.x, {agent}.y)"
 _AROUND = (
@@ -97,6 +98,11 @@ AGENT = {
     **dict.fromkeys(("turtles_here", "on"), _ON),
     "nearest": NAMES["nearest"],
     "choose_next_plan": "write {agent}.plan = {agent}.mind.choose_next_plan()",
+    **dict.fromkeys(("link_neighbors", "network_neighbors"), _LINKED.format("neighbours({agent})")),
+    **dict.fromkeys(("my_links", "links"), _LINKED.format("links_of({agent})")),
+    **dict.fromkeys(
+        ("create_link_with", "create_link_to", "link_with"), _LINKED.format("link({agent}, other)")
+    ),
 }
 """Fields and methods that agents have elsewhere."""
 

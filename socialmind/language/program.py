@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import types as python_types
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -241,12 +241,23 @@ class Program:
     @cached_property
     def loops_over_found(self) -> int:
         """How many loops of the rules go over agents that were found."""
-        marks = (
-            getattr(node, "mark", ("",))[0]
-            for function in self.functions.values()
-            for node in ast.walk(function.tree)
-        )
-        return sum(mark == "found_loop" for mark in marks)
+        return sum(mark[0] == "found_loop" for mark in self._marks())
+
+    @cached_property
+    def seeks_somebody(self) -> bool:
+        """Whether rules hold agents that may be None."""
+        return any(mark[0] in ("perhaps", "agent_there") for mark in self._marks())
+
+    @cached_property
+    def perhaps_nobody(self) -> tuple[str, ...]:
+        """The populations of which a rule uses an agent that may be None."""
+        used = (mark[1] for mark in self._marks() if mark[0] == "agent_there")
+        return tuple(dict.fromkeys(used))
+
+    def _marks(self) -> Iterator[tuple[Any, ...]]:
+        for function in self.functions.values():
+            for node in ast.walk(function.tree):
+                yield getattr(node, "mark", ("",))
 
     @property
     def world_columns(self) -> tuple[str, ...]:

@@ -14,8 +14,30 @@ from socialmind.language.types import AnyType
 
 
 @dataclass(frozen=True)
+class LinksShape:
+    """What the links of a network join.
+
+    Attributes:
+        source: the population of the agents that they come from.
+        target: that of the agents that they lead to.
+        directed: whether a link from one agent to another is not also one the other way.
+    """
+
+    source: str
+    target: str
+    directed: bool = False
+
+    @property
+    def apart(self) -> bool:
+        """Whether an agent's links as a source are told from those as a target."""
+        return self.directed or self.source != self.target
+
+
+@dataclass(frozen=True)
 class PopulationShape:
     """A population: its fields, its minds of either kind, and the functions of its plans.
+
+    The links of a network are one too: they have fields, identities, births and deaths.
 
     Attributes:
         name: its name.
@@ -26,6 +48,7 @@ class PopulationShape:
         weighed: whether these weigh the plans of its cogniton minds.
         own: the fields that a hatched agent does not take from its parent: they are as at birth.
         evaluated_by_world: whether a tick of the world evaluates its hierarchies.
+        links: what it joins, where it is the links of a network.
         at_birth: the rule that each agent follows once, or None.
         messages_to: of messages, the population of their recipients.
         mailboxes: the messages that its agents get.
@@ -39,6 +62,7 @@ class PopulationShape:
     weighed: bool = False
     own: tuple[str, ...] = ()
     evaluated_by_world: bool = False
+    links: LinksShape | None = None
     at_birth: Callable[..., Any] | None = None
     messages_to: str | None = None
     mailboxes: tuple[str, ...] = ()
@@ -185,7 +209,7 @@ class ModelShape:
         name: the model's name, as error messages give it.
         parameters: fields that rules only read.
         variables: fields that rules read and write (NetLogo's globals).
-        populations: by name.
+        populations: by name, those of agents and then those of links, the networks.
         world: what its rules know of its world.
         setup: the phases that run once, before the first tick.
         schedule: the phases of a tick.

@@ -67,10 +67,18 @@ class MaybeRowType(_OfPopulation):
     words = "an agent of {population!r} or None"
 
 
+@dataclass(frozen=True)
 class FoundType(_OfPopulation):
-    """The agents of a population that were found around somebody."""
+    """The agents of a population that were found around somebody.
+
+    Attributes:
+        population: theirs; that of a network where these are links.
+        through: the network by which they are linked with somebody, and of which of its lists
+            ("out", "in"); None for those that are near.
+    """
 
     words = "a set of agents of {population!r}"
+    through: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True)

@@ -44,7 +44,9 @@ class SocietyModel(mesa.Model):
 
     def __init__(self, society: Any) -> None:
         self.society = society
-        self._living: dict[str, dict[int, SocietyAgent]] = {name: {} for name in society.tables}
+        self._living: dict[str, dict[int, SocietyAgent]] = {
+            name: {} for name in society.populations
+        }
         self._following = False
         self._grid: SocietyGrid | None = None
         super().__init__(rng=society.seed)
@@ -116,8 +118,8 @@ class SocietyModel(mesa.Model):
             return
         self._following = True
         try:
-            for name, table in self.society.tables.items():
-                known = self._living[name]
+            for name, known in self._living.items():
+                table = self.society.tables[name]
                 before = np.fromiter(known, np.int64, len(known))
                 now = table.id
                 if not np.array_equal(before, now):
@@ -201,14 +203,14 @@ def mesa_model(society: Any) -> SocietyModel:
     kind = type(society)
     taken = {*dir(SocietyModel), "society", *_MESA_NAMES}
     members: dict[str, Any] = {"__doc__": kind.__doc__, "__module__": kind.__module__}
-    for name in (*kind.parameters, *kind.variables, *kind.populations):
+    for name in (*kind.parameters, *kind.variables, *kind.populations, *kind.networks):
         if name in taken:
             raise ModelError(
                 f"{name!r} in {kind.name}, a name of Mesa's models",
                 "another name",
                 "rename it to use model.mesa()",
             )
-        members[name] = through("society", name, writable=name not in kind.populations)
+        members[name] = through("society", name, writable=name not in kind.shape.populations)
     members["agent_class"] = {name: class_of_agents(one) for name, one in kind.populations.items()}
     members["__init__"] = _initialiser(society)
     made: SocietyModel = type(kind.__name__, (SocietyModel,), members)(society)

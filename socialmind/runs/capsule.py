@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
@@ -16,7 +16,7 @@ from typing import Annotated, Any, ClassVar
 from socialmind.runs import folders
 from socialmind.runs import record as kinds
 from socialmind.runs.record import check_record, within
-from socialmind.runs.tables import FURTHER, TABLES
+from socialmind.runs.tables import FURTHER, SERIES, TABLES
 
 IDLE = kinds.Fields(
     {},
@@ -100,6 +100,10 @@ class Manifest(folders.FolderManifest):
         check_record(content["ticks_done"], kinds.whole(0, content["ticks"]), f"{path}: ticks_done")
         if content["status"] == folders.FINISHED:
             check_record(content.get("tables"), _ALL_TABLES, f"{path}: tables of a finished run")
+
+    def steps(self, names: Iterable[str]) -> dict[str, int]:
+        """Return the ticks between two recordings of tables, by their names."""
+        return {name: self.every if name == SERIES else self.agents_every for name in names}
 
     def identity(self) -> str:
         """Return a hash of what decides the result, apart from the model itself."""

@@ -11,7 +11,7 @@ from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
-from socialmind.runs.tables import FURTHER, SERIES, TABLES, check_content, merge, part_name, seal
+from socialmind.runs.tables import FURTHER, TABLES, check_content, merge, part_name, seal
 from socialmind.work.files import make_room, refuse_folder
 
 if TYPE_CHECKING:
@@ -87,8 +87,7 @@ def reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Chec
             f"{capsule.folder}: {capsule.checkpoint.name} is missing or of another run, so the "
             f"run cannot be made longer; run anew with --ticks {length}"
         )
-    every = dict.fromkeys(capsule.manifest.tables, capsule.manifest.agents_every)
-    every[SERIES] = capsule.manifest.every
+    every = capsule.manifest.steps(capsule.manifest.tables)
     capsule.parts.mkdir(exist_ok=True)
     parts, recorded, sums = {}, {}, {}
     for name, step in every.items():

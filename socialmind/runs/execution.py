@@ -27,7 +27,7 @@ from socialmind.runs import continuing, folders, sources
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.record import LONGEST
-from socialmind.runs.tables import AGENTS, GROUPS, SERIES, GrowingTable
+from socialmind.runs.tables import AGENTS, GROUPS, LINKS, SERIES, TABLES, GrowingTable
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
@@ -249,10 +249,9 @@ class _Execution:
     ) -> None:
         self._capsule = capsule
         self._model = model
-        self._every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
-        # A run that began without a table of groups goes on without.
-        if has_groups(model) if checkpoint is None else GROUPS in checkpoint.parts:
-            self._every[GROUPS] = capsule.manifest.agents_every
+        # A run that began without a table of groups, or of links, goes on without.
+        names = checkpoint.parts if checkpoint else _tables_of(model)
+        self._every = capsule.manifest.steps(names)
         parts = checkpoint.parts if checkpoint else {}
         self._tables = {
             name: GrowingTable(
@@ -349,6 +348,10 @@ class _Execution:
         """Return what is recorded in a table now."""
         if name == GROUPS:
             return group_instances(self._model)
+        if name == LINKS:
+            from socialmind.networks.exchange import links_of_all
+
+            return links_of_all(self._model)
         return self._model.series() if name == SERIES else self._model.agents()
 
     def _checkpoint(self, status: str = folders.RUNNING) -> Checkpoint:
@@ -376,6 +379,13 @@ class _Execution:
         changes = continuing.progress_fields(self._capsule.manifest, checkpoint)
         self._capsule.update(status=status, model=model, **changes)
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
+
+
+def _tables_of(model: Model) -> list[str]:
+    """Return the names of the tables that a run of a model has."""
+    links = getattr(model, "record_links", False) and model.networks
+    further = {GROUPS: has_groups(model), LINKS: links}
+    return [*TABLES, *(name for name, wanted in further.items() if wanted)]
 
 
 class _Timer:

@@ -12,7 +12,7 @@ from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.folders import FINISHED
 from socialmind.runs.sources import recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, GROUPS, SERIES, check_content, read
+from socialmind.runs.tables import AGENTS, GROUPS, LINKS, SERIES, check_content, read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -92,6 +92,15 @@ class Run:
         return self._table(GROUPS)
 
     @cached_property
+    def links(self) -> pd.DataFrame:
+        """One row a link and recorded tick: ``tick``, ``network``, ends and fields.
+
+        Raises:
+            SocialmindError: the model does not say `record_links = True`.
+        """
+        return self._table(LINKS)
+
+    @cached_property
     def schemes(self) -> dict[str, CognitiveScheme]:
         """The cognitive schemes that the run used, by the population that has such minds."""
         from coglogo_py import CognitiveScheme, SchemeError
@@ -138,7 +147,12 @@ class Run:
 
     def _check_recorded(self, name: str, tables: Container[str]) -> None:
         if name not in tables:
+            of = (
+                "of models with networks that say record_links = True"
+                if name == LINKS
+                else "of models whose minds can form groups"
+            )
             raise SocialmindError(
-                f"{self.folder}: has no table of {name}; only runs of models whose minds can form "
-                "groups record one, from their beginning"
+                f"{self.folder}: has no table of {name}; only runs {of} record one, from their "
+                "beginning"
             )

@@ -34,8 +34,10 @@ AGENTS = "agents"
 GROUPS = "groups"
 TABLES = (SERIES, AGENTS)
 """The tables that every run has."""
-FURTHER = (GROUPS,)
-"""Those that a run has from its beginning, or never: of models whose minds can form groups."""
+LINKS = "links"
+FURTHER = (GROUPS, LINKS)
+"""Those that a run has from its beginning, or never: of models whose minds can form groups, and of
+those that say that links are recorded."""
 
 ROW_GROUP = 1 << 15
 """Rows in a row group of a merged table."""

@@ -38,6 +38,10 @@ def admitted(society: Any, kept: frozenset[str], name: str, value: Any) -> Any:
             f"the population {name!r} of {kind.name} stays; set fields of its agents: "
             f"society.{name}.FIELD = …"
         )
+    if name in kind.networks:
+        raise UnknownNameError(
+            f"the network {name!r} of {kind.name} stays; set its links: society.{name}.set_from(…)"
+        )
     if name == "world":
         raise UnknownNameError(
             f"the world of {kind.name} stays; set fields of its patches: society.world.FIELD = …"

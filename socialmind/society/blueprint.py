@@ -144,7 +144,8 @@ class TableForm:
             agent[NEXT] = -1
         for messages in self._shape.mailboxes:
             agent[first_message(messages)] = -1
-        agent["heading"] = turned(agent["heading"].item())
+        if "heading" in self._shape.fields:
+            agent["heading"] = turned(agent["heading"].item())
         agent.flags.writeable = False
         return agent
 

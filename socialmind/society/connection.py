@@ -71,6 +71,7 @@ def _held(model: Running) -> list[Any]:
         held += model.tables[name].index(model.program.loops_over_found).values()
     for table in model.tables.values():
         held += _OF_TABLES(table)
+        held += table.link_arrays().values()
         if table.minds is not None:
             held.append(table.minds.record.record)
         if table.society is not None:
@@ -101,6 +102,7 @@ def _all_arrays(model: Running) -> dict[str, Any]:
         for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
             arrays[f"{name}_{part}"] = getattr(table, part)
         arrays[f"{name}_names"] = model.names[name]
+        arrays |= {f"{name}_{part}": array for part, array in table.link_arrays().items()}
         if table.minds is not None:
             arrays[f"{name}_hierarchy"] = table.minds.record.record
         if table.society is not None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from socialmind.society.declaration import kept_names
+from socialmind.society.making import begin_networks
 from socialmind.work.packing import packed, unpacked
 
 
@@ -46,6 +47,7 @@ def unbegun(society: Any, model: Any) -> dict[str, Any]:
     made = kind.__new__(kind)
     made._sets_up = False
     model.__init__(made, **_settings_of(society))
+    begin_networks(made)
     state: dict[str, Any] = made.state()
     return state
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from types import FunctionType
 from typing import Any, NamedTuple
 
@@ -25,6 +26,7 @@ SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "name": ((str,), "a text"),
     "ticks": ((int,), "a whole number, 0 or more"),
     "score_every": ((int,), "a whole number, 0 or more"),
+    "record_links": ((bool,), "True or False"),
     "setup": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "schedule": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "rewards": ((dict,), "rewards by name, on a plane"),
@@ -65,6 +67,7 @@ class Declaration(NamedTuple):
     parameters: dict[str, Parameter]
     variables: dict[str, Field]
     populations: dict[str, Population]
+    networks: dict[str, Any]
     world: World
     rewards: dict[str, Any]
     interruptions: dict[str, Any]
@@ -105,10 +108,12 @@ def declaration_of(cls: type, model: type) -> Declaration:
             setattr(cls, name, Variable(declared(cls, name, kind, *missing)))
     own = {name: value for base in reversed(cls.__mro__) for name, value in vars(base).items()}
     world = own.get("world")
+    kinds = {name: value for name, value in own.items() if isinstance(value, Population)}
     found = Declaration(
         {name: value for name, value in own.items() if isinstance(value, Parameter)},
         {name: value.field for name, value in own.items() if isinstance(value, Variable)},
-        {name: value for name, value in own.items() if isinstance(value, Population)},
+        {name: value for name, value in kinds.items() if not value.joins},
+        {name: value for name, value in kinds.items() if value.joins},
         world if isinstance(world, World) else World(),
         dict(own.get("rewards", {})),
         dict(own.get("interruptions", {})),
@@ -118,6 +123,8 @@ def declaration_of(cls: type, model: type) -> Declaration:
     _check_sizes(cls, found)
     _check_recipients(cls, found.populations)
     _check_devices(cls, model, found)
+    for name, network in found.networks.items():
+        _placed(cls, name, partial(network.check_within, cls, found.parameters))
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
     return found
@@ -133,12 +140,7 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
         elif name != "world":
             kind = type(value).__name__
             _refuse(cls, name, f"a {kind.lower()} called {name!r}", "world", f"world = {kind}(…)")
-        try:
-            value.check()
-        except ModelError as error:
-            if error.file is not None:
-                raise
-            _refuse(cls, name, error.found, error.expected, error.remedy)
+        _placed(cls, name, value.check)
     elif name in SETTINGS:
         kinds, expected = SETTINGS[name]
         right = is_whole(value) and value >= 0 if int in kinds else isinstance(value, kinds)
@@ -162,6 +164,16 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
                 None,
                 "call it something else",
             )
+
+
+def _placed(cls: type, name: str, check: Callable[[], None]) -> None:
+    """Check an attribute of a class; what is refused is said with its file and line."""
+    try:
+        check()
+    except ModelError as error:
+        if error.file is not None:
+            raise
+        _refuse(cls, name, error.found, error.expected, error.remedy)
 
 
 def _check_name(cls: type, model: type, name: str, what: str) -> None:

@@ -17,6 +17,7 @@ from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
 from socialmind.society.blueprint import Blueprint
 from socialmind.society.declaration import declaration_of
+from socialmind.society.making import begin_networks
 from socialmind.society.messages import with_mailboxes
 from socialmind.sources.provenance import note_definition
 from socialmind.work.packing import is_private, reference
@@ -50,8 +51,8 @@ class ModelKind(ABCMeta):
         hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
         note_definition(cls.__module__)
         found = declaration_of(cls, model)
-        cls.parameters, cls.variables, cls.populations, cls.declared_world = found[:4]
-        cls.rewards, cls.interruptions, cls.measures = found[4:7]
+        cls.parameters, cls.variables, cls.populations, cls.networks = found[:4]
+        cls.declared_world, cls.rewards, cls.interruptions, cls.measures = found[4:8]
         cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
         world = cls.declared_world.shape(cls, partial(place_of_field, cls))
         cls.shape = ModelShape(
@@ -60,7 +61,8 @@ class ModelKind(ABCMeta):
             variables=cls.variables,
             populations=with_mailboxes(
                 {n: world.inhabited(one.shape) for n, one in cls.populations.items()}
-            ),
+            )
+            | {name: one.shape for name, one in cls.networks.items()},
             world=world,
             setup=tuple(phase.shape for phase in cls.setup),
             schedule=tuple(phase.shape for phase in cls.schedule),
@@ -99,6 +101,7 @@ class ModelKind(ABCMeta):
         made = cls.__new__(cls)
         made._sets_up = False
         made.__init__(**arguments)
+        begin_networks(made)
         made._made = True
         return made
 

@@ -17,7 +17,7 @@ from coglogo_py.culture import Culture
 from coglogo_py.society import Society
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, SocialmindError, nearest
-from socialmind.fields import Field, presence
+from socialmind.fields import Field, place_of_field, presence
 from socialmind.society.beginning import Beginning, beginning_of, is_table
 from socialmind.society.blueprint import Blueprint, SchemeFiles
 from socialmind.society.civilisations import found
@@ -122,7 +122,7 @@ def names_in_minds(society: Running, files: Mapping[str, Path]) -> dict[str, NDA
         ModelError: a rule names what the minds do not have.
     """
     found = {}
-    for name in society.populations:
+    for name in society.shape.populations:
         scheme, assembly = society.schemes.get(name), society.assemblies.get(name)
         minds = society.tables[name].society
         parts = None if minds is None else minds.names
@@ -290,7 +290,7 @@ def tables_of(
         row = blueprint.tables[name].dtype.itemsize + 5 * 8
         what = f"{shown(sizes[name])} agents of {name!r} in {society.name}"
         check_memory(sizes[name] * row, what, SocialmindError)
-    tables: dict[str, Table] = {}
+    tables: dict[str, Any] = {}
     minds = minds_of(society.populations, society.schemes, society.seed)
     for name in society.populations:
         skills = None
@@ -305,7 +305,26 @@ def tables_of(
         civilisations = society.populations[name].civilisations
         if civilisations:
             found(tables[name], civilisations, peoples[name], society.seed)
+    for name, network in society.networks.items():
+        tables[name] = network.links_in(society, blueprint.tables[name])
+        tables[name].settle_in(tables)
     return tables
+
+
+def begin_networks(society: Any) -> None:
+    """Make the links that a society's networks begin with.
+
+    Raises:
+        ModelError: they cannot be made, with the file and line of the network.
+    """
+    for name, network in society.networks.items():
+        if network.start is None:
+            continue
+        try:
+            society.tables[name].begin(network.start, type(society).folder)
+        except SocialmindError as error:
+            file, line = place_of_field(type(society), name)
+            raise ModelError(f"{error}, for the network {name!r}", file=file, line=line) from error
 
 
 def minds_of(

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from numbers import Real
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_truth, is_whole
@@ -97,6 +97,8 @@ class Population:
     at_birth: Callable[..., Any] | None = None
     civilisations: tuple[Civilisation, ...] = ()
     name: str = field(default="", init=False)
+    joins: ClassVar[bool] = False
+    """Whether it is no population but a network, whose rows join agents."""
 
     def __post_init__(self) -> None:
         for name in ("plans", "sensors", "actuators", "bounds"):

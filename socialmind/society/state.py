@@ -59,6 +59,8 @@ def restore(model: Running, state: Mapping[str, NDArray[Any]]) -> None:
             table.society.restore(_part(own, "minds"))
         if table.minds is not None:
             table.minds.restore(_part(own, "hierarchy"))
+    for table in model.tables.values():
+        table.build_index()
     fill_mailboxes(model.tables)
     model.ground.build()
 

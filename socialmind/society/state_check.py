@@ -75,6 +75,9 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
         known[ids] = slots
     if not np.array_equal(known, slot_of):
         raise _refused(model, f"{name}.slot_of", "identities that are not those of its agents")
+    fault = table.odd_rows(rows[slots], state)
+    if fault is not None:
+        raise _refused(model, f"{name}.rows", fault)
     for field in table.shape.fields.values():
         if field.choices and len(slots):
             chosen = rows[field.name][slots]

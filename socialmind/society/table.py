@@ -85,7 +85,8 @@ class Table:
         keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
         for name in self._keepers:
-            self.default[name] = self._kept_within(name, self.default[name])
+            if name in shape.fields:
+                self.default[name] = self._kept_within(name, self.default[name])
         capacity = max(size, 1)
         self.rows = np.zeros(capacity, self.dtype)
         self.order = np.zeros(capacity, np.int64)
@@ -107,13 +108,14 @@ class Table:
         if society is not None:
             self.rows["_mind"][:size] = society.new_minds(size)
         self.weighing: WeighingPlaces | None = None
-        weighing = model.populations[shape.name].weighing
-        if weighing is not None and society is not None and self.minds is not None:
+        if shape.weighed and society is not None and self.minds is not None:
             description = self.minds.assembly.description
+            weighing = model.populations[shape.name].weighing
             self.weighing = weighing.places(society.scheme, description)
         self._bare, self._held = form.row_classes(self._keepers)
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
+        self._networks: list[Any] = []
         self._placed_by: Beginning | None = None
         self._index: dict[str, NDArray[Any]] = {}
         self._see_columns()
@@ -381,6 +383,8 @@ class Table:
         slot = agent._slot
         if self.alive[slot]:
             self.model.ground.leave(self, slot)
+            for network in self._networks:
+                network.end_links_of(self, slot)
             bookkeeping.died(self.counters, self.alive, self.slot_of, slot, agent.id)
             if self.society is not None:
                 self.mind_of(slot).die()
@@ -440,6 +444,8 @@ class Table:
         )
         self.counters[bookkeeping.FREE] = count + added
         self._see_columns()
+        for network in self._networks:
+            network.follow_ends()
         if self.society is not None:
             # A mind for each slot, and for those of the others who share these minds.
             others = [
@@ -481,6 +487,23 @@ class Table:
             setattr(self, name, np.array(state[name]))
         self.acting = np.zeros(len(self.rows), np.int64)
         self._see_columns()
+
+    # Networks ---------------------------------------------------------------------------------
+
+    def joined_by(self, network: Any) -> None:
+        """Take note of a network whose links join agents of this population."""
+        self._networks.append(network)
+
+    def link_arrays(self) -> dict[str, NDArray[Any]]:
+        """Return the arrays of an index over the rows that compiled code reaches, if any."""
+        return {}
+
+    def build_index(self) -> None:
+        """Build the index over the rows anew: a state has been taken."""
+
+    def odd_rows(self, rows: NDArray[Any], state: Mapping[str, NDArray[Any]]) -> str | None:
+        """Say what is odd about the rows of the living in a state, beyond those of agents."""
+        return None
 
     def scratch(self, program: Program) -> dict[str, NDArray[Any]]:
         """Return the arrays that a compiled decision needs beside the minds."""

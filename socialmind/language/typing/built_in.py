@@ -155,6 +155,8 @@ def _len(typer: Typer, node: ast.Call) -> Typed:
         return constant(kind.size, node), types.INT
     if isinstance(kind, types.PopulationType):
         return marked(call("_len", [value], node), ("count", kind.population)), types.INT
+    if isinstance(kind, types.FoundType) and kind.through is not None:
+        return marked(call("_len", [value], node), ("count_linked",)), types.INT
     if isinstance(kind, types.FoundType | types.PatchesType):
         return how_many(value, kind, node)
     return typer.refuse(node, f"the length of {kind}", "count populations and array fields")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import close, nearest
 from socialmind.language import hints, types
 from socialmind.language.aggregates import AGGREGATES
+from socialmind.language.networks import link_call, network_call, one_linked
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
 from socialmind.language.typing import neighbours
@@ -183,6 +184,8 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
         if name != "one_of":
             advice = "loop over it, or write len(…) or ….one_of(rng)"
             typer.refuse(node, f"{name}() of {kind}", hints.SETS.get(name, advice))
+        if isinstance(kind, types.FoundType) and kind.through is not None:
+            return one_linked(typer, node, base, kind)
         return neighbours.one_found(typer, node, base, kind)
     if kind == types.RNG:
         return typed_draw(typer, node, base, name)
@@ -210,6 +213,10 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
 
 def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, name: str) -> Typed:
     population = kind.population
+    links = typer.shape.populations[population].links
+    asked = None if links is None else link_call(typer, node, base, links, population, name)
+    if asked is not None:
+        return asked
     if name in ("die", "hatch"):
         typer.program.changes(population)
     if name == "die":
@@ -275,6 +282,10 @@ def _population(
     typer: Typer, node: ast.Call, base: ast.expr, kind: types.PopulationType, name: str
 ) -> Typed:
     row = types.RowType(kind.population)
+    links = typer.shape.populations[kind.population].links
+    asked = None if links is None else network_call(typer, node, base, links, kind.population)
+    if asked is not None:
+        return asked
     to = typer.shape.populations[kind.population].messages_to
     if to is not None and name in ("send", "to", "create"):
         return _message(typer, node, base, kind.population, name, to)

@@ -12,6 +12,7 @@ import numpy as np
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field
 from socialmind.language import hints, types
+from socialmind.language.networks import link_attribute
 from socialmind.language.nodes import Typed, call, constant, marked, written_number
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
@@ -402,6 +403,9 @@ class ExpressionTyper:
                 f"the hierarchy of {kind}",
                 "give the population one: Population(…, hierarchy='mind', master='Collect')",
             )
+        end = None if shape.links is None else link_attribute(node, shape.links, shape.name)
+        if end is not None:
+            return end
         if node.attr in ("mind", "plan"):
             self.refuse(
                 node,

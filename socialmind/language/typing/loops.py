@@ -136,6 +136,8 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
         return [], value, kind.item, ("table",)
     if isinstance(kind, types.PopulationType):
         return [], value, types.RowType(kind.population), ("agents", kind.population)
+    if isinstance(kind, types.FoundType) and kind.through is not None:
+        return [], value, types.RowType(kind.population), ("linked_loop", kind.population)
     if isinstance(kind, types.FoundType):
         found = call("_still_living", [value], node)
         mark = ("found_loop", kind.population, node not in function.in_any_order)

@@ -81,7 +81,7 @@ class GridGround(Ground):
     def settle_in(self) -> None:
         """Let a world in which patches have room for one know the agents."""
         if self.alone:
-            self.world.settle_in(self.society.tables)
+            self.world.settle_in({n: self.society.tables[n] for n in self.society.populations})
 
     def build(self) -> None:
         """Look whether all agents stand somewhere, where the setup must have placed them."""

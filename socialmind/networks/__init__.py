@@ -1,0 +1,1 @@
+"""Networks: links between agents, with fields, births and deaths of their own."""
