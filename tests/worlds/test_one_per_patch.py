@@ -207,7 +207,7 @@ def look(ant, model, rng):
         ant.steps = (ant.steps * 5 + moth.id) % 100_003
     patch = model.world.neighbours(ant).one_of(rng)
     ant.steps += len(model.ants.on(patch)) + 2 * len(model.moths.on(patch))
-    if rng.random() < 0.2 and model.world.free_count > 1:
+    if rng.random() < 0.2 and model.world.free_count > 1 and model.ants.contains(ant.id):
         young = ant.hatch()
         ant.steps += 3 * len(model.ants.neighbours(ant, 2))  # one of them stands nowhere yet
         arrive(young, model, rng)
