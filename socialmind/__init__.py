@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from socialmind.networks.network import Link as Link
     from socialmind.networks.network import Network as Network
     from socialmind.networks.start import generator as generator
-    from socialmind.society.civilisations import Civilisation as Civilisation
+    from socialmind.society.founding.civilisations import Civilisation as Civilisation
     from socialmind.society.messages import Messages as Messages
     from socialmind.society.parameter import Parameter as Parameter
     from socialmind.society.parameter import parameter as parameter
@@ -49,7 +49,7 @@ else:
             "socialmind.model": "Model",
             "socialmind.networks.network": "Link Network",
             "socialmind.networks.start": "generator",
-            "socialmind.society.civilisations": "Civilisation",
+            "socialmind.society.founding.civilisations": "Civilisation",
             "socialmind.society.messages": "Messages",
             "socialmind.society.parameter": "Parameter parameter",
             "socialmind.society.phases": "each once",

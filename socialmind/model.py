@@ -27,10 +27,11 @@ from socialmind.errors import SocialmindError
 from socialmind.fields import Field
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
-from socialmind.society import copying, making
+from socialmind.society import copying
 from socialmind.society.admitting import admitted
-from socialmind.society.blueprint import Blueprint
 from socialmind.society.declaration import kept_names
+from socialmind.society.founding import making
+from socialmind.society.founding.blueprint import Blueprint
 from socialmind.society.kind import ModelKind
 from socialmind.society.parameter import Parameter
 from socialmind.society.phases import PhaseDeclaration

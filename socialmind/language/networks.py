@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from socialmind.language import types
 from socialmind.language.nodes import Typed, constant, marked
 from socialmind.language.shape import LinksShape
-from socialmind.language.typing.minds import method_call
-from socialmind.language.typing.neighbours import AGENTS, agent_there
+from socialmind.language.typing.calls.minds import method_call
+from socialmind.language.typing.calls.neighbours import AGENTS, agent_there
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer

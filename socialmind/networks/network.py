@@ -20,7 +20,7 @@ from socialmind.society.population import TAKEN_NAMES, Population
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
-    from socialmind.society.blueprint import TableForm
+    from socialmind.society.founding.blueprint import TableForm
 
 
 class Link:

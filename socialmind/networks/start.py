@@ -20,7 +20,7 @@ from coglogo_py.border.numbers import is_number, is_truth, is_whole
 from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, called_at, nearest
 from socialmind.fields import Field
 from socialmind.language.shape import LinksShape
-from socialmind.society.beginning import Beginning, beginning_of, is_table
+from socialmind.society.founding.beginning import Beginning, beginning_of, is_table
 from socialmind.values import fitted_column
 
 ENDS = ("source", "target")

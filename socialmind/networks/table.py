@@ -16,18 +16,18 @@ from socialmind.columns import column, columns_of
 from socialmind.errors import UnknownNameError, nearest
 from socialmind.fields import presence
 from socialmind.language.shape import LinksShape, PopulationShape
-from socialmind.language.typing.neighbours import AGENTS
+from socialmind.language.typing.calls.neighbours import AGENTS
 from socialmind.networks import adjacency, exchange
 from socialmind.networks.linked import LinkedSet, slot_in
 from socialmind.networks.start import Generator, Links, Reader, seed_of
-from socialmind.society.beginning import is_table
+from socialmind.society.founding.beginning import is_table
 from socialmind.society.table import Table
 
 if TYPE_CHECKING:
     import pandas as pd
 
     from socialmind.agents.running import Running
-    from socialmind.society.blueprint import TableForm
+    from socialmind.society.founding.blueprint import TableForm
 
 
 class NetworkTable(Table):

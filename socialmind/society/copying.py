@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from socialmind.society.declaration import kept_names
-from socialmind.society.making import begin_networks
+from socialmind.society.founding.making import begin_networks
 from socialmind.work.packing import packed, unpacked
 
 

@@ -15,9 +15,9 @@ from socialmind.fields import place_of_field
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
-from socialmind.society.blueprint import Blueprint
 from socialmind.society.declaration import declaration_of
-from socialmind.society.making import begin_networks
+from socialmind.society.founding.blueprint import Blueprint
+from socialmind.society.founding.making import begin_networks
 from socialmind.society.messages import with_mailboxes
 from socialmind.sources.provenance import note_definition
 from socialmind.work.packing import is_private, reference

@@ -19,8 +19,8 @@ from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
 from socialmind.language.plans import PlanTree
 from socialmind.language.shape import PopulationShape
-from socialmind.society.beginning import is_table
-from socialmind.society.civilisations import FIELD, Civilisation, civilisation_field
+from socialmind.society.founding.beginning import is_table
+from socialmind.society.founding.civilisations import FIELD, Civilisation, civilisation_field
 from socialmind.society.table import KEPT_BY_TABLES, Table
 
 if TYPE_CHECKING:

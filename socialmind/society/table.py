@@ -21,9 +21,9 @@ from socialmind.fields import Field, presence
 from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
-from socialmind.language.typing.neighbours import AGENTS
-from socialmind.society.beginning import Beginning
+from socialmind.language.typing.calls.neighbours import AGENTS
 from socialmind.society.connection import plan_functions
+from socialmind.society.founding.beginning import Beginning
 from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from socialmind.mind.contract import CognitonMinds
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
-    from socialmind.society.blueprint import TableForm
+    from socialmind.society.founding.blueprint import TableForm
 
 
 KEPT_BY_TABLES = frozenset((

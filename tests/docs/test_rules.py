@@ -10,7 +10,7 @@ from coglogo_py import Mind
 from socialmind import ModelError, each
 from socialmind.catalogue import load_model
 from socialmind.language import refusals
-from socialmind.language.typing.built_in import BUILT_IN
+from socialmind.language.typing.calls.built_in import BUILT_IN
 from socialmind.language.typing.signatures import MATH, MATH_CONSTANTS, MIND, OF_SEVERAL, RNG
 from socialmind.worlds.grid.geometry import COMMANDS
 

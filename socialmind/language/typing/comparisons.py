@@ -9,7 +9,7 @@ from socialmind.errors import nearest
 from socialmind.language import types
 from socialmind.language.nodes import Typed, constant, marked
 from socialmind.language.typing import tables
-from socialmind.language.typing.neighbours import perhaps
+from socialmind.language.typing.calls.neighbours import perhaps
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer

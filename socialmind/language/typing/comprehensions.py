@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.language import types
 from socialmind.language.nodes import Typed, call, marked
 from socialmind.language.source import RuleSource
-from socialmind.language.typing.neighbours import agent_there
+from socialmind.language.typing.calls.neighbours import agent_there
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer

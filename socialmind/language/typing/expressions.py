@@ -17,9 +17,10 @@ from socialmind.language.nodes import Typed, call, constant, marked, written_num
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import RuleSource
-from socialmind.language.typing import neighbours, operators, tables
-from socialmind.language.typing.built_in import BUILT_IN
-from socialmind.language.typing.calls import typed_call
+from socialmind.language.typing import operators, tables
+from socialmind.language.typing.calls import neighbours
+from socialmind.language.typing.calls.built_in import BUILT_IN
+from socialmind.language.typing.calls.dispatch import typed_call
 from socialmind.language.typing.comparisons import typed_comparison
 from socialmind.language.typing.signatures import MATH_CONSTANTS
 

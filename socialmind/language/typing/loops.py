@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.language import types
 from socialmind.language.nodes import call, constant, marked
 from socialmind.language.refusals import NAMES
-from socialmind.language.typing.draws import permutation
+from socialmind.language.typing.calls.draws import permutation
 
 if TYPE_CHECKING:
     from socialmind.language.typing.statements import FunctionTyper

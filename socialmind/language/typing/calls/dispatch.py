@@ -13,20 +13,20 @@ from socialmind.language.aggregates import AGGREGATES
 from socialmind.language.networks import link_call, network_call, one_linked
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
-from socialmind.language.typing import neighbours
-from socialmind.language.typing.built_in import (
+from socialmind.language.typing.calls import neighbours
+from socialmind.language.typing.calls.built_in import (
     BUILT_IN,
     built_in,
     fitted,
     math_function,
     without_keywords,
 )
+from socialmind.language.typing.calls.draws import typed_draw
+from socialmind.language.typing.calls.interactions import interaction_call
+from socialmind.language.typing.calls.minds import hierarchy_call, method_call, mind_call
+from socialmind.language.typing.calls.world_calls import population_aggregate, world_call
 from socialmind.language.typing.comprehensions import reduced
-from socialmind.language.typing.draws import typed_draw
-from socialmind.language.typing.interactions import interaction_call
-from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
-from socialmind.language.typing.world_calls import population_aggregate, world_call
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer

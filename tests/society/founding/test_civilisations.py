@@ -17,7 +17,7 @@ from socialmind import (
     parameter,
 )
 from socialmind.errors import ValueRefusedError
-from socialmind.society.civilisations import half_square
+from socialmind.society.founding.civilisations import half_square
 
 SCHEME = CognitiveScheme(
     "people",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import nearest
 from socialmind.language import types
 from socialmind.language.nodes import Typed
-from socialmind.language.typing.minds import method_call
+from socialmind.language.typing.calls.minds import method_call
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer

@@ -18,10 +18,10 @@ from coglogo_py.society import Society
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, place_of_field, presence
-from socialmind.society.beginning import Beginning, beginning_of, is_table
-from socialmind.society.blueprint import Blueprint, SchemeFiles
-from socialmind.society.civilisations import found
 from socialmind.society.connection import names_of_minds
+from socialmind.society.founding.beginning import Beginning, beginning_of, is_table
+from socialmind.society.founding.blueprint import Blueprint, SchemeFiles
+from socialmind.society.founding.civilisations import found
 from socialmind.society.messages import MessageTable
 from socialmind.society.parameter import Parameter
 from socialmind.society.population import Population

@@ -10,7 +10,7 @@ from socialmind.language.nodes import Typed, constant, marked
 from socialmind.language.refusals import METHODS
 from socialmind.language.types import BOOL, INT, NONE, AnyType, ArrayType, TableType, TupleType
 from socialmind.language.typing import tables
-from socialmind.language.typing.built_in import fitted, without_keywords
+from socialmind.language.typing.calls.built_in import fitted, without_keywords
 from socialmind.language.typing.comprehensions import any_one
 from socialmind.language.typing.signatures import OF_SEVERAL, RNG
 

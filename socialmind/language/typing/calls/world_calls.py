@@ -12,7 +12,7 @@ from socialmind.language import types
 from socialmind.language.aggregates import number_fields
 from socialmind.language.nodes import Typed, constant
 from socialmind.language.shape import AGENT, FIELD
-from socialmind.language.typing.minds import method_call
+from socialmind.language.typing.calls.minds import method_call
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer

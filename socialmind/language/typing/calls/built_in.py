@@ -11,8 +11,8 @@ from socialmind.language import types
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
 from socialmind.language.typing import tables
+from socialmind.language.typing.calls.neighbours import how_many
 from socialmind.language.typing.comprehensions import REDUCTIONS, reduced
-from socialmind.language.typing.neighbours import how_many
 from socialmind.language.typing.operators import typed_power
 from socialmind.language.typing.signatures import MATH, WRITTEN, Signature
 

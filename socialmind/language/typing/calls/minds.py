@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.errors import nearest
 from socialmind.language import types
 from socialmind.language.nodes import Typed, constant, marked
-from socialmind.language.typing.built_in import without_keywords
+from socialmind.language.typing.calls.built_in import without_keywords
 from socialmind.language.typing.signatures import (
     BETWEEN_EVALUATIONS,
     CHOSEN,

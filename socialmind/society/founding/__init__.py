@@ -1,0 +1,1 @@
+"""How a society begins: what its class shares, who and what is there at the start."""
