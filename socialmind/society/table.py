@@ -9,22 +9,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.border.errors import shown
-from coglogo_py.border.numbers import is_whole
 from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
 from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import Row
-from socialmind.columns import check_fields, column, columns_of
-from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
+from socialmind.columns import column, columns_of
+from socialmind.errors import SocialmindError, UnknownNameError, nearest
 from socialmind.fields import Field, presence
 from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
 from socialmind.language.typing.calls.neighbours import AGENTS
 from socialmind.society.connection import plan_functions
+from socialmind.society.filling import fill, slots_of
 from socialmind.society.founding.beginning import Beginning
-from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
     from coglogo_py import Mind
@@ -84,9 +82,9 @@ class Table:
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
         keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
-        for name in self._keepers:
+        for name, keep in self._keepers.items():
             if name in shape.fields:
-                self.default[name] = self._kept_within(name, self.default[name])
+                self.default[name] = kept_within(self.default[name], keep, repr(shape.name))
         capacity = max(size, 1)
         self.rows = np.zeros(capacity, self.dtype)
         self.order = np.zeros(capacity, np.int64)
@@ -197,7 +195,7 @@ class Table:
             UnknownNameError: there is no such field.
             ValueRefusedError: too many or few values, or one that the field cannot hold.
         """
-        self._put(fields, self.slots)
+        fill(self, fields, self.slots, self._keepers)
 
     def set_from(self, data: Any, by: str | None = None) -> None:
         """Set fields of the living from a table of data, one row for an agent.
@@ -221,76 +219,14 @@ class Table:
             by = next((name for name in ("agent", "id") if name in columns), None)
         elif by not in columns:
             raise UnknownNameError(f"{what} without the column {by!r}; {nearest(by, columns)}")
-        if by is None:
-            self._put(columns, self.slots)
-            return
-        identities = np.asarray(columns.pop(by))
-        slots = np.zeros(len(identities), np.int64)
-        seen: dict[int, int] = {}
-        for row, identity in enumerate(identities.tolist()):
-            whole = is_whole(identity) or (isinstance(identity, float) and identity.is_integer())
-            if not whole or not self.contains(int(identity)):
-                raise ValueRefusedError(
-                    f"{what}, row {row}: found {shown(identity)} as {by}; expected the identity of "
-                    f"a living agent{_ends(self.id)}"
-                )
-            if int(identity) in seen:
-                raise ValueRefusedError(
-                    f"{what}, row {row}: agent {int(identity)} again, as in row "
-                    f"{seen[int(identity)]}; expected one row for each"
-                )
-            seen[int(identity)] = row
-            slots[row] = bookkeeping.slot_of_agent(self.slot_of, int(identity))
-        self._put(columns, slots)
+        slots = self.slots if by is None else slots_of(self, columns.pop(by), what, by)
+        fill(self, columns, slots, self._keepers)
 
     def begin_with(self, beginning: Beginning) -> None:
         """Set fields of the founders from the table that they begin with, before any setup."""
-        self._put(beginning.columns, self.slots, beginning)
+        fill(self, beginning.columns, self.slots, self._keepers, beginning)
         if {"x", "y"} <= beginning.columns.keys():
             self._placed_by = beginning
-
-    def _put(
-        self,
-        fields: Mapping[str, Any],
-        slots: NDArray[np.int64],
-        of: Beginning | None = None,
-    ) -> None:
-        """Write fields of the agents in some slots, once all of them are checked."""
-        check_fields(fields, self.shape.fields, repr(self.shape.name))
-        checked = {}
-        identities = self.columns["_id"][slots]
-        for name, values in fields.items():
-            field = self.shape.fields[name]
-            found, there = fitted_column(
-                field,
-                values,
-                len(slots),
-                f"the field {name!r} of {self.shape.name!r}"
-                if of is None
-                else f"{of.what}, column {name!r}",
-                of.row
-                if of is not None
-                else lambda place: f"agent {identities[place]} (row {place})",
-            )
-            checked[name] = self._kept_within(name, found, of), there
-        for name, (found, there) in checked.items():
-            self.columns[name][slots] = found
-            if self.shape.fields[name].optional:
-                self.columns[presence(name)][slots] = there
-
-    def _kept_within(
-        self, name: str, values: NDArray[Any], of: Beginning | None = None
-    ) -> NDArray[Any]:
-        """Return places and headings as agents keep them, one by one as rules set them."""
-        keep = self._keepers.get(name)
-        if keep is None:
-            return values
-        whose = repr(self.shape.name)
-        kept = [
-            keep(one, f"{whose} (row {row})" if of is None else f"{of.what}, {of.row(row)}")
-            for row, one in enumerate(values.tolist())
-        ]
-        return np.array(kept, float)
 
     def hand_out(self, bare: bool) -> None:
         """Give out agents as rules hold them, or, as else, as users do."""
@@ -555,10 +491,6 @@ def _lengthened(array: NDArray[Any], length: int, rest: int) -> NDArray[Any]:
     if rest:
         larger[len(array) :] = rest
     return larger
-
-
-def _ends(identities: NDArray[np.int64]) -> str:
-    return f", {identities[0]} … {identities[-1]}" if len(identities) else "; none lives"
 
 
 def _population_of(model: Running, name: str) -> Table:
