@@ -21,7 +21,7 @@ from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
 from socialmind.language.typing.calls.neighbours import AGENTS
 from socialmind.society.connection import plan_functions
-from socialmind.society.filling import fill, slots_of
+from socialmind.society.filling import fill, kept_within, slots_of
 from socialmind.society.founding.beginning import Beginning
 
 if TYPE_CHECKING:
