@@ -18,14 +18,13 @@ from socialmind.values import fitted_column
 
 if TYPE_CHECKING:
     from socialmind.society.founding.beginning import Beginning
-    from socialmind.society.table import Table
 
 Keeper = Callable[[float, str], float]
 """Gives a place or a heading as agents keep it; takes it and, for an error, whose it is."""
 
 
 def fill(
-    table: Table,
+    table: Any,
     fields: Mapping[str, Any],
     slots: NDArray[np.int64],
     keepers: Mapping[str, Keeper],
@@ -76,7 +75,7 @@ def kept_within(
     return np.array(kept, float)
 
 
-def slots_of(table: Table, identities: Any, what: str, by: str) -> NDArray[np.int64]:
+def slots_of(table: Any, identities: Any, what: str, by: str) -> NDArray[np.int64]:
     """Return the slots of living agents, each named once.
 
     Args:
