@@ -391,18 +391,26 @@ class _Lowering(ast.NodeTransformer):
         self.loops += 1
         begin, end, place = (f"_{one}_{self.loops}" for one in ("begin", "end", "place"))
         called: Any = node.iter
+        value = self.visit(called.args[0])
+        keep, slot = f"_near_keep_{population}(_model, {begin}, {end}, {mark[2]})", "slot"
+        taken = "" if mark[2] or self.world is None else self.world.taken_by(population)
+        if taken and value.func.id.startswith("_near_patches_"):
+            # In any order, and patches know who stands on them: no places in the order of birth.
+            value.func.id = value.func.id.replace("_near_patches_", "_near_slots_", 1)
+            keep = f"_near_keep_slots_{population}(_model, {begin}, {end})"
+            slot = "slot_as_it_is"
         lines = parsed(
             f"{begin} = _near_begin_{population}(_model)\n"
             f"{end} = FOUND\n"
-            f"_near_keep_{population}(_model, {begin}, {end}, {mark[2]})\n"
+            f"{keep}\n"
             f"for {place} in _range({begin}, {end}):\n"
-            f"    _found_{self.loops} = _near_slot_{population}(_model, {place})\n"
+            f"    _found_{self.loops} = _near_{slot}_{population}(_model, {place})\n"
             f"    if not _alive_{population}(_model)[_found_{self.loops}]:\n"
             f"        continue\n"
             f"    {ast.unparse(node.target)} = _rows_{population}(_model)[_found_{self.loops}]\n"
             f"_near_leave_{population}(_model, {begin})\n"
         ).body
-        lines[1].value = self.visit(called.args[0])
+        lines[1].value = value
         self.open.append((population, begin))
         lines[3].body += self.block(node.body)
         self.open.pop()

@@ -21,6 +21,7 @@ def find_on_taken(
     steps: int,
     kind: int,
     own: int,
+    as_places: bool,
     populations: int,
     number: int,
     low_x: int,
@@ -43,6 +44,7 @@ def find_on_taken(
         steps: at most so many king's moves away.
         kind: 0 with the patch of the place, 8 without it, 4 for those that share a side with it.
         own: the slot of the agent that asks, or −1.
+        as_places: push places in the order of birth, or else slots.
         populations: how many there are.
         number: of the one that is looked for.
         low_x: the first column of the world.
@@ -70,6 +72,6 @@ def find_on_taken(
                 continue
             slot = who // populations
             if slot != own:
-                found[end] = entries[spots[slot]].place
+                found[end] = entries[spots[slot]].place if as_places else slot
                 end += 1
     return end

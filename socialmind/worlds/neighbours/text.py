@@ -138,6 +138,21 @@ def _near_keep_NAME(_model, begin, end, ordered):
 
 
 @_inner
+def _near_keep_slots_NAME(_model, begin, end):
+    _near_cells_NAME(_model).top = end
+    if _counters_NAME(_model)[_bookkeeping.ALIVE] > CACHED:
+        rows = _rows_NAME(_model)
+        found = _near_found_NAME(_model)
+        for place in range(begin, end):
+            _fetch_ahead(rows, found[place])
+
+
+@_inner
+def _near_slot_as_it_is_NAME(_model, place):
+    return _near_found_NAME(_model)[place]
+
+
+@_inner
 def _near_leave_NAME(_model, begin):
     _near_cells_NAME(_model).top = begin
 
@@ -198,7 +213,7 @@ def _near_patches_NAME_ASKER(_model, who, steps, kind):
     )"""
 
 _ON_TAKEN = """@_inner
-def _near_patches_NAME_ASKER(_model, who, steps, kind):
+def _near_PUSHED_NAME_ASKER(_model, who, steps, kind):
     return _lattice.find_on_taken(
         _world_taken(_model),
         _near_entries_NAME(_model),
@@ -210,6 +225,7 @@ def _near_patches_NAME_ASKER(_model, who, steps, kind):
         _neighbours.checked(steps),
         kind,
         OWN,
+        AS_PLACES,
         TAKEN,
     )"""
 
@@ -249,10 +265,16 @@ def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
             index = index.replace(mark, fill)
         parts.append(index)
         taken = shape.world.taken_by(name)
-        on_patches = _ON_TAKEN.replace("TAKEN", taken) if taken else _ON_PATCHES
+        on_patches = [_ON_PATCHES]
+        if taken:
+            kinds = {"patches": "True", "slots": "False"}
+            on_patches = [
+                _ON_TAKEN.replace("PUSHED", pushed).replace("AS_PLACES", as_places)
+                for pushed, as_places in kinds.items()
+            ]
         for asker, (x, y, own_slot) in askers.items():
             spot = "-1" if own_slot == "-1" else f"_near_spots_NAME(_model)[{own_slot}]"
-            part = "\n\n\n".join([_ASKED_BY, on_patches])
+            part = "\n\n\n".join([_ASKED_BY, *on_patches]).replace("TAKEN", taken)
             part = part.replace("ASKER", asker).replace("SPOT", spot).replace("OWN", own_slot)
             parts.append(part.replace("WHO_X", x).replace("WHO_Y", y))
         parts[-1 - len(askers) :] = [one.replace("NAME", name) for one in parts[-1 - len(askers) :]]
