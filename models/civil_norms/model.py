@@ -87,7 +87,6 @@ def grow(model, rng):
 
 def live(gatherer, model, rng):
     """Walk, gather, do with the food what one wants and should, look at others, eat."""
-    gatherer.plan = None
     walk(gatherer, model, rng)
     gather(gatherer, model)
     if gatherer.store > ENOUGH and neediest(gatherer, model) is not None:

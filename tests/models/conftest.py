@@ -30,6 +30,9 @@ def parts(state):
                 yield f"{name}.{field}", array[field]
 
 
+ROOM = ("free", "free_minds", "free_instances", "counters")  # how many more there could be
+
+
 def different(one, other):
     """Return the names of what differs between the states of two models, to the last bit.
 
@@ -48,7 +51,7 @@ def different(one, other):
         a, b = mine[name], theirs[name]
         population, _, rest = name.partition(".")
         if population in roomier:
-            if rest.removeprefix("minds.") in ("free", "free_minds", "counters"):
+            if rest.removeprefix("minds.") in ROOM:
                 continue
             room = min(len(a), len(b))
             a, b = a[:room], b[:room]
