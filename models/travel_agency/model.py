@@ -28,7 +28,7 @@ class Person(Agent):
     partner: int | None = None
     broker: int | None = None  # who brought them together
     rounds: int = 0
-    waited: int = 0
+    waited: int = 0  # since the request or offer was made
     contracts: int = 0
 
 
@@ -70,6 +70,8 @@ def come(kind, model, rng):
 
 def act(person, model, rng):
     """Do what one's roles ask for."""
+    if person.open:
+        person.waited += 1
     person.plan = person.mind.choose_next_plan()
     person.run_plan(model, rng)
 
@@ -83,17 +85,16 @@ def request(client, model, rng):
             client.journey = rng.integers(model.n_journeys)
             client.limit = rng.uniform(LEAST_VALUE, LARGEST_VALUE)
             model.requests += 1
-    else:
-        client.waited += 1
-        if client.waited > model.waiting:
-            client.open = False
-            model.withdrawn += 1
+    elif client.waited > model.waiting:
+        client.open = False
+        model.withdrawn += 1
 
 
 def offer(professional, model, rng):
     """Have a journey to offer."""
     if not professional.open:
         professional.open = True
+        professional.waited = 0
         professional.journey = rng.integers(model.n_journeys)
         professional.limit = rng.uniform(LEAST_COST, LARGEST_COST)
         professional.asked = professional.limit * (1 + model.opening)
@@ -218,7 +219,7 @@ class TravelAgency(Model):
         0.02, unit="chance a tick", low=0.0, high=1.0, doc="a client without request has one"
     )
     waiting: int = parameter(
-        50, unit="ticks", low=0, high=100_000, doc="free ticks until a request is withdrawn"
+        100, unit="ticks", low=0, high=100_000, doc="how long a client waits for a contract"
     )
     opening: float = parameter(
         0.5, unit="share of the limit", low=0.0, high=1.0, doc="how far off bargaining begins"
