@@ -5,6 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from coglogo_py import kernel
+from socialmind.agents import bookkeeping
 from socialmind.catalogue import load_model
 from socialmind.sources.folders import model_folder
 from socialmind.streams import SCHEDULE_TAG, Stream, phase_tags
@@ -30,11 +32,19 @@ def parts(state):
                 yield f"{name}.{field}", array[field]
 
 
+# What is stacked for births to come, and where its height stands.
+STACKS = {
+    "free": ("counters", bookkeeping.FREE),
+    "minds.free_minds": ("minds.counters", kernel.FREE_MINDS),
+    "minds.free_instances": ("minds.counters", kernel.FREE_INSTANCES),
+}
+
+
 def different(one, other):
     """Return the names of what differs between the states of two models, to the last bit.
 
-    Compiled, a population has room for births before there are any: who lives there is compared,
-    not how many more there could be.
+    Compiled, a population has room for births before there are any: who lives there and which
+    places come next is compared, not how many more there could be, nor what lies beyond the stacks.
     """
     mine, theirs = dict(parts(one.state())), dict(parts(other.state()))
     assert mine.keys() == theirs.keys()
@@ -47,9 +57,15 @@ def different(one, other):
     for name in mine:
         a, b = mine[name], theirs[name]
         population, _, rest = name.partition(".")
-        if population in roomier:
-            if rest.removeprefix("minds.") in ("free", "free_minds", "counters"):
-                continue
+        if rest in STACKS:
+            counters, place = STACKS[rest]
+            a, b = (
+                stack[: state[f"{population}.{counters}"][place]][::-1]
+                for stack, state in ((a, mine), (b, theirs))
+            )
+        if population in roomier and rest.removeprefix("minds.") == "counters":
+            continue
+        if population in roomier or rest == "slot_of":
             room = min(len(a), len(b))
             a, b = a[:room], b[:room]
         if not np.array_equal(a, b, equal_nan=a.dtype.kind == "f"):
