@@ -68,6 +68,16 @@ def weight_shares(weights: Weights) -> Weights:
     return moved
 
 
+@register_jitable
+def heaviest(weights: Weights) -> int:
+    """Return the position of the largest weight, the first of equals."""
+    best = 0
+    for position in range(1, len(weights)):
+        if weights[position] > weights[best]:
+            best = position
+    return best
+
+
 @dataclass(frozen=True)
 class DecisionMaker:
     """Base of the decision makers: subclass it to let minds decide in a way of your own.
@@ -193,21 +203,13 @@ class MaximumWeight(DecisionMaker):
     @staticmethod
     def choose(weights: Weights, bias: float, u: float) -> int:
         """Return the position of the greatest weight; `bias` and `u` play no part."""
-        best = 0
-        for position in range(1, len(weights)):
-            if weights[position] > weights[best]:
-                best = position
-        return best
+        return heaviest(weights)
 
     @staticmethod
     def probabilities(weights: Weights, bias: float) -> Weights:
         """Return 1 for the first plan of the greatest weight and 0 for the others."""
-        best = 0
-        for position in range(1, len(weights)):
-            if weights[position] > weights[best]:
-                best = position
         certain = np.zeros(len(weights))
-        certain[best] = 1.0
+        certain[heaviest(weights)] = 1.0
         return certain
 
 

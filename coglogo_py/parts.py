@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol, TypeVar
@@ -123,6 +123,14 @@ def one_culturon(described: list[Culturon]) -> Culturon:
     first, last = described[0], described[-1]
     if len(described) == 1:
         return first
+    position = next((one.position for one in reversed(described) if one.position), None)
+    return Culturon(first.name, last.start_value, last.colour, position, *links_together(described))
+
+
+def links_together(
+    described: Sequence[Cogniton | Culturon],
+) -> tuple[dict[str, float], tuple[str, ...], dict[str, float]]:
+    """Return the influence, conditional and reinforcement links of several descriptions."""
     influence: dict[str, float] = {}
     reinforcement: dict[str, float] = {}
     conditional: list[str] = []
@@ -130,16 +138,7 @@ def one_culturon(described: list[Culturon]) -> Culturon:
         influence.update(one.influence)
         conditional.extend(one.conditional)
         reinforcement.update(one.reinforcement)
-    position = next((one.position for one in reversed(described) if one.position), None)
-    return Culturon(
-        first.name,
-        last.start_value,
-        last.colour,
-        position,
-        influence,
-        tuple(conditional),
-        reinforcement,
-    )
+    return influence, tuple(conditional), reinforcement
 
 
 @dataclass(frozen=True)

@@ -174,7 +174,8 @@ class CognitiveScheme:
         try:
             Path(path).write_text(text, encoding="utf-8", newline="\n")
         except OSError as error:
-            raise _not_done("written", error, path) from None
+            found = f"the file cannot be written ({error.strerror or type(error).__name__})"
+            raise SchemeError(found, remedy="check the path", file=path) from None
 
     def check(self, plans: Iterable[str] | None = None) -> list[Finding]:
         """Return what the linter finds odd in the scheme; see `coglogo_py.lint`.
@@ -194,8 +195,3 @@ class CognitiveScheme:
         for group in self.groups:
             for role in group.roles:
                 yield from role.culturons
-
-
-def _not_done(done: str, error: OSError, path: str | Path) -> SchemeError:
-    reason = error.strerror or type(error).__name__
-    return SchemeError(f"the file cannot be {done} ({reason})", remedy="check the path", file=path)

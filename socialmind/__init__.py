@@ -1,8 +1,8 @@
 """A laboratory for societies of agents.
 
-What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Population`, `Torus`,
-`parameter`, `each` and `once`. A name is imported when it is first used, so that what needs none of
-them (`socialmind --help`) starts fast.
+What a modeller needs is importable from here: `Model`, `Agent`, `Patch`, `Population`, `Grid`,
+`Torus`, `parameter`, `each` and `once`. A name is imported when it is first used, so that what
+needs none of them (`socialmind --help`) starts fast.
 """
 
 from typing import TYPE_CHECKING
@@ -20,9 +20,10 @@ if TYPE_CHECKING:
     from socialmind.society.phases import once as once
     from socialmind.society.population import Population as Population
     from socialmind.version import __version__ as __version__
+    from socialmind.worlds.grid.grid import Grid as Grid
+    from socialmind.worlds.grid.grid import Patch as Patch
+    from socialmind.worlds.grid.grid import Torus as Torus
     from socialmind.worlds.plane.plane import Plane as Plane
-    from socialmind.worlds.torus.torus import Patch as Patch
-    from socialmind.worlds.torus.torus import Torus as Torus
 else:
     from coglogo_py.on_demand import on_demand
 
@@ -36,7 +37,7 @@ else:
             "socialmind.society.phases": "each once",
             "socialmind.society.population": "Population",
             "socialmind.version": "__version__",
+            "socialmind.worlds.grid.grid": "Grid Patch Torus",
             "socialmind.worlds.plane.plane": "Plane",
-            "socialmind.worlds.torus.torus": "Patch Torus",
         },
     )

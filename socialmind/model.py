@@ -72,7 +72,9 @@ class Model(metaclass=ModelKind):
             False for none: robots stand still until somebody steers them with `steer`.
         physics: on a plane, what moves the bodies: "compiled", or "pymunk", the reference.
         without: on a plane, names of interruptions that are not heeded.
-        parameters: values of parameters that differ from the defaults.
+        parameters: values of parameters that differ from the defaults; under a population's name a
+            table that it begins with, in place of what the model declares: a CSV or Parquet file,
+            a data frame, an Arrow table, or columns by their names.
 
     Raises:
         ModelError: the model's class or rules are wrong, with file and line.
@@ -94,6 +96,7 @@ class Model(metaclass=ModelKind):
     shape: ClassVar[ModelShape]
     _programs: ClassVar[dict[bool, Program]] = {}
 
+    _tables_given: dict[str, Any]
     _given: tuple[Any, Any]  # `socialmind.agents.running` names what else an instance keeps
     _steerings: dict[str, Steering]
     _sets_up: bool = True
@@ -125,13 +128,18 @@ class Model(metaclass=ModelKind):
         self._steerings = kind.steerings(hierarchy)
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = kind.typed(compiled)
-        self.contexts: NDArray[Any] = np.zeros(1, model_dtype(self.shape))
+        self.contexts: NDArray[Any] = np.zeros(
+            1, model_dtype(self.shape, self.program.world_columns, self.program.sought)
+        )
         self.context: Any = self.contexts[0]
+        tables = {name: parameters.pop(name) for name in kind.populations if name in parameters}
+        self._tables_given: dict[str, Any] = tables
         making.set_values(self.context, kind.parameters, kind.variables, parameters, kind.name)
         making.ignore(self.context, kind.interruptions, self.without, kind.name)
         self.ground = making.ground_of(self, kind.declared_world)
         self.schemes, files = making.schemes_of(self.populations, kind.folder, scheme, kind.name)
-        self.tables: dict[str, Table] = making.tables_of(self, self._steerings)
+        beginnings = making.beginnings_of(self, tables, parameters, kind.folder)
+        self.tables: dict[str, Table] = making.tables_of(self, self._steerings, beginnings)
         self.ground.settle_in()
         self.stream = making.new_stream(self.seed)
         self.connected: list[NDArray[Any]] = []

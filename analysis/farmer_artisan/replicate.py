@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from socialmind.catalogue import load_model
 from socialmind.experiments.measures.recovery import Recovery, first_reached, recovery
 from socialmind.experiments.measures.specialisation import Course
-from socialmind.worlds.torus.geometry import lattice
+from socialmind.worlds.grid.geometry import lattice
 
 from .measures import Floats, nearest_distance, rank_correlation
 

@@ -18,13 +18,13 @@ from __future__ import annotations
 import math
 import re
 import warnings
-from collections.abc import Callable, Iterable
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
+from coglogo_py import parts
 from coglogo_py.border.errors import SchemeError, shown
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
-from coglogo_py.parts import AScheme, Cogniton, Culturon, Group, Role, Scheme, one_culturon
+from coglogo_py.parts import AScheme, Cogniton, Culturon, Group, Role, Scheme
 
 SECTIONS = ("INFLUENCE", "DEPENDENCY", "REINFORCEMENT")
 KEYWORDS = frozenset(("STARTCS", "PLANPOS", "BREEDS", "COG", "GRP", "ROL", *SECTIONS, "ENDCS"))
@@ -123,6 +123,13 @@ class _Lines:
         self.taken += 1
         return line
 
+    def named(self, keyword: str, what: str) -> Iterator[tuple[int, str]]:
+        """Take the keyword and the name of each of several parts; yield the keyword's line too."""
+        while self.next == keyword:
+            self.take(keyword)
+            line = self.taken
+            yield line, self.take(f"the name of {what}")
+
     def unexpected(self, expected: str, remedy: str | None = None) -> SchemeError:
         """Return the error that the next line is not what is expected."""
         found = "the end of the file" if self.next is None else shown(self.next)
@@ -178,69 +185,51 @@ def _decision_maker(lines: _Lines, decision_makers: Iterable[type[DecisionMaker]
 
 def _cognitons(lines: _Lines, repeated: list[str]) -> tuple[Cogniton, ...]:
     # Links gather in the first of a name, and are joined once: there may be many.
-    found: dict[str, Cogniton] = {}
-    links: dict[str, tuple[dict[str, float], list[str], dict[str, float]]] = {}
-    while lines.next == "COG":
-        lines.take("COG")
-        line = lines.taken
-        name = lines.take("the name of a cogniton")
+    found: dict[str, list[Cogniton]] = {}
+    for line, name in lines.named("COG", "a cogniton"):
         colour = _colour(lines)
         starting = _starting(lines, name)
         start_value, position = _value_and_position(lines)
-        influence, conditional, reinforcement = _links(lines)
         if name in found:
             repeated.append(f"cogniton {name!r} (line {line})")
-        else:
-            found[name] = Cogniton(name, starting, start_value, colour, position)
-            links[name] = {}, [], {}
-        links[name][0].update(influence)
-        links[name][1].extend(conditional)
-        links[name][2].update(reinforcement)
+        one = Cogniton(name, starting, start_value, colour, position, *_links(lines))
+        found.setdefault(name, []).append(one)
     return tuple(
-        replace(one, influence=links[name][0], conditional=tuple(links[name][1]),
-                reinforcement=links[name][2])
-        for name, one in found.items()
+        Cogniton(first.name, first.starting, first.start_value, first.colour, first.position,
+                 *parts.links_together([first, *others]))
+        for first, *others in found.values()
     )  # fmt: skip
 
 
 def _groups(lines: _Lines, repeated: list[str]) -> tuple[Group, ...]:
     groups: dict[str, dict[str, dict[str, list[Culturon]]]] = {}
-    while lines.next == "GRP":
-        lines.take("GRP")
-        line = lines.taken
-        group = lines.take("the name of a group")
+    for line, group in lines.named("GRP", "a group"):
         if group in groups:
             repeated.append(f"group {group!r} (line {line})")
         roles = groups.setdefault(group, {})
-        while lines.next == "ROL":
-            lines.take("ROL")
-            line = lines.taken
-            role = lines.take("the name of a role")
+        for line, role in lines.named("ROL", "a role"):
             if role in roles:
                 repeated.append(f"role {role!r} of group {group!r} (line {line})")
             culturons = roles.setdefault(role, {})
-            while lines.next == "COG":
-                lines.take("COG")
-                line = lines.taken
-                culturon = _culturon(lines)
-                if culturon.name in culturons:
-                    repeated.append(f"culturon {culturon.name!r} of role {role!r} (line {line})")
-                culturons.setdefault(culturon.name, []).append(culturon)
+            for line, name in lines.named("COG", "a culturon"):
+                if name in culturons:
+                    repeated.append(f"culturon {name!r} of role {role!r} (line {line})")
+                culturons.setdefault(name, []).append(_culturon(lines, name))
         if lines.next == "COG":
             raise lines.unexpected("ROL, GRP or ENDCS", "a culturon stands in a role of its group")
     return tuple(
         Group(
             group,
             tuple(
-                Role(role, tuple(map(one_culturon, held.values()))) for role, held in roles.items()
+                Role(role, tuple(map(parts.one_culturon, held.values())))
+                for role, held in roles.items()
             ),
         )
         for group, roles in groups.items()
     )
 
 
-def _culturon(lines: _Lines) -> Culturon:
-    name = lines.take("the name of a culturon")
+def _culturon(lines: _Lines, name: str) -> Culturon:
     colour = _colour(lines)
     start_value, position = _value_and_position(lines)
     return Culturon(name, start_value, colour, position, *_links(lines))
@@ -366,18 +355,15 @@ def _argb(colour: tuple[int, int, int]) -> str:
 
 
 def _token(name: str, what: str) -> str:
-    if "\n" in name or "\r" in name:
-        raise SchemeError(
-            f"the {what} name {name!r}", "a name on one line", "rename it or save it as .yaml"
-        )
-    if "\0" in name:
-        raise SchemeError(f"the {what} name {name!r}", "text", "rename it or save it as .yaml")
-    if name in KEYWORDS:
-        raise SchemeError(
-            f"the {what} name {name!r}",
-            "a name other than the keywords of the file",
-            "rename it or save it as .yaml",
-        )
+    checks = (
+        ("a name on one line", "\n" not in name and "\r" not in name),
+        ("text", "\0" not in name),
+        ("a name other than the keywords of the file", name not in KEYWORDS),
+    )
+    for expected, fits in checks:
+        if not fits:
+            found = f"the {what} name {name!r}"
+            raise SchemeError(found, expected, "rename it or save it as .yaml")
     return name
 
 

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -80,36 +81,25 @@ def _cogniton(nodes: Nodes, name: str, node: yaml.Node) -> Cogniton:
     given = nodes.fields(node, where, COGNITON_FIELDS)
     birth = given.get("at_birth")
     starting = True if birth is None else nodes.truth(birth, f"at_birth of {where}")
-    description = _described(nodes, name, given, where, Culturon(name))
-    return Cogniton(
-        name,
-        starting,
-        description.start_value,
-        description.colour,
-        description.position,
-        description.influence,
-        description.conditional,
-        description.reinforcement,
-    )
+    return Cogniton(name, starting, **_described(nodes, given, where, Culturon(name)))
 
 
 def _described(
-    nodes: Nodes, name: str, given: dict[str, yaml.Node], where: str, otherwise: Culturon
-) -> Culturon:
+    nodes: Nodes, given: dict[str, yaml.Node], where: str, otherwise: Culturon
+) -> dict[str, Any]:
     """Return what the fields say, and where they say nothing what `otherwise` says."""
-    field, here = given.get, f"of {where}"
-    start, colour, position = field("start"), field("colour"), field("position")
-    influence, conditional = field("influence"), field("conditional")
-    reinforcement = field("reinforcement")
-    return Culturon(
-        name,
-        otherwise.start_value if start is None else nodes.number(start, f"start {here}"),
-        otherwise.colour if colour is None else nodes.colour(colour, f"colour {here}"),
-        otherwise.position if position is None else nodes.position(position, f"position {here}"),
-        nodes.weights(influence, f"influence {here}") if influence else {},
-        nodes.names(conditional, f"conditional {here}") if conditional else (),
-        nodes.weights(reinforcement, f"reinforcement {here}") if reinforcement else {},
-    )
+
+    def read(field: str, reader: Callable[[yaml.Node, str], Any], unsaid: Any) -> Any:
+        return reader(given[field], f"{field} of {where}") if field in given else unsaid
+
+    return {
+        "start_value": read("start", nodes.number, otherwise.start_value),
+        "colour": read("colour", nodes.colour, otherwise.colour),
+        "position": read("position", nodes.position, otherwise.position),
+        "influence": read("influence", nodes.weights, {}),
+        "conditional": read("conditional", nodes.names, ()),
+        "reinforcement": read("reinforcement", nodes.weights, {}),
+    }
 
 
 def _group(nodes: Nodes, name: str, node: yaml.Node) -> Group:
@@ -123,7 +113,7 @@ def _group(nodes: Nodes, name: str, node: yaml.Node) -> Group:
             here = f"culturon {culturon!r} of {role_where}"
             given = nodes.fields(culturon_node, here, CULTURON_FIELDS)
             first = earlier.get(culturon, Culturon(culturon))
-            earlier[culturon] = _described(nodes, culturon, given, here, first)
+            earlier[culturon] = Culturon(culturon, **_described(nodes, given, here, first))
             culturons.append(earlier[culturon])
         roles.append(Role(role, tuple(culturons)))
     return Group(name, tuple(roles))
@@ -139,23 +129,19 @@ def _scheme(
     if "name" not in given:
         raise nodes.error(root, "a scheme without a name", "name:", "begin with name:")
     maker, plans = given.get("decision_maker"), given.get("plans", NOTHING)
+
+    def entries(field: str) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
+        return nodes.entries(given.get(field, NOTHING), field)
+
     return kind(
         nodes.name(given["name"], "name of the scheme"),
-        tuple(
-            _cogniton(nodes, name, node)
-            for name, _, node in nodes.entries(given.get("cognitons", NOTHING), "cognitons")
-        ),
-        tuple(
-            _group(nodes, name, node)
-            for name, _, node in nodes.entries(given.get("groups", NOTHING), "groups")
-        ),
+        tuple(_cogniton(nodes, name, node) for name, _, node in entries("cognitons")),
+        tuple(_group(nodes, name, node) for name, _, node in entries("groups")),
         MaximumWeight() if maker is None else _decision_maker(nodes, maker, decision_makers),
         nodes.names(given.get("breeds", NOTHING), "breeds"),
         {
             plan: nodes.position(node, f"position of plan {plan!r}")
-            for plan, _, node in nodes.entries(
-                given.get("plan_positions", NOTHING), "plan_positions"
-            )
+            for plan, _, node in entries("plan_positions")
         },
         None if nodes.is_nothing(plans) else nodes.names(plans, "plans"),
     )

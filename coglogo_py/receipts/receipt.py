@@ -174,20 +174,19 @@ def _influences(mind: Mind) -> tuple[Influence, ...]:
     plans = np.array(society.scheme.plans, object)
     conditional = society.arrays.conditional
     rows: list[Influence] = []
-    for position, (name, value) in enumerate(mind.cognitons().items()):
-        contributions = np.zeros(len(plans)) if value is None else links[position] * value
-        rows.append(
-            Influence(
-                name=name,
-                group=None,
-                value=value,
-                participation=None,
-                acts=value is not None,
-                contributions=tuple((contributions + 0.0).tolist()),
-                opens=tuple(plans[conditional[position]]),
-            )
-        )
-    n_cognitons = len(rows)
+
+    def add(
+        name: str, group: str | None, value: float | None, participation: float | None, acts: bool
+    ) -> None:
+        row = len(rows)
+        contributions = np.zeros(len(plans))
+        if acts:
+            contributions = links[row] * (1.0 if participation is None else participation) * value
+        acted, opens = tuple((contributions + 0.0).tolist()), tuple(plans[conditional[row]])
+        rows.append(Influence(name, group, value, participation, acts, acted, opens))
+
+    for name, value in mind.cognitons().items():
+        add(name, None, value, None, value is not None)
     for group, culturons in society.names.culturons.items():
         member = mind.get_group_id(group) >= 0
         participation = mind.get_participation(group) if member else None
@@ -195,20 +194,7 @@ def _influences(mind: Mind) -> tuple[Influence, ...]:
         for name, position in culturons.items():
             value = mind.get_culturon_value(group, name) if member else None
             acts = member and bool(society.arrays.role_culturons[role, position])
-            contributions = np.zeros(len(plans))
-            if acts:
-                contributions = links[n_cognitons + position] * participation * value
-            rows.append(
-                Influence(
-                    name=name,
-                    group=group,
-                    value=value,
-                    participation=participation,
-                    acts=acts,
-                    contributions=tuple((contributions + 0.0).tolist()),
-                    opens=tuple(plans[conditional[n_cognitons + position]]),
-                )
-            )
+            add(name, group, value, participation, acts)
     return tuple(rows)
 
 

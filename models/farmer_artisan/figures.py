@@ -20,7 +20,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from socialmind.drawing import style as paper
-from socialmind.worlds.torus.geometry import lattice
+from socialmind.worlds.grid.geometry import lattice
 
 if TYPE_CHECKING:
     from coglogo_py.scheme import CognitiveScheme

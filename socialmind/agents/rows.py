@@ -15,7 +15,6 @@ from coglogo_py.receipts.receipt import Receipt
 from socialmind.agents.attributes import field_property, held_array, unknown
 from socialmind.agents.idleness import count_idle
 from socialmind.errors import UnknownNameError
-from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
 from socialmind.mind.kernel import weights
 from socialmind.values import fitted
@@ -170,15 +169,14 @@ def row_class(shape: PopulationShape, keepers: Mapping[str, Keeper]) -> type[Row
 
     Args:
         shape: the population's.
-        keepers: by field, what brings a place back into the world, or refuses it.
+        keepers: by field, what turns a heading to 0 … 360, and brings a place back into the world
+            or refuses it.
     """
     members: dict[str, Any] = {"__slots__": ()}
     for field in shape.fields.values():
         members[field.name] = field_property(field, _slot_of_row)
         if field.name in keepers:
-            members[field.name] = _place_property(field.name, keepers[field.name])
-        if field.name == "heading":
-            members["heading"] = _heading
+            members[field.name] = _kept_property(field.name, keepers[field.name])
     if shape.minded:
         members["mind"] = property(_mind)
         members["plan"] = property(_plan, _set_plan)
@@ -272,8 +270,8 @@ def _slot_of_row(row: Any) -> tuple[Any, int]:
     return row._table.columns, row._slot
 
 
-def _place_property(name: str, keep: Keeper) -> property:
-    """Return a coordinate, which is brought back into the world where it is set, or refused."""
+def _kept_property(name: str, keep: Keeper) -> property:
+    """Return a coordinate or a heading, which is brought back to its range, or refused."""
 
     def read(row: Any) -> float:
         value: float = row._table.columns[name].item(row._slot)
@@ -284,15 +282,3 @@ def _place_property(name: str, keep: Keeper) -> property:
         table.columns[name][row._slot] = keep(value, f"agent {row.id}")
 
     return property(read, write)
-
-
-def _read_heading(row: Any) -> float:
-    value: float = row._table.columns["heading"].item(row._slot)
-    return value
-
-
-def _turn(row: Any, value: float) -> None:
-    row._table.columns["heading"][row._slot] = turned(value)
-
-
-_heading = property(_read_heading, _turn)

@@ -64,7 +64,8 @@ def _population(one: Population) -> tuple[str, ...]:
     if one.hierarchy is not None:
         minds.append(f"skills {_called(one.hierarchy)}")
     fields = [name for name in one.shape.fields if name not in ("x", "y", "heading")]
-    return one.name, str(one.size), one.agent.__name__, ", ".join(minds), ", ".join(fields)
+    size = one.size if one.table is None else one.table if isinstance(one.table, str) else "a table"
+    return one.name, str(size), one.agent.__name__, ", ".join(minds), ", ".join(fields)
 
 
 def _called(mind: Any) -> str:
@@ -75,8 +76,7 @@ def _world(model_class: type[Model]) -> str:
     world = getattr(model_class, "world", None)
     if world is None:
         return ""
-    size = getattr(world, "size", None)
-    return type(world).__name__ + (f" of {size} × {size} patches" if size is not None else "")
+    return str(world)
 
 
 def _lessons(folder: Path) -> list[str]:

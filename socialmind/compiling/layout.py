@@ -40,6 +40,13 @@ WEIGHING: dict[str, tuple[str, int]] = {
 """Further arrays of a population whose hierarchies weigh plans, as `WeighingPlaces` has them."""
 
 
+SEEKING = (
+    *("near_cells", "near_entries", "near_heads", "near_heads_0"),
+    *("near_spots", "near_spots_0", "near_found", "near_found_0"),
+)
+"""Further columns of the record for a population whose agents rules look for: its index."""
+
+
 def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]:
     """Return the names, types and dimensions of all plain arrays of a population."""
     arrays = dict(TABLE_ARRAYS)
@@ -65,15 +72,26 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
     return np.dtype(columns or [("_empty", "i1")], align=population is not None)
 
 
-def model_dtype(shape: ModelShape) -> np.dtype[Any]:
-    """Return the model's record: parameters, variables, and where everything else is."""
+def model_dtype(
+    shape: ModelShape, more: tuple[str, ...] = (), sought: tuple[str, ...] = ()
+) -> np.dtype[Any]:
+    """Return the model's record: parameters, variables, and where everything else is.
+
+    Args:
+        shape: the model's.
+        more: columns that what its rules call of the world needs.
+        sought: the populations whose agents rules look for.
+    """
     columns: Columns = []
     for field in [*shape.parameters.values(), *shape.variables.values()]:
         columns += field.dtype
     plain = "tick stream idle idle_agent idle_tick world_size world_low world_high patches"
     columns += [(f"_{name}", "i8") for name in plain.split()]
     # Those of patches stand in every record: a checkpoint holds it as it is.
-    columns += [(f"_{one}", "i8") for one in shape.world.columns if one not in plain.split()]
+    columns += [
+        (f"_{one}", "i8") for one in (*shape.world.columns, *more) if one not in plain.split()
+    ]
+    columns += [(f"_{name}_{one}", "i8") for name in sought for one in SEEKING]
     for population in shape.populations.values():
         name = population.name
         columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]
@@ -102,3 +120,9 @@ def view_text(population: str, array: str, kind: str, dimensions: int) -> str:
     place = f"_model._{population}_{array}"
     shape = "".join(f"{place}_{axis}, " for axis in range(dimensions))
     return f"carray(_as_pointer({place}), ({shape}), np.{kind})"
+
+
+def view_function_text(population: str, array: str, kind: str, dimensions: int) -> str:
+    """Return a function of the model's record that gives an array of a population."""
+    view = view_text(population, array, kind, dimensions)
+    return f"@_inner\ndef _{array}_{population}(_model):\n    return {view}"

@@ -11,24 +11,30 @@ import ast
 import copy
 from typing import Any
 
+from socialmind.compiling.aggregates import aggregate_name
 from socialmind.fields import Field, presence
 from socialmind.language.program import TypedFunction
 from socialmind.language.shape import ModelShape
 from socialmind.language.syntax import parsed
 
 PLACES = ("x", "y")
-"""The fields of an agent that are brought back into a torus wherever they are set."""
+"""The fields of an agent that are kept in the world wherever they are set."""
+SPACE = ("low_x", "low_y", "width", "height", "wraps_x", "wraps_y")
+"""The numbers of a world with patches that say where these are."""
 
 
-def lowered(function: TypedFunction, shape: ModelShape | None = None) -> str:
+def lowered(
+    function: TypedFunction, shape: ModelShape | None = None, sought: tuple[str, ...] = ()
+) -> str:
     """Return the source of a function for numba.
 
     Args:
         function: the function.
         shape: the model's, on which it depends what is brought back where places are set.
+        sought: the populations whose agents rules look for, wherever they move.
     """
     tree = copy.deepcopy(function.tree)
-    tree = _Lowering(shape).visit(tree)
+    tree = _Lowering(shape, sought).visit(tree)
     tree.args.args.insert(0, ast.arg("_model"))
     return ast.unparse(ast.fix_missing_locations(tree))
 
@@ -48,6 +54,10 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
     return ast.Call(_name(name), [_name("_model"), *arguments], [])
 
 
+def _is_text(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str)
+
+
 def _widened(value: ast.expr, field: Field) -> ast.expr:
     """Return the reading of a field; small whole numbers are read as large ones."""
     return value if field.limits is None else ast.Call(_name("_int64"), [value], [])
@@ -60,7 +70,9 @@ def _parsed(text: str) -> Any:
 class _Lowering(ast.NodeTransformer):
     """Rewrites the marked nodes of a tree, the inner ones first."""
 
-    def __init__(self, shape: ModelShape | None) -> None:
+    def __init__(self, shape: ModelShape | None, sought: tuple[str, ...]) -> None:
+        self.sought = sought
+        self.open: list[tuple[str, str]] = []
         self.turns = shape is not None
         self.world = None if shape is None else shape.world
         self.loops = 0
@@ -124,6 +136,16 @@ class _Lowering(ast.NodeTransformer):
         if place.mark[0] == "agent":
             value = self.kept_within(place.mark[1], field.name, value)
         holder = self.holder(place, place.mark)
+        if place.mark[0] == "agent" and place.mark[1] in self.sought and field.name in PLACES:
+            kept = self.keeping()
+            return [
+                ast.Assign([ast.Name(f"{kept}_value", ast.Store())], value),
+                ast.Assign([ast.Name(kept, ast.Store())], holder),
+                ast.Assign(
+                    [ast.Attribute(_name(kept), place.attr, ast.Store())], _name(f"{kept}_value")
+                ),
+                ast.Expr(_call(f"_near_moved_{place.mark[1]}", _name(kept))),
+            ]
         if not field.optional:
             return [ast.Assign([ast.Attribute(holder, place.attr, ast.Store())], value)]
         lines: list[ast.stmt] = []
@@ -171,18 +193,29 @@ class _Lowering(ast.NodeTransformer):
     lower_world = lower_population
 
     def lower_world_number(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
-        return _parsed(f"_model._world_{mark[1]}")
+        return self.world_number(mark[1])
+
+    def world_number(self, name: str) -> Any:
+        """Return how compiled code finds a number of the world."""
+        return _parsed(self.world.numbers[name])  # type: ignore[union-attr]  # rules of a world
+
+    def space(self) -> list[ast.expr]:
+        """Return where the patches are, as the functions that look for them take it."""
+        return [self.world_number(name) for name in SPACE]
 
     def lower_patch_place(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        operator = "//" if mark[1] == "x" else "%"
-        made = _parsed(f"_place {operator} _model._world_size + _model._world_low")
-        made.left.left = self.visit(node.value)
-        return made
+        operator: ast.operator = ast.FloorDiv() if mark[1] == "x" else ast.Mod()
+        place = ast.BinOp(self.visit(node.value), operator, self.world_number("height"))
+        return ast.BinOp(place, ast.Add(), self.world_number(f"low_{mark[1]}"))
 
     def lower_patch_at(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]
-        low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
-        return ast.Call(_name("_patch_index"), [*arguments, low, size], [])
+        return ast.Call(_name("_patch_index"), [*arguments, *self.space()], [])
+
+    def lower_world_call(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        """Lower a call of the world's by a function of its name; texts are part of the name."""
+        arguments = [self.visit(one) for one in node.args if not _is_text(one)]
+        return _call("_".join(("_world", *mark[1:])), *arguments)
 
     def lower_element(self, node: ast.expr, mark: tuple[Any, ...]) -> Any:
         """Lower an element of an array; truth values are bytes there."""
@@ -192,10 +225,9 @@ class _Lowering(ast.NodeTransformer):
     # Agents -----------------------------------------------------------------------------------
 
     def lower_id(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.Attribute(self.visit(node.value), "_id", ast.Load())
+        return ast.Attribute(self.visit(node.value), f"_{mark[0]}", ast.Load())
 
-    def lower_plan(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.Attribute(self.visit(node.value), "_plan", ast.Load())
+    lower_plan = lower_id
 
     def lower_no_plan(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Constant(-1)
@@ -219,6 +251,10 @@ class _Lowering(ast.NodeTransformer):
 
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
     lower_run_plan = lower_method
+
+    def lower_aggregate(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        population, what, field = mark[1:]
+        return _call(aggregate_name(population, what, field))
 
     def lower_mind(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower a mind or a hierarchy, or what it is asked by a function of the same name."""
@@ -248,6 +284,126 @@ class _Lowering(ast.NodeTransformer):
         made = _call(mark[1], *[self.visit(argument) for argument in node.args])
         made.keywords = [ast.keyword(one.arg, self.visit(one.value)) for one in node.keywords]
         return made
+
+    # Neighbours -------------------------------------------------------------------------------
+
+    def lower_nobody(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
+        return ast.Constant(-1)
+
+    def lower_perhaps(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        """An agent that may be None is the number of its slot, or −1."""
+        return ast.Attribute(self.visit(node.args[0]), "_slot", ast.Load())
+
+    def lower_agent_there(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        return _call(f"_near_there_{mark[1]}", self.visit(node.args[0]))
+
+    def lower_none_agent(self, node: ast.Compare, mark: tuple[Any, ...]) -> ast.expr:
+        operator = ast.GtE() if mark[1] else ast.Lt()
+        return ast.Compare(self.visit(node.left), [operator], [ast.Constant(0)])
+
+    def lower_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        """Lower the looking for agents; it gives where they end on the stack of what is found."""
+        _, population, what, asker = mark
+        arguments = [self.visit(argument) for argument in node.args[1:]]
+        if what == "near":
+            return _call(f"_near_{population}_{asker}", *arguments)
+        steps = arguments[1] if what == "neighbours" else ast.Constant(int(what == "neighbours4"))
+        kind = ast.Constant({"on": 0, "neighbours": 8, "neighbours4": 4}[what])
+        return _call(f"_near_patches_{population}_{asker}", arguments[0], steps, kind)
+
+    def lower_nearest(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        arguments = [self.visit(argument) for argument in node.args[1:]]
+        radius = arguments[1:] or [_parsed("np.inf")]
+        return _call(f"_nearest_{mark[1]}_{mark[2]}", arguments[0], *radius)
+
+    def lower_count_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        return ast.BinOp(self.visit(node.args[0]), ast.Sub(), _call(f"_near_begin_{mark[1]}"))
+
+    def lower_one_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        return _call(f"_near_one_{mark[1]}", *[self.visit(one) for one in node.args])
+
+    def lower_found_loop(self, node: ast.For, mark: tuple[Any, ...]) -> list[ast.stmt]:
+        """Lower a loop over what is found, which stands on the stack for as long as it runs."""
+        population = mark[1]
+        self.loops += 1
+        begin, end, place = (f"_{one}_{self.loops}" for one in ("begin", "end", "place"))
+        called: Any = node.iter
+        lines = parsed(
+            f"{begin} = _near_begin_{population}(_model)\n"
+            f"{end} = FOUND\n"
+            f"_near_keep_{population}(_model, {begin}, {end})\n"
+            f"for {place} in _range({begin}, {end}):\n"
+            f"    _found_{self.loops} = _near_slot_{population}(_model, {place})\n"
+            f"    if not _alive_{population}(_model)[_found_{self.loops}]:\n"
+            f"        continue\n"
+            f"    {ast.unparse(node.target)} = _rows_{population}(_model)[_found_{self.loops}]\n"
+            f"_near_leave_{population}(_model, {begin})\n"
+        ).body
+        lines[1].value = self.visit(called.args[0])
+        self.open.append((population, begin))
+        lines[3].body += self.block(node.body)
+        self.open.pop()
+        lines[3].orelse = self.block(node.orelse)
+        return list(lines)
+
+    def block(self, statements: list[ast.stmt]) -> list[ast.stmt]:
+        """Return statements for numba."""
+        made: list[ast.stmt] = self.generic_visit(ast.Module(statements, [])).body
+        return made
+
+    def patches_asked(self, node: Any) -> tuple[str, str, list[ast.expr]]:
+        """Return what patches are around whom, by whom it is asked, and with what."""
+        _, what, asker = node.mark
+        who, *numbers = [self.visit(argument) for argument in node.args]
+        if what == "in_radius":
+            return what, asker, [who, *numbers]
+        four = what == "neighbours4"
+        return what, asker, [who, *(numbers or [ast.Constant(1)]), ast.Constant(int(four))]
+
+    def lower_count_patches(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        what, asker, arguments = self.patches_asked(node.args[0])
+        name = "within" if what == "in_radius" else "count"
+        return _call(f"_patches_{name}_{asker}", *arguments)
+
+    def lower_one_patch(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
+        what, asker, arguments = self.patches_asked(node.args[0])
+        name = "one_within" if what == "in_radius" else "one"
+        return _call(f"_patches_{name}_{asker}", *arguments, self.visit(node.args[1]))
+
+    def lower_patches_loop(self, node: ast.For, mark: tuple[Any, ...]) -> list[ast.stmt]:
+        """Lower a loop over the patches around somebody, one number after another."""
+        _, asker, (who, steps, four) = self.patches_asked(node.iter)
+        self.loops += 1
+        whose, reach, number = (f"_{one}_{self.loops}" for one in ("who", "steps", "number"))
+        lines = parsed(
+            f"{whose} = 0\n"
+            f"{reach} = 0\n"
+            f"for {number} in _range(_patches_count_{asker}(_model, {whose}, {reach}, 0)):\n"
+            f"    {ast.unparse(node.target)} = "
+            f"_patches_nth_{asker}(_model, {whose}, {reach}, 0, {number})\n"
+        ).body
+        lines[0].value, lines[1].value = who, steps
+        lines[2].iter.args[0].args[3] = four
+        lines[2].body[0].value.args[3] = four
+        lines[2].body += self.block(node.body)
+        lines[2].orelse = self.block(node.orelse)
+        return list(lines)
+
+    def visit_Return(self, node: ast.Return) -> Any:
+        """Leave the loops over what was found that a function returns from."""
+        if not self.open:
+            return self.generic_visit(node)
+        outermost: dict[str, str] = {}
+        for population, begin in self.open:
+            outermost.setdefault(population, begin)
+        lines: list[ast.stmt] = []
+        value = None if node.value is None else self.visit(node.value)
+        if value is not None:
+            lines.append(ast.Assign([ast.Name("_result", ast.Store())], value))
+            value = _name("_result")
+        for population, begin in outermost.items():
+            lines.append(ast.Expr(_call(f"_near_leave_{population}", _name(begin))))
+        return [*lines, ast.Return(value)]
 
     # Loops ------------------------------------------------------------------------------------
 
@@ -279,9 +435,10 @@ class _Lowering(ast.NodeTransformer):
     def lower_patches(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
         self.generic_visit(node)
         call: Any = node.iter
-        low, size = _parsed("_model._world_low"), _parsed("_model._world_size")
         if call.func.id == "_all_patches":
-            node.iter = _parsed("_range(_model._world_size * _model._world_size)")
+            width, height = self.world_number("width"), self.world_number("height")
+            node.iter = ast.Call(_name("_range"), [ast.BinOp(width, ast.Mult(), height)], [])
         else:
-            node.iter = ast.Call(_name("_patches_in_radius"), [*call.args[1:], low, size], [])
+            arguments = [*call.args[1:], *self.space()]
+            node.iter = ast.Call(_name("_patches_in_radius"), arguments, [])
         return node

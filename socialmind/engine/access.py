@@ -8,6 +8,7 @@ from socialmind.compiling.layout import (
     dtype_text,
     population_arrays,
     row_dtype,
+    view_function_text,
     view_text,
 )
 from socialmind.language.shape import PopulationShape
@@ -199,20 +200,23 @@ def _choose_NAME(scheme, minds, slot, weights, plans, count):
     return plan"""
 
 
-def population_text(population: PopulationShape, own_maker: bool) -> str:
+def population_text(
+    population: PopulationShape, own_maker: bool, leaving: str = "", sought: bool = False
+) -> str:
     """Return the functions by which compiled rules reach a population.
 
     Args:
         population: its shape.
         own_maker: whether its minds have a decision maker of the modeller's own.
+        leaving: the line by which an agent that dies leaves the world, if there is any.
+        sought: whether rules look for its agents.
     """
     name = population.name
     parts = []
     for array, (kind, dimensions) in population_arrays(population).items():
         if array.startswith(("scheme_", "minds_")):
             continue
-        view = view_text(name, array, kind, dimensions)
-        parts.append(f"@_inner\ndef _{array}_{name}(_model):\n    return {view}")
+        parts.append(view_function_text(name, array, kind, dimensions))
     fills = {
         "NEW_MIND": "pass",
         "HATCHED_MIND": "pass",
@@ -254,6 +258,12 @@ def population_text(population: PopulationShape, own_maker: bool) -> str:
         born = f"born = carray(_as_pointer(_model._{name}_default), (1,), {name}_ROW)[0]"
         lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
         fills["HATCHED_MIND"] = "\n    ".join([*lines, fills["HATCHED_MIND"]])
+    if leaving:
+        fills["DEAD_MIND"] = f"{leaving}\n        {fills['DEAD_MIND']}"
+    if sought:
+        fills["DEAD_MIND"] = f"_near_died_{name}(_model, agent)\n        {fills['DEAD_MIND']}"
+        for mark in ("NEW_MIND", "HATCHED_MIND"):
+            fills[mark] = f"_near_born_{name}(_model, agent)\n    {fills[mark]}"
     text = _POPULATION
     for mark, fill in fills.items():
         text = text.replace(mark, fill)

@@ -65,7 +65,12 @@ class Engine:
     def functions(self) -> dict[str, Callable[..., Any]]:
         """The rules as interpreted Python."""
         if self._functions is None:
-            self._functions = self.model.program.interpreted(self.model.ground.functions())
+            program, names = self.model.program, self.model.ground.functions()
+            if program.sought or program.patches_sought:
+                from socialmind.worlds.neighbours.interpreted import FUNCTIONS
+
+                names = {**FUNCTIONS, **names}
+            self._functions = program.interpreted(names)
         return self._functions
 
     def set_up(self) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from socialmind.compiling.aggregates import aggregate_name, aggregate_text
 from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
@@ -15,6 +16,7 @@ from socialmind.engine.access import AGENTS, call_text, plans_text, population_t
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
 from socialmind.streams import ORDER_TAG
+from socialmind.worlds.neighbours import text as neighbours
 
 
 def module_text(program: Program, own_makers: frozenset[str]) -> str:
@@ -26,12 +28,18 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             puts its function into the module as `_own_<population>`.
     """
     shape = program.shape
-    parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {dtype_text(model_dtype(shape))}"]
+    record = dtype_text(model_dtype(shape, program.world_columns, program.sought))
+    parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
     for population in shape.populations.values():
-        parts.append(population_text(population, population.name in own_makers))
+        leaving = shape.world.leaving(population.name)
+        own, sought = population.name in own_makers, population.name in program.sought
+        parts.append(population_text(population, own, leaving, sought))
+    parts.append(neighbours.text(shape, program.sought))
+    for name, what, field in program.aggregates:
+        parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
     minded = [one for one in shape.populations.values() if one.hierarchy]
     if minded:
         from socialmind.mind.code import text as minds
@@ -41,12 +49,14 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             *(minds.population_text(one.name, one.evaluated_by_world) for one in minded),
         ]
     for function in program.functions.values():
-        parts.append(f"@_inner\n{lowered(function, shape)}")
+        parts.append(f"@_inner\n{lowered(function, shape, program.sought)}")
     for name, plans in program.plans.items():
         parts.append(plans_text(name, list(plans.values())))
     parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]
-    setup, tick = _calls(program.setup), world.tick.replace("PHASES", _calls(program.schedule))
-    parts.append(world.stages.replace("PHASES", _calls(program.schedule)))
+    listing = "".join(f"    _near_list_{name}(_model)\n" for name in program.sought)
+    setup, schedule = listing + _calls(program.setup), listing + _calls(program.schedule)
+    tick = world.tick.replace("PHASES", schedule)
+    parts.append(world.stages.replace("PHASES", schedule))
     parts.append(_loops_text(shape, program, setup, tick))
     parts.append(world.after.replace("SETUP", setup or "    pass"))
     return "\n\n\n".join(part for part in parts if part) + "\n"
@@ -98,9 +108,8 @@ def _phase_text(shape: ModelShape, phase: Phase) -> str:
             f"    _begin(rng, {ORDER_TAG}, {phase.tag}, _model._tick)",
             "    _shuffle(rng, acting, count)",
         ]
-    if phase.shape.shuffled and minded:
-        lines.append(f"    values = _minds_{population}(_model).values")
-    if phase.shape.shuffled:
+        if minded:
+            lines.append(f"    values = _minds_{population}(_model).values")
         lines.append(f"    large = count > {CACHED_AGENTS}")
     lines.append("    for place in range(count):")
     if phase.shape.shuffled:

@@ -223,7 +223,7 @@ def sizes_of(
     known |= parameters or {}
     sizes = {}
     for name in world.robots:
-        size = model_class.populations[name].size
+        size = model_class.populations[name].size or 0
         sizes[name] = int(known.get(size, 0) if isinstance(size, str) else size)
     return sizes
 

@@ -453,6 +453,21 @@ def brought_back(value: float, low: int, size: int) -> float:
 
 
 @register_jitable
+def within_walls(value: float, low: int, size: int) -> float:
+    """Return a coordinate between two walls; beyond them it raises ValueError.
+
+    Args:
+        value: the coordinate.
+        low: the first column of patches.
+        size: how many there are.
+    """
+    edge = low - 0.5
+    if not edge <= value < edge + size:
+        raise ValueError("a place outside the world; ask world.is_inside(x, y) before")
+    return value
+
+
+@register_jitable
 def within(value: float, half_width: float) -> float:
     """Return a coordinate of a body as a plane has it, which has room for bodies inside alone.
 

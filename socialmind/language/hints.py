@@ -23,7 +23,6 @@ _LOOP = "write a for loop: `for other in model.{all}:`"
 _DRAW = "draw from the rule's stream: `rng.random()`, with the parameter `rng`"
 _HERE = "write model.world.patch({agent}.x, {agent}.y)"
 _AROUND = "write `for patch in model.world.in_radius({agent}, 1.5):`"
-_SIZE = "write model.world.size"
 
 _ADVANCE = "a society runs as long as `advance()` or the run says, or until `stop_when`"
 
@@ -86,7 +85,7 @@ MODEL = {
     **dict.fromkeys(("grid", "space"), "write model.world; declare it as `world = Torus(33)`"),
     **dict.fromkeys(("random", "rng"), _DRAW),
     **dict.fromkeys(("time", "steps", "ticks", "step"), "write model.tick"),
-    **dict.fromkeys(("width", "height"), _SIZE),
+    **{name: f"write model.world.{name}" for name in ("width", "height")},
     "patches": "write model.world.patches",
     "seed": _DRAW,
     "world": "the model has none; declare it as `world = Torus(33)`",
@@ -111,7 +110,7 @@ POPULATION = {
 """What sets of agents have elsewhere."""
 
 WORLD = {
-    **dict.fromkeys(("width", "height"), _SIZE),
+    "size": "write model.world.width and model.world.height",
     **dict.fromkeys(("neighbors", "neighbors4", "get_neighbors", "get_neighborhood"), _AROUND),
     **dict.fromkeys(("patch_here", "patch_at", "get"), _HERE),
     **dict.fromkeys(("move_agent", "place_agent", "setxy"), NAMES["setxy"]),

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from socialmind.errors import ModelError, close, nearest
+from socialmind.fields import Field
 from socialmind.language import arithmetic
 from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import Names, RuleSource, rule_source
@@ -80,6 +81,10 @@ class Program:
         self.functions: dict[str, TypedFunction] = {}
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
         self.births: list[str] = []
+        self._sought: list[str] = []
+        self.patches_sought = False
+        self.world_calls: list[tuple[str, ...]] = []
+        self.aggregates: list[tuple[str, str, Field]] = []
         self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
         self._sources: dict[Callable[..., Any], RuleSource] = {}
         self._modules: dict[python_types.ModuleType, Names] = {}
@@ -138,31 +143,25 @@ class Program:
                 misspelt = close(name, known)
                 if place == 1 and names[0] in known and population is not None:
                     misspelt = f"write def {source.name}({name}, {names[0]})"
-                raise ModelError(
+                raise source.error(
                     f"the parameter {name!r} of the rule {source.name!r}",
                     f"{first}`model` and `rng`, as far as it needs them",
                     misspelt
                     or _INSTEAD.get(name)
                     or "values reach a rule through the fields of the agent and the model",
-                    source.file,
-                    source.line,
                 )
         if population is not None and not names:
-            raise ModelError(
+            raise source.error(
                 f"the rule {source.name!r} without parameters",
                 f"an agent of {population!r} first",
                 f"write def {source.name}({population.rstrip('s')}, model, rng)",
-                source.file,
-                source.line,
             )
         symbol, result = self.specialised(source, tuple(kinds), None, source.tree)
         if result != NONE:
-            raise ModelError(
+            raise source.error(
                 f"the rule {source.name!r}, which returns {result}",
                 "a rule that returns nothing",
                 "write what it found into a field",
-                source.file,
-                source.line,
             )
         return symbol, tuple(takes)
 
@@ -177,12 +176,10 @@ class Program:
             symbol, takes = self._entry(function, population)
             if population in self._reached[symbol]:
                 source = self.functions[symbol].source
-                raise ModelError(
+                raise source.error(
                     f"the plan {plan!r}, in which an agent carries out its plan",
                     "a plan that ends",
                     "leave run_plan() to the rule that chooses the plan",
-                    source.file,
-                    source.line,
                 )
             self.plans[population][plan] = symbol, takes
         if not self.plans[population]:
@@ -201,6 +198,44 @@ class Program:
         """Note that rules bring new agents into a population."""
         if population not in self.births:
             self.births.append(population)
+
+    def sums_up(self, population: str, what: str, field: Field) -> None:
+        """Note that rules sum up a field of a population."""
+        if (population, what, field) not in self.aggregates:
+            self.aggregates.append((population, what, field))
+
+    def calls_world(self, *call: str) -> None:
+        """Note that rules call something of the world: its name, then populations and fields."""
+        if call not in self.world_calls:
+            self.world_calls.append(call)
+
+    def seeks(self, population: str) -> None:
+        """Note that rules look for the agents of a population who are near somebody."""
+        if population not in self._sought:
+            self._sought.append(population)
+
+    @property
+    def sought(self) -> tuple[str, ...]:
+        """The populations whose agents rules look for."""
+        return tuple(self._sought)
+
+    @property
+    def loops_over_found(self) -> int:
+        """How many loops of the rules go over agents that were found."""
+        marks = (
+            getattr(node, "mark", ("",))[0]
+            for function in self.functions.values()
+            for node in ast.walk(function.tree)
+        )
+        return sum(mark == "found_loop" for mark in marks)
+
+    @property
+    def world_columns(self) -> tuple[str, ...]:
+        """The columns of the model's record that what its rules call of the world needs."""
+        calls = self.shape.world.calls
+        return tuple(
+            dict.fromkeys(one for call in self.world_calls for one in calls[call[0]].columns)
+        )
 
     def changes(self, population: str) -> None:
         """Note that a function writes fields of a population, or brings births or deaths."""
@@ -358,12 +393,10 @@ def _check_definition(source: RuleSource) -> None:
     arguments = source.tree.args
     for name in source.parameters:
         if name.startswith("_"):
-            raise ModelError(
+            raise source.error(
                 f"the parameter {name!r} of the rule {source.name!r}",
                 None,
                 "leave the leading underscore out",
-                source.file,
-                source.line,
             )
     odd = [
         (arguments.vararg, "*arguments"),
@@ -374,10 +407,8 @@ def _check_definition(source: RuleSource) -> None:
     ]
     for found, what in odd:
         if found:
-            raise ModelError(
+            raise source.error(
                 f"{what} on the rule {source.name!r}",
                 "plain parameters",
                 "write def rule(agent, model, rng)",
-                source.file,
-                source.line,
             )

@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple
 
 from socialmind.fields import Field
+from socialmind.language.types import AnyType
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,34 @@ class PhaseShape:
     shuffled: bool = True
 
 
+AGENT = "an agent"
+FIELD = "the name of a field of the patches"
+
+
+@dataclass(frozen=True)
+class WorldCall:
+    """A call of a world that is no rule, as `model.world.diffuse("pheromone", 0.5)`.
+
+    Interpreted it is the method of the running world. Compiled it is a function of the module,
+    `_world_NAME(_model, …)`, for each population of an agent and each field that are named:
+    `_world_NAME_KEY`; the world writes those that rules call (`Program.world_calls`).
+
+    Attributes:
+        arguments: what it takes: types, AGENT for an agent of any population, FIELD for a written
+            name of a field of numbers.
+        result: the type of what it returns; FIELD for that of the field.
+        written: how to write it, for errors.
+        kinds: the Python types that a field may have.
+        columns: whole numbers in the model's record that models which call it need.
+    """
+
+    arguments: tuple[AnyType | str, ...]
+    result: AnyType | str
+    written: str
+    kinds: tuple[type, ...] = (float, int)
+    columns: tuple[str, ...] = ()
+
+
 class WorldText(NamedTuple):
     """What a world writes into the compiled module of a model.
 
@@ -73,8 +102,12 @@ class WorldShape:
 
     Attributes:
         patch: the fields of a patch, or None for a world without patches.
-        numbers: whole numbers of the world that rules read, as `model.world.size`.
+        numbers: whole numbers of the world that rules read, as `model.world.size`: by name, how
+            compiled code finds each, an expression of the model's record `_model` or a constant.
         commands: what rules call as `model.world.NAME(agent, …)`: rules of the world and an agent.
+        calls: what they call so and is no rule: its text stands in the compiled module.
+        extent: how compiled code finds the rectangle that agents are in, in numbers as `Extent` of
+            `worlds.contract` has them; empty where nobody is anywhere.
         columns: whole numbers in the model's record that its compiled code needs.
         kept_columns: those of them that are state, not addresses and sizes.
         robots: the populations that sense and act, by name, as the world has them.
@@ -84,8 +117,10 @@ class WorldShape:
     """
 
     patch: Mapping[str, Field] | None = None
-    numbers: tuple[str, ...] = ()
+    numbers: Mapping[str, str] = MappingProxyType({})
     commands: Mapping[str, Callable[..., Any]] = MappingProxyType({})
+    calls: Mapping[str, WorldCall] = MappingProxyType({})
+    extent: tuple[str, ...] = ()
     columns: tuple[str, ...] = ()
     kept_columns: tuple[str, ...] = ()
     robots: Mapping[str, Any] = MappingProxyType({})
@@ -104,6 +139,14 @@ class WorldShape:
         where agents may be anywhere.
         """
         return ()
+
+    def instead_of_setting(self, population: str, field: str) -> str | None:
+        """Return what to write where rules set a field that they may not; None where they may."""
+        return None
+
+    def leaving(self, population: str) -> str:
+        """Return the line of compiled code by which an `agent` that dies leaves the world."""
+        return ""
 
     def typed(self, program: Any) -> Any:
         """Return what the world adds to a program: the functions of its own, typed, or None."""

@@ -84,6 +84,10 @@ class RuleSource:
     names: Names
     state: tuple[CodeType, tuple[Any, ...] | None]
 
+    def error(self, found: str, expected: str | None, remedy: str) -> ModelError:
+        """Return an error with the rule's place."""
+        return ModelError(found, expected, remedy, self.file, self.line)
+
     @property
     def outdated(self) -> bool:
         """Whether the function, or something that it reads, is another by now."""
@@ -140,16 +144,15 @@ def rule_source(function: Any) -> RuleSource:
         remedy = "write the rule with `def` at the top of the file"
         raise _no_function(inner, f"{function!r} as a rule", remedy)
     code = function.__code__
-    file, line = code.co_filename, code.co_firstlineno
+    place = file, _ = code.co_filename, code.co_firstlineno
     if function.__name__ == "<lambda>":
-        raise ModelError("a lambda", "a rule with a name", "write it with `def`", file, line)
+        raise ModelError("a lambda", "a rule with a name", "write it with `def`", *place)
     if function.__closure__:
         raise ModelError(
             f"the rule {function.__name__!r} inside another function",
             "a rule at the top of its file",
             "move it there, and pass what it needs as parameters",
-            file,
-            line,
+            *place,
         )
     try:
         whole, _ = inspect.findsource(function)
@@ -160,21 +163,19 @@ def rule_source(function: Any) -> RuleSource:
             f"the rule {function.__name__!r} without a source",
             "a function written in a file or a notebook cell",
             "save the model in a file, and load it again after changes",
-            file,
-            line,
+            *place,
         ) from None
     ast.increment_lineno(tree, start - 1)
     if isinstance(tree, ast.AsyncFunctionDef):
         raise ModelError("an async rule", "a plain function", "write `def`", file, tree.lineno)
     if not isinstance(tree, ast.FunctionDef):
-        raise ModelError(f"{function!r}", "a plain function", "write `def`", file, line)
+        raise ModelError(f"{function!r}", "a plain function", "write `def`", *place)
     if not _is_as_loaded("".join(whole), code):
         raise ModelError(
             f"another text where the rule {function.__name__!r} stood",
             "the file as it was loaded",
             "it has changed since: load the model again, or start Python again",
-            file,
-            line,
+            *place,
         )
     names = Names(function.__globals__)
     state = (code, function.__defaults__)

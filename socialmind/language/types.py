@@ -3,67 +3,87 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
+
+
+class _Called:
+    """What error messages call a type: words that may name its parts."""
+
+    words: ClassVar[str]
+
+    def __str__(self) -> str:
+        return self.words.format(**vars(self))
 
 
 @dataclass(frozen=True)
-class Type:
+class Type(_Called):
     """A type without parts; its name is what error messages call it."""
 
     name: str
-
-    def __str__(self) -> str:
-        return self.name
+    words = "{name}"
 
 
 BOOL = Type("a truth value")
 INT = Type("a whole number")
 FLOAT = Type("a number")
 NONE = Type("None")
+NOBODY = Type("None, where an agent may be")
 MODEL = Type("the model")
 RNG = Type("the random stream")
 NUMBERS = (BOOL, INT, FLOAT)
 
 
 @dataclass(frozen=True)
-class OptionalType:
+class OptionalType(_Called):
     """A field's value that may be None."""
 
     of: Type
-
-    def __str__(self) -> str:
-        return f"{self.of} or None"
+    words = "{of} or None"
 
 
 @dataclass(frozen=True)
-class ArrayType:
+class ArrayType(_Called):
     """A fixed-size array of a field."""
 
     of: Type
     size: int
-
-    def __str__(self) -> str:
-        return f"an array of {self.size}"
+    words = "an array of {size}"
 
 
 @dataclass(frozen=True)
-class RowType:
+class _OfPopulation(_Called):
+    population: str
+
+
+class RowType(_OfPopulation):
     """An agent of a population."""
 
-    population: str
+    words = "an agent of {population!r}"
 
-    def __str__(self) -> str:
-        return f"an agent of {self.population!r}"
+
+class MaybeRowType(_OfPopulation):
+    """An agent of a population, or None."""
+
+    words = "an agent of {population!r} or None"
+
+
+class FoundType(_OfPopulation):
+    """The agents of a population that were found around somebody."""
+
+    words = "a set of agents of {population!r}"
 
 
 @dataclass(frozen=True)
-class MindType:
+class PatchesType(_Called):
+    """The patches that were found around somebody."""
+
+    words = "a set of patches"
+
+
+class MindType(_OfPopulation):
     """The mind of an agent of a population."""
 
-    population: str
-
-    def __str__(self) -> str:
-        return f"the mind of an agent of {self.population!r}"
+    words = "the mind of an agent of {population!r}"
 
 
 @dataclass(frozen=True)
@@ -82,40 +102,30 @@ class HierarchyType:
         return "the mind" if self.driven else f"the hierarchy of an agent of {self.population!r}"
 
 
-@dataclass(frozen=True)
-class PopulationType:
+class PopulationType(_OfPopulation):
     """A population."""
 
-    population: str
-
-    def __str__(self) -> str:
-        return f"the population {self.population!r}"
+    words = "the population {population!r}"
 
 
 @dataclass(frozen=True)
-class WorldType:
+class WorldType(_Called):
     """The torus that the agents stand on."""
 
-    def __str__(self) -> str:
-        return "the world"
+    words = "the world"
 
 
 @dataclass(frozen=True)
-class PatchType:
+class PatchType(_Called):
     """A patch of the world."""
 
-    def __str__(self) -> str:
-        return "a patch"
+    words = "a patch"
 
 
-@dataclass(frozen=True)
-class PlanType:
+class PlanType(_OfPopulation):
     """A plan of the scheme of a population's minds, or None."""
 
-    population: str
-
-    def __str__(self) -> str:
-        return "a plan"
+    words = "a plan"
 
 
 @dataclass(frozen=True)
@@ -129,13 +139,11 @@ class ChoiceType:
 
 
 @dataclass(frozen=True)
-class TextType:
+class TextType(_Called):
     """A written text: the name of a plan, a cogniton, a group, a role or a culturon."""
 
     value: str
-
-    def __str__(self) -> str:
-        return f"the text {self.value!r}"
+    words = "the text {value!r}"
 
 
 @dataclass(frozen=True)
@@ -169,6 +177,9 @@ AnyType = (
     | OptionalType
     | ArrayType
     | RowType
+    | MaybeRowType
+    | FoundType
+    | PatchesType
     | MindType
     | HierarchyType
     | PopulationType
@@ -194,6 +205,12 @@ def unified(one: AnyType, other: AnyType) -> AnyType | None:
         return one
     if {one, other} == {INT, FLOAT}:
         return FLOAT
+    if {one, other} <= {NOBODY, NONE}:
+        return NOBODY
+    agents = [kind for kind in (one, other) if isinstance(kind, RowType | MaybeRowType)]
+    if agents and all(kind in (NOBODY, NONE) or kind in agents for kind in (one, other)):
+        population = agents[0].population
+        return MaybeRowType(population) if agents[-1].population == population else None
     if isinstance(one, TupleType) and isinstance(other, TupleType):
         if len(one.items) != len(other.items):
             return None

@@ -87,20 +87,20 @@ class SocietyAgent(mesa.Agent):
     @property
     def pos(self) -> tuple[float, float]:
         """The place on Mesa's grid, whose patches are counted from 0: what Mesa 3 draws."""
-        low = self._low
+        low_x, low_y = self._low
         row = self.row
-        return row.x - low, row.y - low
+        return row.x - low_x, row.y - low_y
 
     @pos.setter
     def pos(self, place: tuple[float, float] | None) -> None:
         if place is not None:  # mesa.Agent begins with None
-            low = self._low
-            row = self.row
-            row.x, row.y = place[0] + low, place[1] + low
+            low_x, low_y = self._low
+            self._table.model.ground.put(self.row, place[0] + low_x, place[1] + low_y)
 
     @property
-    def _low(self) -> int:
-        return int(getattr(self._table.model.ground.world, "low", 0))
+    def _low(self) -> tuple[int, int]:
+        world = self._table.model.ground.world
+        return getattr(world, "low_x", 0), getattr(world, "low_y", 0)
 
     @property
     def cell(self) -> Any:

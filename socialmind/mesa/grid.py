@@ -1,4 +1,4 @@
-"""The torus of a society as a grid of Mesa, with the patches' fields as property layers."""
+"""The patches of a society as a grid of Mesa, with the patches' fields as property layers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.society.table import Table
-from socialmind.worlds.torus.patches import Grid
+from socialmind.worlds.grid.patches import PatchWorld
 
 MAX_CELLS = 1_000_000
 """Mesa makes an object of each cell, of about 2 kB with its eight connections."""
@@ -27,13 +27,13 @@ if _MESA_LAYER is not None:
 
         Args:
             name: the field.
-            world: the torus of the society.
+            world: the patches of the society.
         """
 
-        def __init__(self, name: str, world: Grid) -> None:
+        def __init__(self, name: str, world: PatchWorld) -> None:
             self.world = world
             self.name = name
-            self.dimensions = (world.size, world.size)
+            self.dimensions = (world.width, world.height)
 
         def _read(self) -> Any:
             return self.world.layer(self.name)
@@ -49,12 +49,12 @@ if _MESA_LAYER is not None:
 class SocietyGrid(discrete_space.OrthogonalMooreGrid):
     """Mesa's grid of cells over a society's patches.
 
-    Cells are counted from 0: the cell (i, j) is the patch (low + i, low + j). Layers are views of
-    the patches themselves, so writing to them writes to the society. Fields that may be None and
-    arrays have no layer.
+    Cells are counted from 0: the cell (i, j) is the patch (low_x + i, low_y + j). Layers are views
+    of the patches themselves, so writing to them writes to the society. Fields that may be None and
+    arrays have no layer. Mesa knows no world that wraps along one axis: its cells end there.
 
     Args:
-        world: the torus of the society.
+        world: the patches of the society.
         random: the random numbers of the Mesa model.
 
     Raises:
@@ -62,14 +62,15 @@ class SocietyGrid(discrete_space.OrthogonalMooreGrid):
         ModelError: a field of the patches has a name that Mesa's cells use.
     """
 
-    def __init__(self, world: Grid, random: Random) -> None:
-        size = world.size
-        if size * size > MAX_CELLS:
+    def __init__(self, world: PatchWorld, random: Random) -> None:
+        width, height = world.width, world.height
+        if width * height > MAX_CELLS:
             raise SocialmindError(
-                f"a world of {size} × {size} patches; Mesa's grid holds at most {MAX_CELLS:,} "
+                f"a world of {width} × {height} patches; Mesa's grid holds at most {MAX_CELLS:,} "
                 "cells; draw model.society.world with matplotlib instead"
             )
-        super().__init__((size, size), torus=True, random=random)
+        torus = bool(world.wraps_x and world.wraps_y)  # Mesa has no cylinders
+        super().__init__((width, height), torus=torus, random=random)
         self.world = world
         self._by_patch = list(self._cells.values())
         self._seen: dict[str, tuple[NDArray[Any], NDArray[Any]]] = {}
@@ -124,8 +125,8 @@ class SocietyGrid(discrete_space.OrthogonalMooreGrid):
     def _patches(self, x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.int64]:
         if not (np.isfinite(x).all() and np.isfinite(y).all()):
             raise SocialmindError("an agent at a place that is not finite has no cell in the grid")
-        low, size = self.world.low, self.world.size
-        column = (np.floor(x + 0.5).astype(np.int64) - low) % size
-        row = (np.floor(y + 0.5).astype(np.int64) - low) % size
-        patches: NDArray[np.int64] = column * size + row
+        world = self.world
+        column = (np.floor(x + 0.5).astype(np.int64) - world.low_x) % world.width
+        row = (np.floor(y + 0.5).astype(np.int64) - world.low_y) % world.height
+        patches: NDArray[np.int64] = column * world.height + row
         return patches

@@ -74,7 +74,7 @@ class SocietyModel(mesa.Model):
         if not name.startswith("_") and "society" in self.__dict__:
             if name in ("grid", "space", "space_of_cells") and not self.society.ground.layered:
                 # Python comes here when these raised AttributeError; say why.
-                raise AttributeError(f"{self.society.name} has no torus, hence no grid")
+                raise AttributeError(f"{self.society.name} has no patches, hence no grid")
             series = self.society.series()
             if name in series:
                 return series[name]
@@ -150,7 +150,7 @@ class SocietyModel(mesa.Model):
         """
         if self._grid is None:
             if not self.society.ground.layered:
-                raise AttributeError(f"{self.society.name} has no torus, hence no grid")
+                raise AttributeError(f"{self.society.name} has no patches, hence no grid")
             self._grid = SocietyGrid(self.society.ground.world, self.random)
         return self._grid
 

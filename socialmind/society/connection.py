@@ -57,6 +57,9 @@ def _address(array: Any) -> int:
 def _all_arrays(model: Running) -> dict[str, Any]:
     """Return the arrays of a model by the names that the record gives their addresses."""
     arrays: dict[str, Any] = dict(model.ground.arrays())
+    for name in model.program.sought:
+        for part, array in model.tables[name].index(model.program.loops_over_found).items():
+            arrays[f"{name}_{part}"] = array
     for name, table in model.tables.items():
         for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
             arrays[f"{name}_{part}"] = getattr(table, part)

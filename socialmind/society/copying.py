@@ -20,7 +20,7 @@ def _settings_of(society: Any) -> dict[str, Any]:
         "physics": society.physics,
         "without": society.without,
     }
-    return settings | society.parameter_values()
+    return settings | society.parameter_values() | society._tables_given
 
 
 def parts_of(society: Any) -> tuple[type, dict[str, Any], dict[str, Any]]:

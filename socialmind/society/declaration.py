@@ -182,9 +182,10 @@ def _check_kind(cls: type, parameter: Parameter, kind: Any) -> None:
 
 def _check_sizes(cls: type, found: Declaration) -> None:
     """Refuse a size that is neither a number nor a parameter of whole numbers."""
-    sized: list[tuple[str, Any, int]] = [(n, p.size, 0) for n, p in found.populations.items()]
-    if found.world.size is not None:
-        sized.append(("world", found.world.size, 1))
+    sized: list[tuple[str, Any, int]] = [
+        (n, p.size, 0) for n, p in found.populations.items() if p.table is None
+    ]
+    sized += [("world", one, 1) for one in found.world.sizes]
     whole = [name for name, one in found.parameters.items() if one.kind is int]
     for name, size, least in sized:
         if isinstance(size, str):

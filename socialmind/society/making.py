@@ -18,6 +18,7 @@ from socialmind.agents.running import Running
 from socialmind.compiling.layout import row_dtype
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, presence
+from socialmind.society.beginning import Beginning, beginning_of, is_table
 from socialmind.society.connection import names_of_minds
 from socialmind.society.parameter import Parameter
 from socialmind.society.population import Population
@@ -104,8 +105,7 @@ def ground_of(society: Running, world: World) -> Ground:
     Raises:
         SocialmindError: the parameter that gives its size is less than 1.
     """
-    size = None if world.size is None else size_of(society.context, world.size, 1)
-    return world.ground(society, size)
+    return world.ground(society, *(size_of(society.context, one, 1) for one in world.sizes))
 
 
 def names_in_minds(society: Running, files: Mapping[str, Path]) -> dict[str, NDArray[np.int64]]:
@@ -204,19 +204,65 @@ def _check_plans(
             )
 
 
-def tables_of(society: Running, steerings: Mapping[str, Steering]) -> dict[str, Table]:
+def beginnings_of(
+    society: Running,
+    given: Mapping[str, Any],
+    parameters: Mapping[str, Any],
+    folder: Callable[[], Path],
+) -> dict[str, Beginning]:
+    """Return the tables that populations begin with; a parameter that is their size says so too.
+
+    Args:
+        society: whose record is filled.
+        given: tables for some of its populations, in place of what they declare.
+        parameters: what was given for parameters.
+        folder: gives the model's.
+
+    Raises:
+        SocialmindError: a table cannot be read, or it is of another size than a parameter says.
+    """
+    found = {}
+    for name, population in society.populations.items():
+        source = given.get(name, population.table)
+        if source is None:
+            continue
+        if not is_table(source):
+            raise SocialmindError(
+                f"{name}={shown(source)}, which is a population of {society.name}; expected a "
+                "table: a CSV or Parquet file, a data frame, or columns by their names"
+            )
+        fields = society.shape.populations[name].fields
+        found[name] = beginning_of(source, name, fields, folder if name not in given else Path)
+        count, size = found[name].count, population.size
+        if isinstance(size, str) and parameters.get(size, count) != count:
+            raise SocialmindError(
+                f"{size}={parameters[size]} where {found[name].what} has {count} rows; leave it out"
+            )
+        if isinstance(size, str):
+            society.context[size] = type(society).parameters[size].stored(count)  # type: ignore[attr-defined]
+    return found
+
+
+def tables_of(
+    society: Running, steerings: Mapping[str, Steering], beginnings: Mapping[str, Beginning]
+) -> dict[str, Table]:
     """Return the populations of a society, with the agents that it begins with.
 
     Args:
         society: with its ground, schemes and assemblies.
         steerings: the hierarchies of skills of those that have some.
+        beginnings: the tables of those that begin with one.
 
     Raises:
-        SocialmindError: more agents than there is memory for.
+        SocialmindError: a table holds what a field cannot, or more agents than there is memory for.
     """
     sizes = {}
     for name, population in society.populations.items():
-        sizes[name] = size_of(society.context, population.size, 0)
+        sizes[name] = (
+            beginnings[name].count
+            if name in beginnings
+            else size_of(society.context, population.size, 0)
+        )
         shape = society.shape.populations[name]
         # Beside its row an agent has a place in five more arrays, and its mind.
         row = row_dtype(dict(shape.fields), shape).itemsize + 5 * 8
@@ -235,6 +281,8 @@ def tables_of(society: Running, steerings: Mapping[str, Steering]) -> dict[str, 
             skills = partial(_skills, society, name, steerings[name].drive)
         shape = society.shape.populations[name]
         tables[name] = Table(society, shape, sizes[name], minds, skills)
+        if name in beginnings:
+            tables[name].begin_with(beginnings[name])
     return tables
 
 

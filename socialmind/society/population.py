@@ -18,7 +18,8 @@ from socialmind.agents.agent import Agent
 from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
 from socialmind.language.shape import PopulationShape
-from socialmind.society.table import Table
+from socialmind.society.beginning import is_table
+from socialmind.society.table import KEPT_BY_TABLES, Table
 
 if TYPE_CHECKING:
     from coglogo_py import CognitiveScheme
@@ -29,11 +30,8 @@ if TYPE_CHECKING:
     from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 
-TAKEN_NAMES = frozenset((
-    "id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy", "minds", "acting", "alive",
-    "columns", "counters", "default", "dtype", "free", "model", "order", "row_class", "rows",
-    "shape", "slot_of", "society", "weighing",
-))  # fmt: skip
+_OF_AGENTS = ("id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy")
+TAKEN_NAMES = KEPT_BY_TABLES.union(_OF_AGENTS)
 """What an agent, and a population's table, keep under these names beside its methods."""
 
 
@@ -43,7 +41,8 @@ class Population:
 
     Args:
         agent: the annotated class of its agents, which inherits from `Agent`.
-        size: how many there are at the start: a number, or the name of a parameter.
+        size: how many there are at the start: a number, or the name of a parameter; left out where
+            a table says it.
         mind: the scheme of their minds: a file beside the model, or a `CognitiveScheme`.
         plans: the function of each plan, by the plan's name in the scheme.
         decision_makers: decision makers of the modeller's own that the scheme's file may name.
@@ -61,10 +60,12 @@ class Population:
         actuators: the actuators of each body, by name.
         bounds: the smallest and largest value that the model's rules let cognitons take, by name
             (`{"Fear": (0.0, 10.0)}`); `explain` proposes no change beyond them.
+        table: what they begin with, a row an agent, a column a field: a CSV or Parquet file beside
+            the model, a data frame, an Arrow table, or columns by their names.
     """
 
     agent: type
-    size: int | str
+    size: int | str | None = None
     mind: str | Path | CognitiveScheme | None = None
     plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
     decision_makers: tuple[Any, ...] = ()
@@ -78,6 +79,7 @@ class Population:
     sensors: Mapping[str, Sense | RangeFinder] = field(default_factory=dict)
     actuators: Mapping[str, Act] = field(default_factory=dict)
     bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    table: Any = None
     name: str = field(default="", init=False)
 
     def __post_init__(self) -> None:
@@ -106,6 +108,7 @@ class Population:
                 None,
                 "name its scheme: mind='scheme.yaml'",
             )
+        self._check_size()
         self._check_hierarchy()
         for cogniton, ends in self.bounds.items():
             pair = isinstance(ends, tuple | list) and len(ends) == 2
@@ -124,6 +127,22 @@ class Population:
                 raise ModelError(found, expected, None, file, line)
             if held.name in Agent.__annotations__ and (held.storage, held.size) != ("f8", None):
                 raise ModelError(found, "a float, as in every agent", None, file, line)
+
+    def _check_size(self) -> None:
+        """Refuse a population of which neither or both of size and table say how many there are."""
+        if (self.size is None) == (self.table is None):
+            both = "both a size and a table" if self.size is not None else "neither size nor table"
+            raise ModelError(
+                f"{both} for {self.name!r}",
+                "one of them",
+                "write Population(Human, 10), or Population(Human, table='people.csv')",
+            )
+        if self.table is not None and not is_table(self.table):
+            raise ModelError(
+                f"the table {shown(self.table)} for {self.name!r}",
+                "a CSV or Parquet file, a data frame, or columns by their names",
+                "write table='people.csv'",
+            )
 
     def _check_hierarchy(self) -> None:
         """Refuse what belongs to a hierarchy where there is none, and wrong instances."""

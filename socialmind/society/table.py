@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,15 +18,20 @@ from socialmind.columns import check_fields, column, columns_of
 from socialmind.compiling.layout import row_dtype
 from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
 from socialmind.fields import Field, presence, set_default
+from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
+from socialmind.society.beginning import Beginning
 from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
+from socialmind.worlds.neighbours.asked import QUESTIONS
+from socialmind.worlds.neighbours.index import arrays as index_arrays
 
 if TYPE_CHECKING:
-    from coglogo_py import Mind, Society
+    from coglogo_py import Mind
     from socialmind.agents.running import Running
     from socialmind.language.program import Program
+    from socialmind.mind.contract import CognitonMinds
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
 
@@ -49,6 +55,7 @@ class Table:
         model.humans[3].wheat
         model.humans.wheat = 0.0
         model.humans.wheat *= 2
+        model.humans.sum("wheat"), also mean, min, max: as rules compute them, in order of birth
 
     Args:
         model: the model.
@@ -63,7 +70,7 @@ class Table:
         model: Running,
         shape: PopulationShape,
         size: int,
-        society: Society | None,
+        society: CognitonMinds | None,
         minds: Callable[[int], PopulationMinds] | None = None,
     ) -> None:
         self.model = model
@@ -75,6 +82,7 @@ class Table:
         for field in shape.fields.values():
             set_default(self.default, field)
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
+        keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
         for name in ("x", "y", "heading"):
             self.default[name] = self._kept_within(name, self.default[name])
@@ -109,6 +117,8 @@ class Table:
         self._held = held_class(self._bare, shape)
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
+        self._placed_by: Beginning | None = None
+        self._index: dict[str, NDArray[Any]] = {}
         self._see_columns()
 
     def _see_columns(self) -> None:
@@ -138,11 +148,19 @@ class Table:
             ) from None
         return self.row_class(self, slot)
 
-    def __getattr__(self, name: str) -> NDArray[Any]:
-        """Return a field of the living agents, in order of birth: a copy, and read-only."""
+    def __getattr__(self, name: str) -> Any:
+        """Return a field of the living agents, in order of birth: a copy, and read-only.
+
+        Or, under a name that is no field, what is asked of all of them (`mean`, …) or around
+        somebody (`near`, `nearest` …).
+        """
         shape = self.__dict__.get("shape")
         if shape is None or name.startswith("_"):
             raise AttributeError(f"no attribute {name!r}")
+        if name in AGGREGATES and name not in shape.fields:
+            return partial(self._aggregated, name)
+        if name in QUESTIONS and name not in shape.fields:
+            return partial(QUESTIONS[name], self)
         if name != "id" and name not in shape.fields:
             raise unknown(name, shape.name, type(self), ["id", *shape.fields])
         values = self.columns["_id" if name == "id" else name][self.slots]
@@ -222,7 +240,18 @@ class Table:
             slots[row] = bookkeeping.slot_of_agent(self.slot_of, int(identity))
         self._put(columns, slots)
 
-    def _put(self, fields: Mapping[str, Any], slots: NDArray[np.int64]) -> None:
+    def begin_with(self, beginning: Beginning) -> None:
+        """Set fields of the founders from the table that they begin with, before any setup."""
+        self._put(beginning.columns, self.slots, beginning)
+        if {"x", "y"} <= beginning.columns.keys():
+            self._placed_by = beginning
+
+    def _put(
+        self,
+        fields: Mapping[str, Any],
+        slots: NDArray[np.int64],
+        of: Beginning | None = None,
+    ) -> None:
         """Write fields of the agents in some slots, once all of them are checked."""
         check_fields(fields, self.shape.fields, repr(self.shape.name))
         checked = {}
@@ -233,24 +262,31 @@ class Table:
                 field,
                 values,
                 len(slots),
-                f"the field {name!r} of {self.shape.name!r}",
-                lambda place: f"agent {identities[place]} (row {place})",
+                f"the field {name!r} of {self.shape.name!r}"
+                if of is None
+                else f"{of.what}, column {name!r}",
+                of.row
+                if of is not None
+                else lambda place: f"agent {identities[place]} (row {place})",
             )
-            checked[name] = self._kept_within(name, found), there
+            checked[name] = self._kept_within(name, found, of), there
         for name, (found, there) in checked.items():
             self.columns[name][slots] = found
             if self.shape.fields[name].optional:
                 self.columns[presence(name)][slots] = there
 
-    def _kept_within(self, name: str, values: NDArray[Any]) -> NDArray[Any]:
+    def _kept_within(
+        self, name: str, values: NDArray[Any], of: Beginning | None = None
+    ) -> NDArray[Any]:
         """Return places and headings as agents keep them, one by one as rules set them."""
-        if name == "heading":
-            return np.array([turned(one) for one in values.tolist()], float)
         keep = self._keepers.get(name)
         if keep is None:
             return values
         whose = repr(self.shape.name)
-        kept = [keep(one, f"{whose} (row {row})") for row, one in enumerate(values.tolist())]
+        kept = [
+            keep(one, f"{whose} (row {row})" if of is None else f"{of.what}, {of.row(row)}")
+            for row, one in enumerate(values.tolist())
+        ]
         return np.array(kept, float)
 
     def hand_out(self, bare: bool) -> None:
@@ -301,6 +337,14 @@ class Table:
             self, int(bookkeeping.nth_living(self.counters, self.order, self.alive, place))
         )
 
+    # Sums over a field ------------------------------------------------------------------------
+
+    def _aggregated(self, what: str, name: str) -> Any:
+        whose = f"agents of {self.shape.name!r}"
+        field = field_called(name, self.shape.fields, whose, (float, int, bool))
+        values = self.columns[field.name][self.slots].tolist()
+        return aggregated(what, values, field, "a population without agents")
+
     # Births and deaths ------------------------------------------------------------------------
 
     def create(self) -> Any:
@@ -333,6 +377,7 @@ class Table:
         """Take an agent out of the world; its mind leaves its groups."""
         slot = agent._slot
         if self.alive[slot]:
+            self.model.ground.leave(self, slot)
             bookkeeping.died(self.counters, self.alive, self.slot_of, slot, agent.id)
             if self.society is not None:
                 self.mind_of(slot).die()
@@ -406,13 +451,9 @@ class Table:
         return {name: getattr(self, name).copy() for name in self._STATE}
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take the arrays of a checkpoint."""
+        """Take the arrays of a checkpoint, as `check_state` finds them."""
         for name in self._STATE:
             setattr(self, name, np.array(state[name]))
-        if self.rows.dtype != self.dtype:
-            raise SocialmindError(
-                f"the checkpoint's agents of {self.shape.name!r} have other fields than the model's"
-            )
         self.acting = np.zeros(len(self.rows), np.int64)
         self._see_columns()
 
@@ -428,6 +469,16 @@ class Table:
             if self.weighing is not None:
                 self._scratch |= vars(self.weighing)
         return self._scratch
+
+    def index(self, loops: int) -> dict[str, NDArray[Any]]:
+        """Return the arrays by which compiled rules find agents.
+
+        Args:
+            loops: how many loops of the rules go over what they found.
+        """
+        if not self._index or len(self._index["near_entries"]) != len(self.rows):
+            self._index = index_arrays(len(self.rows), loops)
+        return self._index
 
     @property
     def acting_order(self) -> NDArray[np.int64]:

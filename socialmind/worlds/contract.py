@@ -1,4 +1,4 @@
-"""What a world gives a society. Torus, plane and none meet it, and so does any that is added.
+"""What a world gives a society. Grid, plane and none meet it, and so does any that is added.
 
 A world is three things: its declaration, which a modeller writes (`World`); its shape, which rules
 are typed and compiled against (`socialmind.language.shape.WorldShape`); and the ground of a running
@@ -13,7 +13,7 @@ society (`Ground`). Nothing outside this folder asks which world it is.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,21 +27,48 @@ Place = Callable[[str], tuple[str | None, int | None]]
 """Gives the file and the line of an attribute of a model's class."""
 
 
+class Extent(NamedTuple):
+    """The rectangle that agents are in, as those who look for neighbours know it.
+
+    Attributes:
+        low_x: its left end.
+        low_y: its lower end.
+        width: how wide it is.
+        height: how high.
+        wraps_x: whether its right end lies beside its left one.
+        wraps_y: whether its upper end lies beside its lower one.
+        whole: whether it consists of patches, squares of side 1.
+    """
+
+    low_x: float
+    low_y: float
+    width: float
+    height: float
+    wraps_x: bool
+    wraps_y: bool
+    whole: bool
+
+
 class World:
     """The declaration of a world, as the attribute `world` of a model; this one is none.
 
     Attributes:
-        size: a number that decides its memory, or the parameter of whole numbers that gives it.
+        sizes: what decides its memory, each a number or the parameter of whole numbers that gives
+            it, 1 or more.
         devices: what a model may declare for it beside its populations: attribute and class.
         has_episodes: whether interruptions end a run there, and not `stop_when`.
     """
 
-    size: int | str | None = None
+    sizes: tuple[int | str, ...] = ()
     devices: Mapping[str, type] = {}  # never changed
     has_episodes = False
 
     def __get__(self, model: Any, owner: type) -> Any:
         return self if model is None else model.ground.world
+
+    def __str__(self) -> str:
+        """What listings call it."""
+        return type(self).__name__
 
     def check(self) -> None:
         """Refuse a declaration that is wrong.
@@ -67,12 +94,12 @@ class World:
                 )
         return WorldShape()
 
-    def ground(self, society: Running, size: int | None) -> Ground:
+    def ground(self, society: Running, *sizes: int) -> Ground:
         """Return the world of a running society, whose tables are not made yet.
 
         Args:
             society: the society.
-            size: what `size` comes to there.
+            sizes: what `sizes` come to there.
         """
         return Ground(society)
 
@@ -129,6 +156,11 @@ class Ground:
         """How many things a setup visits beside agents: patches."""
         return 0
 
+    @property
+    def extent(self) -> Extent | None:
+        """The rectangle that agents are in; None where nobody is anywhere."""
+        return None
+
     # Agents in it -----------------------------------------------------------------------------
 
     def keeper(self, population: str, field: str) -> Callable[[float, str], float] | None:
@@ -137,6 +169,13 @@ class Ground:
         It takes the value and, for an error, whose it is.
         """
         return None
+
+    def put(self, agent: Any, x: float, y: float) -> None:
+        """Move an agent, as from outside the rules."""
+        agent.x, agent.y = x, y
+
+    def leave(self, table: Any, slot: int) -> None:
+        """Take note that the agent in a slot of a table dies."""
 
     def hand_out(self, bare: bool) -> None:
         """Give out parts of the world as rules hold them, bare, or, as else, as users do."""

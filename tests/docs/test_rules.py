@@ -12,7 +12,7 @@ from socialmind.catalogue import load_model
 from socialmind.language import refusals
 from socialmind.language.typing.built_in import BUILT_IN
 from socialmind.language.typing.signatures import MATH, MATH_CONSTANTS, MIND, OF_SEVERAL, RNG
-from socialmind.worlds.torus.geometry import COMMANDS
+from socialmind.worlds.grid.geometry import COMMANDS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "rules.md").read_text("utf-8")
 BLOCK = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)

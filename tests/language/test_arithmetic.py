@@ -92,7 +92,7 @@ def compiled(name):
     function = getattr(arithmetic, name)
     if name in ONE or name in ("absolute_int", "opaque", "turned"):
         return numba.njit(lambda x: function(x))
-    if name in ("fitting", "brought_back"):
+    if name in ("fitting", "brought_back", "within_walls"):
         return numba.njit(lambda x, y, z: function(x, y, z))
     return numba.njit(lambda x, y: function(x, y))
 
@@ -106,6 +106,7 @@ def test_every_function_is_tried():
         "position",
         "fitting",
         "brought_back",
+        "within_walls",
         "turned",
         "within",
     }
@@ -237,6 +238,14 @@ def test_places_on_a_torus():
     assert arithmetic.brought_back(2.5, -2, 5) == -2.5
     assert arithmetic.brought_back(3.25, -2, 5) == -1.75
     assert arithmetic.brought_back(-2.5000000000000004, -2, 5) < 2.5
+
+
+def test_places_between_walls():
+    fast = compiled("within_walls")
+    for value in FLOATS:
+        here = outcome(arithmetic.within_walls, value, -2, 5)
+        assert outcome(fast, value, -2, 5) == here, value
+        assert here == (struct.pack("d", value) if -2.5 <= value < 2.5 else "ValueError")
 
 
 def test_headings():

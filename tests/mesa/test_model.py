@@ -457,7 +457,7 @@ def test_a_model_without_a_world_has_no_grid():
     assert model.agents.get("steps_taken") == [1, 1, 1]
     assert not hasattr(model, "grid")
     assert not hasattr(model, "space")
-    with pytest.raises(AttributeError, match="no torus"):
+    with pytest.raises(AttributeError, match="no patches"):
         _ = model.space_of_cells
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_model
-from socialmind.worlds.torus.geometry import lattice
+from socialmind.worlds.grid.geometry import lattice
 
 CHECKOUT = Path(__file__).parents[2]
 PRICE = 167.0

@@ -12,7 +12,7 @@ def stroll(world, agent, length):
 
 class Ring(World):
     def __init__(self, size):
-        self.size = size
+        self.sizes = (size,)
 
     def shape(self, model, place):
         return RingShape()
@@ -24,7 +24,9 @@ class Ring(World):
 
 
 class RingShape(WorldShape):
-    numbers, columns, commands = ("length",), ("world_length",), {"stroll": stroll}
+    numbers, columns, commands = (
+        {"length": "_model._world_length"}, ("world_length",), {"stroll": stroll}
+    )  # fmt: skip
 
     def kept_within(self, population, field):
         return ("_brought_back", "0", "_model._world_length") if field == "x" else ()

@@ -12,6 +12,7 @@ from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import MATH_REMEDIES, NAMES
 from socialmind.language.typing import tables
 from socialmind.language.typing.comprehensions import REDUCTIONS, reduced
+from socialmind.language.typing.neighbours import how_many
 from socialmind.language.typing.operators import typed_power
 from socialmind.language.typing.signatures import MATH, WRITTEN, Signature
 
@@ -132,16 +133,15 @@ def _extreme(name: str) -> Callable[[Typer, ast.Call], Typed]:
 
 def _sum(typer: Typer, node: ast.Call) -> Typed:
     value, kind = typer.several(_only(typer, node, "sum"))
-    if isinstance(kind, types.TableType) and kind.item in (types.BOOL, types.INT):
-        return call(
-            "_total_int", [tables.written(tuple(map(int, kind.values)), node)], node
-        ), types.INT
-    if isinstance(kind, types.TableType) and kind.item == types.FLOAT:
-        return call("_total", [value, constant(0.0, node)], node), types.FLOAT
-    if not isinstance(kind, types.ArrayType):
+    if not isinstance(kind, types.TableType | types.ArrayType):
         typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
-    if kind.of == types.FLOAT:
+    of = kind.item if isinstance(kind, types.TableType) else kind.of
+    if of not in types.NUMBERS:
+        typer.refuse(node, f"the sum of {kind}", "add up in a for loop")
+    if of == types.FLOAT:
         return call("_total", [value, constant(0.0, node)], node), types.FLOAT
+    if isinstance(kind, types.TableType):
+        value = tables.written(tuple(map(int, kind.values)), node)
     return call("_total_int", [value], node), types.INT
 
 
@@ -153,6 +153,8 @@ def _len(typer: Typer, node: ast.Call) -> Typed:
         return constant(kind.size, node), types.INT
     if isinstance(kind, types.PopulationType):
         return marked(call("_len", [value], node), ("count", kind.population)), types.INT
+    if isinstance(kind, types.FoundType | types.PatchesType):
+        return how_many(value, kind, node)
     return typer.refuse(node, f"the length of {kind}", "count populations and array fields")
 
 

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import close, nearest
 from socialmind.language import hints, types
+from socialmind.language.aggregates import AGGREGATES
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
+from socialmind.language.typing import neighbours
 from socialmind.language.typing.built_in import (
     BUILT_IN,
     built_in,
@@ -22,6 +24,7 @@ from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.draws import typed_draw
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
+from socialmind.language.typing.world_calls import population_aggregate, world_call
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -146,7 +149,9 @@ def helper(typer: Typer, node: ast.Call, function: Any, first: list[Typed] | Non
     for place, (name, (value, kind)) in enumerate(given.items()):
         if isinstance(kind, types.OptionalType):
             value, kind = typer.present(value, kind)
-        if kind == types.NONE or isinstance(kind, types.TupleType):
+        if kind in (types.NONE, types.NOBODY) or isinstance(
+            kind, types.TupleType | types.FoundType | types.PatchesType
+        ):
             typer.refuse(
                 node, f"{kind} for {name!r} of {source.name}()", "give each parameter one value"
             )
@@ -171,6 +176,13 @@ def helper(typer: Typer, node: ast.Call, function: Any, first: list[Typed] | Non
 def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
     base, kind = typer.expression(func.value)
     name = func.attr
+    if isinstance(kind, types.MaybeRowType):
+        base, kind = neighbours.agent_there(base, kind)
+    if isinstance(kind, types.FoundType | types.PatchesType):
+        if name != "one_of":
+            advice = "loop over it, or write len(…) or ….one_of(rng)"
+            typer.refuse(node, f"{name}() of {kind}", hints.SETS.get(name, advice))
+        return neighbours.one_found(typer, node, base, kind)
     if kind == types.RNG:
         return typed_draw(typer, node, base, name)
     if isinstance(kind, types.MindType):
@@ -268,7 +280,15 @@ def _population(
         if len(index) != 1:
             typer.refuse(node, "contains() of other than one identity", "write contains(id)")
         return method_call(node, base, name, index, ("contains", kind.population)), types.BOOL
-    advice = close(name, ("create", "one_of", "contains")) if name not in hints.POPULATION else None
+    if name in neighbours.AGENTS:
+        return neighbours.agents_found(typer, node, base, kind, name)
+    if name in AGGREGATES:
+        return population_aggregate(typer, node, base, kind, name)
+    advice = (
+        close(name, ("create", "one_of", "contains", *neighbours.AGENTS, *AGGREGATES))
+        if name not in hints.POPULATION
+        else None
+    )
     return typer.refuse(
         node,
         f"{name}() of {kind}",
@@ -281,12 +301,21 @@ def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: types.WorldType, 
     if name == "patch" and world.patch is not None:
         arguments = fitted(typer, node, "patch", Signature((types.FLOAT, types.FLOAT), types.NONE))
         return method_call(node, base, name, arguments, ("patch_at",)), types.PatchType()
+    if name in neighbours.PATCHES and world.patch is not None:
+        return neighbours.patches_found(typer, node, base, name)
+    if name in world.calls:
+        return world_call(typer, node, base, name)
     if name in world.commands:
         return helper(typer, node, world.commands[name], first=[(base, kind)])
-    if name in ("in_radius", "patches"):
-        loop = "patches" if name == "patches" else "in_radius(agent, radius)"
-        typer.refuse(node, f"{name} as a value", f"write `for patch in model.world.{loop}:`")
+    if name == "patches":
+        typer.refuse(node, "patches as a value", "write `for patch in model.world.patches:`")
     advice = hints.for_world(
-        typer, name, [*world.commands, *(("patch", "in_radius") if world.patch is not None else ())]
+        typer,
+        name,
+        [
+            *world.commands,
+            *world.calls,
+            *(("patch", *neighbours.PATCHES) if world.patch is not None else ()),
+        ],
     )
     return typer.refuse(node, f"the world's {name}()", advice)

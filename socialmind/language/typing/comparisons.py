@@ -9,6 +9,7 @@ from socialmind.errors import nearest
 from socialmind.language import types
 from socialmind.language.nodes import Typed, constant, marked
 from socialmind.language.typing import tables
+from socialmind.language.typing.neighbours import perhaps
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -37,7 +38,7 @@ def typed_comparison(typer: Typer, node: ast.Compare) -> Typed:
     if any(isinstance(kind, types.TupleType | types.TableType) for kind in kinds):
         advice = "compare them one by one: `x == 0 and y == 1`"
         typer.refuse(node, "several values in a comparison", advice)
-    if any(isinstance(kind, types.RowType) for kind in kinds):
+    if any(isinstance(kind, types.RowType | types.MaybeRowType) for kind in kinds):
         return _agents(typer, node, typed)
     if len(typed) == 2 and kinds[0] == kinds[1] == types.BOOL:
         return _compare(node, [value for value, _ in typed]), types.BOOL
@@ -67,6 +68,9 @@ def _identity(typer: Typer, node: ast.Compare) -> Typed:
     if isinstance(other, ast.Constant) and other.value is None:
         if not isinstance(operator, ast.Is | ast.IsNot):
             typer.refuse(node, "None compared by its value", "write `is None` or `is not None`")
+        if isinstance(kind, types.MaybeRowType) or kind == types.NOBODY:
+            new = _compare(node, [left, constant(None, other)])
+            return marked(new, ("none_agent", isinstance(operator, ast.IsNot))), types.BOOL
         if not isinstance(kind, types.OptionalType | types.PlanType):
             typer.refuse(
                 node,
@@ -77,7 +81,8 @@ def _identity(typer: Typer, node: ast.Compare) -> Typed:
         new = _compare(node, [left, constant(None, other)])
         return marked(new, ("none", negated, isinstance(kind, types.PlanType))), types.BOOL
     right = typer.expression(other)
-    if isinstance(kind, types.RowType) and isinstance(right[1], types.RowType):
+    agents = types.RowType | types.MaybeRowType
+    if isinstance(kind, agents) and isinstance(right[1], agents):
         return _agents(typer, node, [(left, kind), right])
     return typer.refuse(node, "`is` between values", "write `==`; `is` is for None and agents")
 
@@ -122,12 +127,15 @@ def _agents(typer: Typer, node: ast.Compare, typed: list[Typed]) -> Typed:
     operator = _SAMENESS.get(type(node.ops[0]))
     if len(typed) != 2 or operator is None:
         typer.refuse(node, "agents in a comparison of size", "compare their fields")
-    if kind != other:
+    if types.unified(kind, other) is None:
         typer.refuse(
             node,
             f"{kind} compared with {other}",
             "compare two agents of one population, or their fields",
         )
+    if kind != other or isinstance(kind, types.MaybeRowType):
+        sides = [perhaps(side, one) for side, one in typed]
+        return ast.copy_location(ast.Compare(sides[0], [operator()], sides[1:]), node), types.BOOL
     ids = [
         marked(ast.copy_location(ast.Attribute(side, "id", ast.Load()), node), ("id",))
         for side in (left, right)

@@ -16,7 +16,7 @@ from socialmind.language.nodes import Typed, call, constant, marked, written_num
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import RuleSource
-from socialmind.language.typing import operators, tables
+from socialmind.language.typing import neighbours, operators, tables
 from socialmind.language.typing.built_in import BUILT_IN
 from socialmind.language.typing.calls import typed_call
 from socialmind.language.typing.comparisons import typed_comparison
@@ -47,6 +47,7 @@ class ExpressionTyper:
         self.source = source
         self.variables: dict[str, types.AnyType] = {}
         self.assigned: set[str] = set()
+        self.guessed: set[str] = set()
         self.stored = {
             node.id
             for node in ast.walk(source.tree)
@@ -124,6 +125,13 @@ class ExpressionTyper:
         """Return a typed expression as another type, or refuse."""
         if kind == target:
             return value
+        if isinstance(target, types.MaybeRowType) and (
+            kind == types.NOBODY or getattr(kind, "population", None) == target.population
+        ):
+            return neighbours.perhaps(value, kind)
+        if isinstance(kind, types.MaybeRowType) and isinstance(target, types.RowType):
+            value, kind = neighbours.agent_there(value, kind)
+            return self.converted(value, kind, target, what, near)
         if isinstance(kind, types.OptionalType) and target in types.NUMBERS:
             value, kind = self.present(value, kind)
             return self.converted(value, kind, target, what, near)
@@ -175,7 +183,9 @@ class ExpressionTyper:
         if kind in (types.INT, types.FLOAT):
             zero = constant(0 if kind == types.INT else 0.0, node)
             return ast.copy_location(ast.Compare(value, [ast.NotEq()], [zero]), node)
-        if isinstance(kind, types.OptionalType | types.PlanType):
+        if isinstance(kind, types.FoundType | types.PatchesType):
+            self.refuse(node, f"{kind} as a condition", "write `len(…) > 0`")
+        if isinstance(kind, types.OptionalType | types.PlanType | types.MaybeRowType):
             self.refuse(
                 node,
                 "a value that may be None as a condition",
@@ -194,14 +204,10 @@ class ExpressionTyper:
 
     def _on_constant(self, node: ast.Constant) -> Typed:
         value = node.value
-        if isinstance(value, bool):
-            return constant(value, node), types.BOOL
-        if isinstance(value, int):
-            if not -(2**63) <= value < 2**63:
-                self.refuse(node, f"the number {value}", "write it as a float", "at most 64 bits")
-            return constant(value, node), types.INT
-        if isinstance(value, float):
-            return constant(value, node), types.FLOAT
+        if isinstance(value, int) and not -(2**63) <= value < 2**63:
+            self.refuse(node, f"the number {value}", "write it as a float", "at most 64 bits")
+        if isinstance(value, bool | int | float):
+            return constant(value, node), SCALARS[type(value)]
         if isinstance(value, str):
             return constant(value, node), types.TextType(value)
         if value is None:
@@ -223,6 +229,8 @@ class ExpressionTyper:
                     f"give {name!r} a value before the if or the loop",
                 )
             kind = self.variables[name]
+            if kind == types.NOBODY:
+                kind = self.variables[name] = self.agent_or_none(name)
             if isinstance(kind, types.TextType):
                 # A text is part of which function this is, not an argument of it.
                 return constant(kind.value, node), kind
@@ -236,6 +244,24 @@ class ExpressionTyper:
         if name in BUILT_IN:
             self.refuse(node, f"the function {name!r} as a value", f"call it: {name}(…)")
         return self.refuse(node, f"the unknown name {name!r}", hints.for_name(self, name))
+
+    def agent_or_none(self, name: str) -> types.AnyType:
+        """Return what a variable may hold that was None so far, by what is assigned elsewhere."""
+        if name in self.guessed:
+            return types.NOBODY
+        self.guessed.add(name)
+        for node in ast.walk(self.source.tree):
+            if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+                if node.targets[0].id == name and not isinstance(node.value, ast.Constant):
+                    try:
+                        _, kind = self.expression(node.value)
+                    except ModelError:  # something in it is not known yet
+                        continue
+                    if isinstance(kind, types.RowType | types.MaybeRowType):
+                        self.guessed.discard(name)
+                        return types.MaybeRowType(kind.population)
+        self.guessed.discard(name)
+        return types.NOBODY
 
     def module_value(self, node: ast.expr, name: str, value: Any) -> Typed:
         """Return a constant of the author's file (or of `math`), written in its place."""
@@ -289,6 +315,8 @@ class ExpressionTyper:
             if isinstance(module, python_types.ModuleType):
                 return self.module_attribute(node, module)
         base, kind = self.expression(node.value)
+        if isinstance(kind, types.MaybeRowType):
+            base, kind = neighbours.agent_there(base, kind)
         new = ast.copy_location(ast.Attribute(base, node.attr, ast.Load()), node)
         if kind == types.MODEL:
             return self._model_attribute(new)
@@ -302,7 +330,7 @@ class ExpressionTyper:
             numbers = self.shape.world.numbers
             if node.attr in numbers:
                 return marked(new, ("world_number", node.attr)), types.INT
-            remedy = hints.for_world(self, node.attr, numbers)
+            remedy = hints.for_world(self, node.attr, tuple(numbers))
             if node.attr == "patches":
                 remedy = "write `for patch in model.world.patches:`"
             self.refuse(node, f"the world's {node.attr!r} as a value", remedy)
@@ -435,20 +463,12 @@ class ExpressionTyper:
 
     # Operators, names of a scheme, calls -------------------------------------------------------
 
-    def _on_unaryop(self, node: ast.UnaryOp) -> Typed:
-        return operators.typed_sign(self, node)
-
-    def _on_binop(self, node: ast.BinOp) -> Typed:
-        return operators.typed_operation(self, node)
-
-    def _on_boolop(self, node: ast.BoolOp) -> Typed:
-        return operators.typed_logic(self, node)
-
-    def _on_ifexp(self, node: ast.IfExp) -> Typed:
-        return operators.typed_choice(self, node)
-
-    def _on_compare(self, node: ast.Compare) -> Typed:
-        return typed_comparison(self, node)
+    _on_unaryop = operators.typed_sign
+    _on_binop = operators.typed_operation
+    _on_boolop = operators.typed_logic
+    _on_ifexp = operators.typed_choice
+    _on_compare = typed_comparison
+    _on_call = typed_call
 
     def plan_name(self, near: ast.expr, text: types.TextType, population: str) -> ast.expr:
         """Return a written text as the name of a plan of a population's scheme."""
@@ -459,6 +479,3 @@ class ExpressionTyper:
         """Return the place in the population's table of names of a written name."""
         place: int = self.program.name(population, part, keys, self.source.file, node.lineno)
         return place
-
-    def _on_call(self, node: ast.Call) -> Typed:
-        return typed_call(self, node)

@@ -132,12 +132,17 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
         return [], value, kind.item, ("table",)
     if isinstance(kind, types.PopulationType):
         return [], value, types.RowType(kind.population), ("agents", kind.population)
+    if isinstance(kind, types.FoundType):
+        found = call("_still_living", [value], node)
+        return [], found, types.RowType(kind.population), ("found_loop", kind.population)
+    if isinstance(kind, types.PatchesType):
+        return [], value, types.PatchType(), ("patches_loop",)
     if isinstance(kind, types.ArrayType):
         return [], value, kind.of, ("elements", kind.of == types.BOOL)
     return typer.refuse(
         node,
         f"a for loop over {kind}",
-        "loop over range(…), a population, an array field or patches",
+        "loop over range(…), a population, who is near, an array field or patches",
     )
 
 

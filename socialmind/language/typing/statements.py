@@ -43,10 +43,14 @@ class FunctionTyper:
             self.breaks: list[Any] = []
             self.counters: frozenset[str] = frozenset()
             self.keeps = 0
+            self.nobodies: dict[str, ast.expr] = {}
             body = self.block(_without_docstring(self.source.tree.body))
             fell_through = self.typer.assigned is not NOWHERE
             if before == (self.kinds, self.result):
                 break
+        for name, node in self.nobodies.items():
+            if self.kinds[name] == types.NOBODY:
+                self.typer.expression(node)  # refuses None where no agent may be
         body = self.promoted() + body
         if self.result is None:
             return body, types.NONE
@@ -98,9 +102,11 @@ class FunctionTyper:
 
     def _on_return(self, node: ast.Return) -> ast.stmt:
         written = node.value
-        if written is None or (isinstance(written, ast.Constant) and written.value is None):
-            self.returned(types.NONE, node)
-            return ast.copy_location(ast.Return(None), node)
+        if written is None or _is_none(written):
+            none = None
+            if isinstance(self.returned(types.NONE, node), types.MaybeRowType):
+                none = marked(constant(None, node), ("nobody",))
+            return ast.copy_location(ast.Return(none), node)
         value, kind = self.typer.there(written)
         if isinstance(kind, types.TableType):
             self.typer.refuse(node, f"{kind} returned", "use the constant where it is needed")
@@ -129,9 +135,10 @@ class FunctionTyper:
     # Assignments ------------------------------------------------------------------------------
 
     def _on_assign(self, node: ast.Assign) -> ast.stmt | list[ast.stmt]:
-        if len(node.targets) > 1:
-            self.typer.refuse(node, "a = b = …", "write two assignments")
-        return self.assignment(node.targets[0], node.value, node)
+        if len(node.targets) == 1:
+            return self.assignment(node.targets[0], node.value, node)
+        before, value = self.kept(node.value)
+        return [*before, *(self.assignment(target, value, node) for target in node.targets)]
 
     def _on_annassign(self, node: ast.AnnAssign) -> ast.stmt | list[ast.stmt]:
         if node.value is None:
@@ -180,6 +187,12 @@ class FunctionTyper:
 
     def assignment(self, target: ast.expr, value: ast.expr, node: ast.stmt) -> ast.stmt:
         """Return one assignment."""
+        if isinstance(target, ast.Name) and _is_none(value):
+            if self.kinds.get(target.id, types.NOBODY) in types.NUMBERS:
+                self.typer.expression(value)  # refuses it
+            self.nobodies[target.id] = value
+            made = marked(constant(None, value), ("nobody",))
+            return self.stored_in_variable(target, made, types.NOBODY, node)
         if isinstance(target, ast.Name):
             return self.stored_in_variable(target, *self.typer.there(value), node)
         if isinstance(target, ast.Tuple):
@@ -201,6 +214,12 @@ class FunctionTyper:
             self.typer.refuse(
                 node, f"{name!r} from a call that returns nothing", "call it on its own line"
             )
+        if isinstance(kind, types.FoundType | types.PatchesType):
+            self.typer.refuse(
+                node,
+                f"{kind} as the variable {name!r}",
+                "write it where it is used: `for other in …`, `len(…)`, `….one_of(rng)`",
+            )
         if isinstance(kind, types.TextType | types.TupleType | types.ArrayType | types.TableType):
             self.typer.refuse(
                 node,
@@ -217,6 +236,8 @@ class FunctionTyper:
             )
         before = self.kinds.get(name)
         wanted = kind if before is None else types.unified(before, kind)
+        if wanted is None and name in self.nobodies:
+            self.typer.expression(self.nobodies[name])  # refuses None beside numbers
         if wanted is None:
             self.typer.refuse(
                 node, f"{kind} for {name!r}, which is {before} elsewhere", "use another name"
@@ -276,6 +297,9 @@ class FunctionTyper:
                 )
             if mark[0] == "agent":
                 self.program.changes(mark[1])
+                instead = self.program.shape.world.instead_of_setting(mark[1], reading.attr)
+                if instead is not None:
+                    self.typer.refuse(target, f"a new value for {reading.attr!r} alone", instead)
             reading.ctx = ast.Store()
             return reading, kind, f"the field {reading.attr!r}"
         if not isinstance(reading, ast.Subscript) or isinstance(kind, types.RowType):
@@ -335,11 +359,8 @@ class FunctionTyper:
         self.typer.assigned = both(after_body, self.typer.assigned)
         return ast.copy_location(ast.If(test, body, orelse), node)
 
-    def _on_while(self, node: ast.While) -> ast.stmt:
-        return while_loop(self, node)
-
-    def _on_for(self, node: ast.For) -> list[ast.stmt]:
-        return for_loop(self, node)
+    _on_while = while_loop
+    _on_for = for_loop
 
     def _on_break(self, node: ast.Break) -> ast.stmt:
         self.breaks[-1] = both(self.breaks[-1], self.typer.assigned)
@@ -357,6 +378,10 @@ _ANNOTATIONS: dict[str, types.AnyType] = {
     "bool": types.BOOL,
 }
 """The annotations of variables that are heeded; others say nothing to the typing."""
+
+
+def _is_none(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value is None
 
 
 def _without_docstring(body: list[ast.stmt]) -> list[ast.stmt]:

@@ -167,9 +167,6 @@ class Arena(Ground):
             return "context holds an interruption that the model lacks"
         return None
 
-    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Take nothing: the rows of the bodies are its only memory."""
-
     def keeper(self, population: str, field: str) -> Callable[[float, str], float] | None:
         """Return what refuses a place outside the arena."""
         if population not in self.shape.bodies or field not in PLACES or self.half_width <= 0:

@@ -121,10 +121,9 @@ class Disc:
     seen: bool = True
 
     def __post_init__(self) -> None:
-        ranges = {"radius": LARGEST, "density": LARGEST, "linear_damping": LARGEST,
-                  "angular_damping": LARGEST, "restitution": 1000.0}  # fmt: skip
-        for name, high in ranges.items():
+        for name in ("radius", "density", "linear_damping", "angular_damping", "restitution"):
             least = 1 / LARGEST if name in ("radius", "density") else 0.0
+            high = 1000.0 if name == "restitution" else LARGEST
             value = getattr(self, name)
             if not (is_number(value) and least <= value <= high):
                 found = f"{name}={shown(value)} of a body"

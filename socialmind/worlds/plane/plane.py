@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from coglogo_py.border.numbers import is_number
 from socialmind.agents.running import Running
 from socialmind.compiling.lowering import PLACES
 from socialmind.errors import ModelError, nearest
@@ -51,9 +52,9 @@ class Plane(World):
             ModelError: so it is.
         """
         wide, dt = self.half_width, self.dt
-        if not isinstance(wide, str) and not (_is_number(wide) and 0 <= wide < 1e6):
+        if not isinstance(wide, str) and not (is_number(wide) and 0 <= wide < 1e6):
             raise ModelError(f"half_width={self.half_width!r} of a plane", "a number, 0 or more")
-        if not (_is_number(dt) and 0 < dt < 1):
+        if not (is_number(dt) and 0 < dt < 1):
             raise ModelError(f"dt={self.dt!r} of a plane", "seconds, above 0 and below 1")
 
     def shape(self, model: Any, place: Place) -> WorldShape:
@@ -77,7 +78,7 @@ class Plane(World):
         shape = plane_shape(self, model.populations, model.rewards, model.interruptions, place)
         return PlaneWorld(shape)
 
-    def ground(self, society: Running, size: int | None) -> Ground:
+    def ground(self, society: Running, *sizes: int) -> Ground:
         """Return the plane of a running society."""
         return Arena(society)
 
@@ -129,7 +130,3 @@ class PlaneWorld(WorldShape):
         deciding = [name for name, one in program.shape.populations.items() if one.minded]
         plane = program.world
         return WorldText("", plane_text(plane), TICK, lockstep_text(plane, deciding))
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)

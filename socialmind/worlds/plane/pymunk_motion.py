@@ -29,7 +29,7 @@ from pymunk.contact_point_set import ContactPoint, ContactPointSet
 
 from socialmind.errors import ModelError
 from socialmind.worlds.plane.bodies import Disc
-from socialmind.worlds.plane.kernel.arrays import STANDING
+from socialmind.worlds.plane.kernel.arrays import STANDING, meetings
 from socialmind.worlds.plane.kernel.motion import heading_of, turned
 from socialmind.worlds.plane.layout import FARTHEST, FASTEST, SETTLING, TOUCHING
 
@@ -333,16 +333,9 @@ def _filters(kinds: Sequence[Kind]) -> list[pymunk.ShapeFilter]:
     """Whom the bodies of each kind collide with."""
     if len(kinds) > MOST_KINDS:
         raise ModelError(f"{len(kinds)} populations of bodies", f"up to {MOST_KINDS} with pymunk")
-    numbers = {kind.name: number for number, kind in enumerate(kinds)}
-    meets = [_STILL] * len(kinds)
-    for number, kind in enumerate(kinds):
-        for name in kind.disc.meets:
-            if name not in numbers:
-                raise ModelError(f"meets {name!r} of {kind.name!r}", "a population of bodies")
-            meets[number] |= 1 << numbers[name]
-            meets[numbers[name]] |= 1 << number
     return [
-        pymunk.ShapeFilter(categories=1 << number, mask=mask) for number, mask in enumerate(meets)
+        pymunk.ShapeFilter(categories=1 << number, mask=mask | _STILL)
+        for number, mask in enumerate(meetings(kinds))
     ]
 
 

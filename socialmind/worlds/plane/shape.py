@@ -11,7 +11,7 @@ from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field, class_fields
 from socialmind.worlds.contract import Place
 from socialmind.worlds.plane.bodies import Body, Disc, Obstacle, Robot
-from socialmind.worlds.plane.devices.device import Device, Interruption, Reward
+from socialmind.worlds.plane.devices.device import Device, Interruption, Reward, what_lacks
 from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 if TYPE_CHECKING:
@@ -156,8 +156,7 @@ def plane_shape(
             with _said_of(attribute, place):
                 for stage in stages:
                     for key, device in stage.items():
-                        _check_sought(key, device, populations)
-                        _check_readings(key, device, shape)
+                        _check_names(key, device, populations, shape)
     discs = {name: one.body for name, one in bodies.items() if one.body is not None}
     return PlaneShape(
         plane.half_width,
@@ -201,14 +200,13 @@ def _shared_out(
     return found
 
 
-def _check_sought(name: str, device: Any, populations: Mapping[str, Any]) -> None:
-    of = getattr(device, "of", None)
-    if of is not None and of not in populations:
-        raise ModelError(
-            f"{name!r}, which looks for {of!r}",
-            "the name of a population",
-            nearest(of, populations),
-        )
+def _check_names(
+    name: str, device: Device | RangeFinder, populations: Mapping[str, Any], shape: RobotShape
+) -> None:
+    if isinstance(device, Device):
+        lacking = what_lacks(device, repr(name), shape.name, populations, shape.sensors)
+        if lacking is not None:
+            raise ModelError(*lacking)
 
 
 def _check_population(name: str, one: Any, populations: Mapping[str, Any]) -> None:
@@ -241,23 +239,4 @@ def _check_population(name: str, one: Any, populations: Mapping[str, Any]) -> No
             f"sensors or actuators of {name!r}, whose class is {one.agent.__name__}",
             "a class that inherits from Robot",
             f"write class {one.agent.__name__}(Robot): …",
-        )
-
-
-def _check_readings(name: str, device: Any, shape: RobotShape) -> None:
-    sensors = list(shape.sensors)
-    wanted = [one for one in (getattr(device, "sensor", None),) if one is not None]
-    wanted += list(getattr(device, "sensors", ()))
-    for one in wanted:
-        if one not in sensors:
-            raise ModelError(
-                f"{name!r}, which reads the sensor {one!r}",
-                f"a sensor of {shape.name!r}",
-                nearest(one, sensors),
-            )
-    several = [sensors.index(one) for one in getattr(device, "sensors", ())]
-    if several and several != list(range(several[0], several[0] + len(several))):
-        raise ModelError(
-            f"{name!r}, which reads {', '.join(device.sensors)}",
-            "sensors that stand next to each other in the body, in its order",
         )

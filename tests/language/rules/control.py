@@ -293,3 +293,13 @@ def euclid(person):
     while b != 0:
         a, b = b, a % b
     person.i = a
+
+
+def several_at_once(person, rng):
+    x = y = 0.0
+    a = person.f = b = rng.random()
+    x += a
+    y -= b
+    person.vf[person.j % 4] = person.i = k = person.j * 2
+    person.g = x * 3 + y + k
+    person.of = person.oi = None

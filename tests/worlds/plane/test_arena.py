@@ -412,7 +412,7 @@ def test_it_is_a_mesa_model_until_an_interruption_ends_it():
     assert frame["over"].iloc[-1] == "watch" and frame["score"].iloc[-1] == model.tick
     (agent,) = model.agents
     assert agent.x > 2.0
-    with pytest.raises(AttributeError, match="has no torus"):
+    with pytest.raises(AttributeError, match="has no patches"):
         _ = model.grid
 
 

@@ -475,7 +475,7 @@ def test_a_crowd_stays_in_the_arena(seed):
 
 
 def test_meeting_what_is_not_there_is_refused():
-    with pytest.raises(ModelError, match="meets 'objects' of 'robots'"):
+    with pytest.raises(ModelError, match="bodies 'robots' that meet 'objects'"):
         plane(("robots", ROBOT, bodies({})))
 
 

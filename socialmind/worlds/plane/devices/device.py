@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -120,8 +120,8 @@ class Device:
         parameters = self._parameters()
         # A tuple and a dictionary of one's own: what the caller holds may change.
         object.__setattr__(self, "sensors", (*self._names(self.sensors),))
-        object.__setattr__(self, "at", self._point(self.at))
         self._check_numbers()
+        object.__setattr__(self, "at", (float(self.at[0]), float(self.at[1])))
         settings = self._completed(parameters)
         object.__setattr__(self, "settings", settings)
         for name in parameters:
@@ -190,15 +190,11 @@ class Device:
             )
         return names
 
-    def _point(self, at: Sequence[float]) -> tuple[float, float]:
-        if not is_point(at):
-            raise self.error(f"at={shown(at)} of {self.called}", "two numbers")
-        return float(at[0]), float(at[1])
-
     def _check_numbers(self) -> None:
         reach, memory = self.reach, self.memory
         sees = isinstance(reach, str) or ((is_number(reach) or reach == math.inf) and reach > 0)
         checks = (
+            ("at", "two numbers", is_point(self.at)),
             ("reach", "a number above 0", sees),
             ("angle", "radians", is_number(self.angle)),
             ("memory", "a whole number, 0 or more", is_whole(memory) and memory >= 0),
@@ -348,10 +344,9 @@ def typed(
             the device names a population or a sensor that there is not.
     """
     what = what or f"the {device.word} {device.name!r} of {population!r}"
-    if device.of is not None and device.of not in program.shape.populations:
-        known = list(program.shape.populations)
-        raise device.error(f"of={device.of!r} in {what}", "a population", nearest(device.of, known))
-    _check_sensors(device, body_sensors, what)
+    lacking = what_lacks(device, what, population, program.shape.populations, body_sensors)
+    if lacking is not None:
+        raise device.error(*lacking)
     _check_signal(program, device, population, what)
     source = program.source(device.function)
     kinds = tuple(_kind(device, name, population) for name in device.takes)
@@ -376,24 +371,36 @@ def typed(
     return symbol
 
 
-def _check_sensors(device: Device, body_sensors: Sequence[str], what: str) -> None:
-    """Refuse a device that reads sensors which the body lacks, or not next to each other."""
+def what_lacks(
+    device: Device,
+    what: str,
+    population: str,
+    populations: Iterable[str],
+    body_sensors: Iterable[str],
+) -> tuple[str, str, str] | None:
+    """Return what a device names and a model lacks, what is expected and a remedy; None if nothing.
+
+    Args:
+        device: the device.
+        what: what errors call it.
+        population: the one that has it, or that it judges.
+        populations: the names of the model's populations, which it may look for.
+        body_sensors: the names of the body's sensors in order, which it may read.
+    """
     names = tuple(body_sensors)
+    if device.of is not None and device.of not in populations:
+        found = f"{what}, which looks for {device.of!r}"
+        return found, "the name of a population", nearest(device.of, populations)
     for name in (*device.sensors, *(() if device.sensor is None else (device.sensor,))):
         if name not in names:
-            raise device.error(
-                f"the sensor {name!r} that {what} reads",
-                "a sensor of the body",
-                nearest(name, names),
-            )
-    if device.sensors:
-        first = names.index(device.sensors[0])
-        if names[first : first + len(device.sensors)] != device.sensors:
-            raise device.error(
-                f"the sensors {', '.join(device.sensors)} that {what} reads",
-                "sensors that stand next to each other in the body, in this order",
-                f"the body has {', '.join(names)}",
-            )
+            found = f"{what}, which reads the sensor {name!r}"
+            return found, f"a sensor of {population!r}", nearest(name, names)
+    first = names.index(device.sensors[0]) if device.sensors else 0
+    if names[first : first + len(device.sensors)] != device.sensors:
+        found = f"{what}, which reads {', '.join(device.sensors)}"
+        expected = "sensors that stand next to each other in the body, in its order"
+        return found, expected, f"the body has {', '.join(names)}"
+    return None
 
 
 def _check_signal(program: Program, device: Device, population: str, what: str) -> None:

@@ -175,7 +175,7 @@ class PlaneArrays:
         self._best = _aligned((max([LANES, *(one.lane_count for one in self.eyes)]),))
         plane["best"] = self._best.ctypes.data
         self.make_room(_ENTRIES_PER_CELL * wanted**2)
-        for number, (one, meets) in enumerate(zip(kinds, _meetings(kinds), strict=True)):
+        for number, (one, meets) in enumerate(zip(kinds, meetings(kinds), strict=True)):
             disc, record = one.disc, self._kinds[number]
             record["seen"], record["meets"] = disc.seen, meets
             record["mass"], record["moment"] = disc.mass, disc.moment
@@ -287,8 +287,15 @@ def _aligned(shape: tuple[int, ...]) -> NDArray[np.float64]:
     return whole[first : first + size].reshape(shape)
 
 
-def _meetings(kinds: Sequence[Bodies]) -> list[int]:
-    """Return the kinds that each kind collides with, as bits."""
+def meetings(kinds: Sequence[Any]) -> list[int]:
+    """Return the kinds that each kind collides with, as bits.
+
+    Args:
+        kinds: each with the `name` that others know it by and the `disc` that it is made of.
+
+    Raises:
+        ModelError: two have one name, there are too many, or one meets what there is not.
+    """
     numbers = {one.name: number for number, one in enumerate(kinds)}
     if len(numbers) != len(kinds):
         names = ", ".join(one.name for one in kinds)

@@ -18,21 +18,10 @@ from numba import carray, types
 from numba.extending import register_jitable
 
 from socialmind.compiling.memory import as_pointer
+from socialmind.worlds.plane import layout
 from socialmind.worlds.plane.kernel.bodies import alive_of, body_at
 from socialmind.worlds.plane.kernel.stones import candidates, stones_of, table_of
-from socialmind.worlds.plane.layout import (
-    MOST_ROUNDS,
-    SETTLING,
-    STONE_COLUMNS,
-    STONE_COS,
-    STONE_HALF_WIDTH,
-    STONE_RADIUS,
-    STONE_ROUND,
-    STONE_SIN,
-    STONE_X,
-    STONE_Y,
-    TOUCHING,
-)
+from socialmind.worlds.plane.layout import MOST_ROUNDS, SETTLING, TOUCHING
 
 AT_REST, MOVED, HELD = 0.0, 1.0, 2.0
 """What `state` says of a body while contacts are resolved: that it overlaps nothing; that it may;
@@ -45,8 +34,8 @@ def _depth_in_stone(stones: Any, first: int, dx: float, dy: float, radius: float
 
     The depth is 0 for a circle outside; the way out is a vector of length 1.
     """
-    half_width = stones[first + STONE_HALF_WIDTH]
-    if stones[first + STONE_ROUND] != 0.0:
+    half_width = stones[first + layout.STONE_HALF_WIDTH]
+    if stones[first + layout.STONE_ROUND] != 0.0:
         both = half_width + radius
         distance = math.sqrt(dx * dx + dy * dy)
         if distance >= both:
@@ -54,7 +43,7 @@ def _depth_in_stone(stones: Any, first: int, dx: float, dy: float, radius: float
         if distance == 0.0:
             return both, 1.0, 0.0
         return both - distance, dx / distance, dy / distance
-    cos, sin = stones[first + STONE_COS], stones[first + STONE_SIN]
+    cos, sin = stones[first + layout.STONE_COS], stones[first + layout.STONE_SIN]
     ahead, left = cos * dx + sin * dy, cos * dy - sin * dx
     out_ahead, out_left = abs(ahead) - half_width, abs(left) - half_width
     if out_ahead <= 0.0 and out_left <= 0.0:  # the centre is inside: out by the nearest side
@@ -97,9 +86,9 @@ def _deepest(plane: Any, stones: Any, begin: Any, entries: Any, body: Any, radiu
         while place < end:
             stone = entries[place] if plane.cell > 0.0 else place
             place += 1
-            first = stone * STONE_COLUMNS
-            dx, dy = x - stones[first + STONE_X], y - stones[first + STONE_Y]
-            both = stones[first + STONE_RADIUS] + radius
+            first = stone * layout.STONE_COLUMNS
+            dx, dy = x - stones[first + layout.STONE_X], y - stones[first + layout.STONE_Y]
+            both = stones[first + layout.STONE_RADIUS] + radius
             if dx * dx + dy * dy >= both * both:
                 continue
             depth, nx, ny = _depth_in_stone(stones, first, dx, dy, radius)

@@ -14,6 +14,7 @@ from numba import carray, types
 from numba.extending import register_jitable
 
 from socialmind.compiling.memory import as_pointer
+from socialmind.worlds.plane import layout
 from socialmind.worlds.plane.kernel.bodies import alive_of, body_at, kinds_of
 from socialmind.worlds.plane.kernel.stones import (
     candidates,
@@ -21,18 +22,7 @@ from socialmind.worlds.plane.kernel.stones import (
     stones_of,
     table_of,
 )
-from socialmind.worlds.plane.layout import (
-    EYES,
-    LANES,
-    STONE_COLUMNS,
-    STONE_COS,
-    STONE_HALF_WIDTH,
-    STONE_RADIUS,
-    STONE_ROUND,
-    STONE_SIN,
-    STONE_X,
-    STONE_Y,
-)
+from socialmind.worlds.plane.layout import EYES, LANES
 
 FAR = 1e300
 """Farther than any ray reaches."""
@@ -119,17 +109,18 @@ def _see_stones(
     while place < end:
         stone = entries[place] if plane.cell > 0.0 else place
         place += 1
-        first = stone * STONE_COLUMNS
-        dx, dy = x - stones[first + STONE_X], y - stones[first + STONE_Y]
-        far = plane.reach + stones[first + STONE_RADIUS]
+        first = stone * layout.STONE_COLUMNS
+        dx, dy = x - stones[first + layout.STONE_X], y - stones[first + layout.STONE_Y]
+        far = plane.reach + stones[first + layout.STONE_RADIUS]
         if dx * dx + dy * dy > far * far:
             continue
-        half_width = stones[first + STONE_HALF_WIDTH]
-        if stones[first + STONE_ROUND] != 0.0:
+        half_width = stones[first + layout.STONE_HALF_WIDTH]
+        if stones[first + layout.STONE_ROUND] != 0.0:
             ahead, left = -(cos * dx + sin * dy), sin * dx - cos * dy
             _see_circle(lanes, plane.best, count, ahead, left, half_width)
         else:
-            stone_cos, stone_sin = stones[first + STONE_COS], stones[first + STONE_SIN]
+            stone_cos = stones[first + layout.STONE_COS]
+            stone_sin = stones[first + layout.STONE_SIN]
             ahead, left = stone_cos * dx + stone_sin * dy, stone_cos * dy - stone_sin * dx
             turn_cos = stone_cos * cos + stone_sin * sin
             turn_sin = stone_cos * sin - stone_sin * cos

@@ -9,19 +9,8 @@ from numba import carray, types
 from numba.extending import register_jitable
 
 from socialmind.compiling.memory import as_pointer
-from socialmind.worlds.plane.layout import (
-    FARTHEST,
-    OBSTACLE,
-    PLANE,
-    STONE_COLUMNS,
-    STONE_COS,
-    STONE_HALF_WIDTH,
-    STONE_RADIUS,
-    STONE_ROUND,
-    STONE_SIN,
-    STONE_X,
-    STONE_Y,
-)
+from socialmind.worlds.plane import layout
+from socialmind.worlds.plane.layout import FARTHEST, OBSTACLE, PLANE
 
 SQRT_2 = math.sqrt(2.0)
 
@@ -36,7 +25,7 @@ def plane_at(address: int) -> Any:
 def stones_of(plane: Any) -> Any:
     """Return the stones of a plane, one after the other."""
     return carray(
-        as_pointer(plane.stones), (plane.obstacle_capacity * STONE_COLUMNS,), types.float64
+        as_pointer(plane.stones), (plane.obstacle_capacity * layout.STONE_COLUMNS,), types.float64
     )
 
 
@@ -121,14 +110,14 @@ def _take_stones(plane: Any) -> int:
             return -1 - slot
         if half_width == 0.0:
             continue  # there is nothing
-        first = count * STONE_COLUMNS
-        stones[first + STONE_X] = x
-        stones[first + STONE_Y] = y
-        stones[first + STONE_COS] = math.cos(angle)
-        stones[first + STONE_SIN] = math.sin(angle)
-        stones[first + STONE_HALF_WIDTH] = half_width
-        stones[first + STONE_ROUND] = 1.0 if obstacle.round != 0 else 0.0
-        stones[first + STONE_RADIUS] = half_width * (1.0 if obstacle.round != 0 else SQRT_2)
+        first = count * layout.STONE_COLUMNS
+        stones[first + layout.STONE_X] = x
+        stones[first + layout.STONE_Y] = y
+        stones[first + layout.STONE_COS] = math.cos(angle)
+        stones[first + layout.STONE_SIN] = math.sin(angle)
+        stones[first + layout.STONE_HALF_WIDTH] = half_width
+        stones[first + layout.STONE_ROUND] = 1.0 if obstacle.round != 0 else 0.0
+        stones[first + layout.STONE_RADIUS] = half_width * (1.0 if obstacle.round != 0 else SQRT_2)
         count += 1
     plane.stone_count = count
     return 0
@@ -140,10 +129,10 @@ def _place_table(plane: Any) -> None:
     stones = stones_of(plane)
     left, right, bottom, top = math.inf, -math.inf, math.inf, -math.inf
     for stone in range(plane.stone_count):
-        first = stone * STONE_COLUMNS
-        x, y = stones[first + STONE_X], stones[first + STONE_Y]
+        first = stone * layout.STONE_COLUMNS
+        x, y = stones[first + layout.STONE_X], stones[first + layout.STONE_Y]
         # A hair more, as distances are rounded.
-        margin = (stones[first + STONE_RADIUS] + plane.reach) * (1.0 + 1e-9)
+        margin = (stones[first + layout.STONE_RADIUS] + plane.reach) * (1.0 + 1e-9)
         left, right = min(left, x - margin), max(right, x + margin)
         bottom, top = min(bottom, y - margin), max(top, y + margin)
     plane.left, plane.bottom = left, bottom
@@ -154,9 +143,9 @@ def _place_table(plane: Any) -> None:
 def _enter(plane: Any, begin: Any, entries: Any, stone: int, count_only: bool) -> int:
     """Enter a stone into the lists of the cells near it; return how many they are."""
     stones = stones_of(plane)
-    first = stone * STONE_COLUMNS
-    x, y = stones[first + STONE_X], stones[first + STONE_Y]
-    margin = (stones[first + STONE_RADIUS] + plane.reach) * (1.0 + 1e-9)
+    first = stone * layout.STONE_COLUMNS
+    x, y = stones[first + layout.STONE_X], stones[first + layout.STONE_Y]
+    margin = (stones[first + layout.STONE_RADIUS] + plane.reach) * (1.0 + 1e-9)
     side, cells = plane.cell, plane.cells
     low = max(int((x - margin - plane.left) / side), 0)
     high = min(int((x + margin - plane.left) / side) + 1, cells)

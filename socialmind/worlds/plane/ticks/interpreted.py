@@ -15,7 +15,7 @@ from socialmind.streams import Stream
 from socialmind.worlds.contract import Functions
 from socialmind.worlds.plane.devices.relative import bearing_of, bounded, counted, mounted
 from socialmind.worlds.plane.kernel.code import kernel
-from socialmind.worlds.plane.ticks.stages import PLACED, Call, Seek, Stage
+from socialmind.worlds.plane.ticks.stages import PLACED, STAGES, Call, Seek, Stage
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
@@ -38,11 +38,8 @@ def _before_minds(arena: Arena, functions: Functions) -> None:
     """Run a tick up to what the minds are told."""
     model, plan = arena.society, arena.society.program.world
     arena.move()
-    for name in ("rewards", "interruptions"):
-        for stages in plan.stages.values():
-            _run(model, functions, stages[name])
-    for name in ("actuators", "sensors"):
-        if name == "sensors" or not model.context["_over"]:
+    for name in STAGES:
+        if name != "actuators" or not model.context["_over"]:
             for stages in plan.stages.values():
                 _run(model, functions, stages[name])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from socialmind.compiling.layout import view_function_text
 from socialmind.worlds.plane.ticks.stages import PLACED, Call, PlaneProgram, Seek, Stage
 
 HEAD = """import math as _math
@@ -44,28 +45,25 @@ _CARRIED = """if row.carrier_kind >= 0:
 
 _MINDS = """@_inner
 def _inform_NAME(_model):
-    mind = _record_NAME(_model)
-    state = _state_NAME(mind)
+    state = _state_NAME(_record_NAME(_model))
     lanes = state.fresh.shape[1]
     rows = _rows_NAME(_model)
     alive = _alive_NAME(_model)
     senses = _senses_NAME(_model)
     for slot in range(len(rows)):
+        number = _model._NAME_first + slot
         if alive[slot]:
             readings = rows[slot].readings
-            number = _model._NAME_first + slot
             for place in range(len(senses)):
                 state.sensors[number // lanes, place, number % lanes] = readings[senses[place]]
-        elif state.group.shape[1] > 0:
-            number = _model._NAME_first + slot
+        else:
             for shared in range(state.group.shape[1]):  # the dead are in no group
                 state.group[number // lanes, shared, number % lanes] = -1
 
 
 @_inner
 def _obey_NAME(_model):
-    mind = _record_NAME(_model)
-    state = _state_NAME(mind)
+    state = _state_NAME(_record_NAME(_model))
     lanes = state.fresh.shape[1]
     rows = _rows_NAME(_model)
     alive = _alive_NAME(_model)
@@ -108,7 +106,8 @@ INFORM
 
 @_inner
 def _after_minds(_model, rng):
-OBEYPHASESBUILD    return"""
+OBEY
+PHASESBUILD    return"""
 
 
 BUILD = """    if _call(_model._build, _model._plane, 0, 0) < 0:
@@ -132,36 +131,29 @@ def plane_text(plane: PlaneProgram) -> str:
     for name in sought:
         carried = _CARRIED if name in plane.shape.bodies else ""
         parts.append(_NEAREST.replace("CARRIED", carried).replace("NAME", name))
-    lines = []
     minded = []
     for name, stages in plane.stages.items():
         parts += [_stage_text(stage) for stage in stages.values()]
         if plane.shape.robots[name].hierarchy:
             minded.append(name)
-            parts.append(_array_view(name, "senses"))
-            parts.append(_array_view(name, "motors"))
+            parts += [view_function_text(name, one, "int64", 1) for one in ("senses", "motors")]
             parts.append(_MINDS.replace("NAME", name))
     parts += [_settling_text(stage) for stage in plane.settling.values()]
     settling = [f"    _settling_{name}(_model, rng, ended)" for name in plane.settling]
     parts.append("\n".join(["@_inner\ndef _settle_rewards(_model, rng, ended):", *settling, _END]))
     names = list(plane.stages)
-    lines += [f"    _rewards_{name}(_model, rng)" for name in names]
+    lines = [f"    _rewards_{name}(_model, rng)" for name in names]
     lines += [f"    _interruptions_{name}(_model, rng)" for name in names]
     for name in names:
         lines += ["    if _model._over == 0:", f"        _actuators_{name}(_model, rng)"]
     lines += [f"    _sensors_{name}(_model, rng)" for name in names]
     lines += ["    if _model._over != 0:", "        return"]
-    inform = "\n".join(
-        f"    if not _model._{one}_steered:\n        _inform_{one}(_model)" for one in minded
-    )
-    obey = "".join(
-        f"    if not _model._{one}_steered:\n        _obey_{one}(_model)\n" for one in minded
-    )
-    tick = _TICK.replace("STAGES", "\n".join(lines)).replace("INFORM", inform)
-    tick = tick.replace("OBEY", obey)
+    tick = _TICK.replace("STAGES", "\n".join(lines))
+    tick = tick.replace("INFORM", _unsteered("inform", minded))
+    tick = tick.replace("OBEY", _unsteered("obey", minded))
     parts.append(tick.replace("BUILD", BUILD if plane.shifting else ""))
-    think = [f"    if not _model._{one}_steered:\n        _think_{one}(_model)" for one in minded]
-    parts.append("\n".join(["@_inner\ndef _think(_model):", *think, "    return"]))
+    think = _unsteered("think", minded)
+    parts.append(f"@_inner\ndef _think(_model):\n{think}\n    return")
     return "\n\n\n".join(parts)
 
 
@@ -178,11 +170,10 @@ TICK = """    over = _model._over
 """The body of a tick on a plane, in place of the phases of the schedule."""
 
 
-def _array_view(name: str, array: str) -> str:
-    place = f"_model._{name}_{array}"
-    return (
-        f"@_inner\ndef _{array}_{name}(_model):\n"
-        f"    return carray(_as_pointer({place}), ({place}_0,), np.int64)"
+def _unsteered(what: str, minded: list[str]) -> str:
+    """Return the calls of a function of each population that nothing outside steers."""
+    return "\n".join(
+        f"    if not _model._{name}_steered:\n        _{what}_{name}(_model)" for name in minded
     )
 
 
@@ -206,13 +197,7 @@ def _stage_text(stage: Stage) -> str:
         "            continue",
         "        agent = rows[slot]",
     ]
-    lines += [f"        {line}" for line in _prelude(stage)]
-    for number, seek in enumerate(stage.seeks):
-        lines += [f"        {line}" for line in _seek_lines(stage, number, seek)]
-    for call in stage.calls:
-        lines += [f"        {line}" for line in _call_lines(stage, call)]
-    lines += [f"        {line}" for line in _coda(stage)]
-    return "\n".join(lines)
+    return "\n".join(lines + _of_one(stage))
 
 
 def _settling_text(stage: Stage) -> str:
@@ -237,21 +222,18 @@ def _settling_text(stage: Stage) -> str:
         "        if not ended and alive[slot]:",
         "            continue",
         "        agent = rows[slot]",
-        "        due = 0.0",
     ]
-    body = _prelude(stage)
+    return "\n".join(lines + _of_one(stage))
+
+
+def _of_one(stage: Stage) -> list[str]:
+    """Return what one robot goes through in a stage, as the lines of a loop."""
+    lines = _prelude(stage)
     for number, seek in enumerate(stage.seeks):
-        body += _seek_lines(stage, number, seek)
+        lines += _seek_lines(stage, number, seek)
     for call in stage.calls:
-        body += _call_lines(stage, call)
-    body += [
-        "agent.reward += due",
-        "agent.score += due",
-        "if not alive[slot]:",
-        "    counters[_bookkeeping.GONE] += 1",
-        "    counters.view(np.float64)[_bookkeeping.GONE_SCORE] += agent.score",
-    ]
-    return "\n".join(lines + [f"        {line}" for line in body])
+        lines += _call_lines(stage, call)
+    return [f"        {line}" for line in lines + _coda(stage)]
 
 
 def _prelude(stage: Stage) -> list[str]:
@@ -269,6 +251,8 @@ def _prelude(stage: Stage) -> list[str]:
             *(f"    agent.{call.memory}[:] = 0.0" for call in stage.calls if call.memory),
             "    pass",
         ]
+    if stage.name == "settling":
+        lines.append("due = 0.0")
     if stage.name == "actuators":
         lines += ["agent.push_x = 0.0", "agent.push_y = 0.0", "agent.torque = 0.0"]
     return lines
@@ -279,6 +263,14 @@ def _coda(stage: Stage) -> list[str]:
         return ["agent.score += agent.reward", "agent.restarted = False"]
     if stage.name == "actuators":
         return ["agent.before[:] = agent.commands"]
+    if stage.name == "settling":
+        return [
+            "agent.reward += due",
+            "agent.score += due",
+            "if not alive[slot]:",
+            "    counters[_bookkeeping.GONE] += 1",
+            "    counters.view(np.float64)[_bookkeeping.GONE_SCORE] += agent.score",
+        ]
     return []
 
 

@@ -421,7 +421,7 @@ class TestRefusals:
             (Reward(say_much), "which returns a truth value", "a number"),
             (Act(say_number), "which returns a number", "nothing"),
             (Interruption(say_number), "which returns a number", "`return x > 0.5`"),
-            (Sense(look, of="objcts"), "of='objcts'", "did you mean 'objects'?"),
+            (Sense(look, of="objcts"), "looks for 'objcts'", "did you mean 'objects'?"),
             (Sense(read, sensor="S11"), "the sensor 'S11'", "did you mean 'S1'?"),
             (Sense(read_all, sensors=("S1", "S9")), "the sensor 'S9'", "there is S1, S2, S3"),
             (Sense(read_all, sensors=("S2", "S1")), "S2, S1", "next to each other"),

@@ -1,4 +1,4 @@
-"""The torus has NetLogo's geometry."""
+"""Worlds of patches have NetLogo's geometry: the torus, and worlds with walls."""
 
 import hashlib
 import math
@@ -9,8 +9,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from socialmind.worlds.torus import geometry as torus
-from socialmind.worlds.torus.patches import Grid
+from socialmind.worlds.grid import geometry as torus
+from socialmind.worlds.grid.extent import OF_TORUS, of_grid, values_of
+from socialmind.worlds.grid.patches import PatchWorld
 
 sizes = st.integers(1, 40)
 inside = st.floats(0, 1, exclude_max=True)
@@ -18,7 +19,11 @@ anywhere = st.floats(-1e6, 1e6)
 
 
 def world_of(size):
-    return Grid({}, size)
+    return PatchWorld({}, values_of(OF_TORUS, size, size, None))
+
+
+def space(low, size):
+    return low, low, size, size, 1, 1
 
 
 def turtle(x=0.0, y=0.0, heading=0.0):
@@ -234,7 +239,7 @@ def test_is_on_a_patch_by_hand():
 
 def test_patches_stand_column_by_column():
     places = [(-16, -16), (-16, -15), (-15, -16), (16, 16), (17, 0), (0.5, -0.5)]
-    found = [torus.patch_index(x, y, -16, 33) for x, y in places]
+    found = [torus.patch_index(x, y, *space(-16, 33)) for x, y in places]
     assert found == [0, 1, 33, 33 * 33 - 1, 16, 17 * 33 + 16]
 
 
@@ -243,17 +248,18 @@ def test_is_on_the_patch_of_a_point(u, v, x, y, size):
     world = world_of(size)
     agent = placed(world, u, v)
     assume(agent.x < world.low - 0.5 + size and agent.y < world.low - 0.5 + size)
-    place = torus.patch_index(agent.x, agent.y, world.low, size)
+    place = torus.patch_index(agent.x, agent.y, *space(world.low, size))
     # Within a hair of a patch's edge the rounding of the way round the world decides.
     assume(all(abs((value + 0.5) % 1 - 0.5) < 0.5 - 1e-9 for value in (x, y)))
-    assert torus.is_on(world, agent, x, y) == (place == torus.patch_index(x, y, world.low, size))
+    there = torus.patch_index(x, y, *space(world.low, size))
+    assert torus.is_on(world, agent, x, y) == (place == there)
 
 
 @given(st.floats(-100, 100), st.floats(-100, 100), st.floats(0, 30), st.integers(1, 20))
 def test_in_radius_is_the_patches_whose_centre_is_near(x, y, radius, size):
     world = world_of(size)
     x, y = torus.wrapped(x, world.low, size), torus.wrapped(y, world.low, size)
-    found = list(torus.patches_in_radius(x, y, radius, world.low, size))
+    found = list(torus.patches_in_radius(x, y, radius, *space(world.low, size)))
     assert len(found) == len(set(found))
     for place in range(size * size):
         patch = world.row_class(world, place)
@@ -273,10 +279,10 @@ def test_in_radius_by_hand():
 
 def test_in_radius_over_the_edge_of_a_small_world():
     # Patches of a world of 3, whose places are 0 … 8: from x − 1 on, then from y − 1.
-    assert list(torus.patches_in_radius(1.0, 1.0, 1.0, -1, 3)) == [5, 7, 8, 6, 2]
+    assert list(torus.patches_in_radius(1.0, 1.0, 1.0, *space(-1, 3))) == [5, 7, 8, 6, 2]
     # Of 5 by 5, from a corner: more rows than there are, but not the four patches 2 · √2 away.
     for x, y in ((2.0, 2.0), (-2.0, 2.0), (2.0, -2.0), (-2.0, -2.0)):
-        found = list(torus.patches_in_radius(x, y, 2.5, -2, 5))
+        found = list(torus.patches_in_radius(x, y, 2.5, *space(-2, 5)))
         far = {
             ((round(x) + i + 2) % 5) * 5 + (round(y) + j + 2) % 5 for i in (-2, 2) for j in (-2, 2)
         }
@@ -286,11 +292,11 @@ def test_in_radius_over_the_edge_of_a_small_world():
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, 1e300])
 def test_points_that_are_nowhere(bad):
     with pytest.raises(ValueError, match="nowhere"):
-        torus.patch_index(bad, 0.0, -16, 33)
+        torus.patch_index(bad, 0.0, *space(-16, 33))
     with pytest.raises(ValueError, match="nowhere"):
-        list(torus.patches_in_radius(0.0, bad, 1.0, -16, 33))
+        list(torus.patches_in_radius(0.0, bad, 1.0, *space(-16, 33)))
     with pytest.raises(ValueError, match="nowhere"):
-        list(torus.patches_in_radius(0.0, 0.0, abs(bad), -16, 33))
+        list(torus.patches_in_radius(0.0, 0.0, abs(bad), *space(-16, 33)))
 
 
 def test_lattices_by_hand():
@@ -312,3 +318,149 @@ def test_a_lattice_has_its_places_evenly_apart(size, n):
     xs = sorted({x for x, _ in places})
     gaps = [b - a for a, b in zip(xs, [*xs[1:], xs[0] + size], strict=True)]
     assert max(gaps) - min(gaps) <= 1
+
+
+# Walls ------------------------------------------------------------------------------------------
+
+
+def walled(width, height, wraps=False, low=None):
+    return PatchWorld({}, values_of(of_grid(wraps), width, height, low))
+
+
+def test_a_walled_world_is_where_its_declaration_says():
+    world = walled(5, 4, low=(0, -1))
+    found = [getattr(world, name) for name in ("width", "height", "low_x", "low_y")]
+    assert found == [5, 4, 0, -1]
+    assert (world.high_x, world.high_y, world.wraps_x, world.wraps_y) == (4, 2, 0, 0)
+    assert (walled(33, 33).low_x, walled(4, 4).low_y) == (-16, -2)
+
+
+def test_forward_stops_before_a_wall_as_in_netlogo():
+    # NetLogo, a box of 33 × 33, each from 0 0: fd goes in steps of one, and stops.
+    world = walled(33, 33)
+    for heading, length, expected in [
+        (90, 16, (16, 0)), (90, 16.4, (16.4, 0)), (90, 16.5, (16, 0)), (90, 100, (16, 0)),
+        (270, 16.5, (-16.5, 0)), (270, 16.6, (-16, 0)), (0, 40, (0, 16)), (180, 40, (0, -16)),
+        (90, -20, (-16, 0)), (45, 100, (23 / math.sqrt(2), 23 / math.sqrt(2))),
+    ]:  # fmt: skip
+        agent = turtle(heading=heading)
+        torus.forward(world, agent, length)
+        assert (agent.x, agent.y) == pytest.approx(expected), (heading, length)
+    agent = turtle(16.0, 0.0, 90)
+    torus.forward(world, agent, 0.7)  # less than a step: as a whole, or not at all
+    assert agent.x == 16.0
+    torus.forward(world, agent, 0.4)
+    assert agent.x == pytest.approx(16.4)
+
+
+def test_who_goes_along_a_wall_does_not_run_into_it():
+    # The cosine of 270° is -1.8e-16, which would lead below -0.5.
+    world = walled(9, 9, low=(-4, 0))
+    agent = turtle(4.0, -0.5, 270)
+    torus.forward(world, agent, 8)
+    assert (agent.x, agent.y) == (-4.0, -0.5)
+
+
+def test_can_move_by_hand():
+    world = walled(33, 33)
+    for agent, length, may in [
+        (turtle(heading=90), 16.4, True), (turtle(heading=90), 16.5, False),
+        (turtle(heading=270), 16.5, True), (turtle(heading=270), 16.6, False),
+        (turtle(heading=90), -16.5, True), (turtle(0, -16.5, 90), 1, True),
+    ]:  # fmt: skip
+        assert torus.can_move(world, agent, length) is may
+    assert torus.can_move(world_of(5), turtle(), 1e6)
+    tube = walled(5, 5, wraps="x")
+    assert torus.can_move(tube, turtle(heading=90), 1e6)
+    assert not torus.can_move(tube, turtle(heading=0), 3)
+
+
+@given(
+    st.integers(1, 12), st.integers(1, 12), st.sampled_from([False, "x", "y"]),
+    inside, inside, st.floats(0, 360, exclude_max=True) | st.sampled_from([0.0, 90, 180, 270]),
+    st.floats(-30, 30) | st.integers(-20, 20),
+)  # fmt: skip
+def test_forward_is_netlogos_loop_of_steps(width, height, wraps, u, v, heading, length):
+    world = walled(width, height, wraps)
+    x = world.low_x - 0.5 + u * width
+    y = world.low_y - 0.5 + v * height
+    assume(world.is_inside(x, y))
+    agent = turtle(x, y, heading)
+    angle = math.radians(heading)
+    dx, dy = (0.0 if abs(one) < 3.2e-15 else one for one in (math.sin(angle), math.cos(angle)))
+    left = abs(length)
+    way = 0.0
+    while left > 0:  # what NetLogo does, one `jump` after another
+        step = min(1.0, left)
+        new = way + math.copysign(step, length)
+        if not world.is_inside(x + new * dx, y + new * dy):
+            break
+        way, left = new, left - step
+    torus.forward(world, agent, length)
+    expected = turtle(
+        torus.kept(x + way * dx, world.low_x, width, world.wraps_x),
+        torus.kept(y + way * dy, world.low_y, height, world.wraps_y),
+    )
+    assert torus.distance(world, agent, expected.x, expected.y) < 1e-9
+    assert torus.is_inside(world, agent.x, agent.y)
+
+
+def test_distances_and_headings_do_not_go_through_walls():
+    agent = turtle(15.0, 0.0)
+    for wraps, away, heading in [(False, 30, 270), ("y", 30, 270), ("x", 3, 90), (True, 3, 90)]:
+        world = walled(33, 33, wraps)
+        assert torus.distance(world, agent, -15.0, 0.0) == away
+        assert torus.towards(world, agent, -15.0, 0.0) == heading
+    assert torus.distance(walled(33, 33, "x"), turtle(0, 15), 0.0, -15.0) == 30
+    assert torus.is_on(walled(3, 3), turtle(1.4, 0), 1.0, 0.0)
+    assert not torus.is_on(walled(3, 3), turtle(1.4, 0), -1.7, 0.0)
+    assert torus.is_on(walled(3, 3, "x"), turtle(1.4, 0), -1.7, 0.0)
+
+
+def test_walking_between_walls():
+    agent = turtle(4.0, 0.0)
+    torus.walk_to(walled(9, 9), agent, -4.0, 0.0, 1.5)
+    assert (agent.x, agent.y, agent.heading) == (2.5, 0.0, 270.0)
+    torus.walk_to(walled(9, 9, "x"), agent, -4.0, 0.0, 9)
+    assert (agent.x, agent.heading) == (-4.0, 90.0)
+
+
+def test_a_patch_outside_is_an_error():
+    world = walled(5, 4)
+    for x, y in [(2.5, 0), (-2.6, 0), (0, 1.5), (0, -2.6), (9, 9)]:
+        assert not world.is_inside(x, y)
+        with pytest.raises(ValueError, match="outside the world"):
+            world.patch(x, y)
+    for x, y, expected in [(2.4, 1.4, (2, 1)), (-2.5, -2.5, (-2, -2))]:
+        assert world.is_inside(x, y)
+        patch = world.patch(x, y)
+        assert (patch.x, patch.y) == expected
+    # 0.49999999999999994 + 0.5 is 1.0: the last coordinate of a world that ends there.
+    assert walled(1, 1).patch(math.nextafter(0.5, 0), 0).x == 0
+
+
+@given(
+    st.integers(1, 9), st.integers(1, 9), st.sampled_from([False, True, "x", "y"]),
+    inside, inside, st.floats(0, 12),
+)  # fmt: skip
+def test_in_radius_between_walls_is_the_patches_whose_centre_is_near(
+    width, height, wraps, u, v, radius
+):
+    world = walled(width, height, wraps, low=(-(width // 3), 1 - height))
+    agent = turtle(world.low_x - 0.5 + u * width, world.low_y - 0.5 + v * height)
+    found = [(patch.x, patch.y) for patch in world.around(agent.x, agent.y, radius)]
+    assert len(found) == len(set(found))
+    for x in range(world.low_x, world.high_x + 1):
+        for y in range(world.low_y, world.high_y + 1):
+            copies = [
+                math.hypot(x + i * width - agent.x, y + j * height - agent.y)
+                for i in ((-1, 0, 1) if world.wraps_x else (0,))
+                for j in ((-1, 0, 1) if world.wraps_y else (0,))
+            ]
+            if abs(min(copies) - radius) > 1e-9:
+                assert ((x, y) in found) == (min(copies) < radius)
+
+
+def test_lattices_of_a_world_that_is_no_square():
+    assert torus.lattice((9, 3), 3) == [(-3, 0), (0, 0), (3, 0)]
+    assert torus.lattice((33, 33), 6) == torus.lattice(33, 6)

@@ -1,0 +1,39 @@
+"""The arrays of the index by which compiled rules find agents of a population."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.worlds.neighbours.kernel import CELLS, ENTRY
+
+ARRAYS: dict[str, Any] = {
+    "near_cells": CELLS,
+    "near_entries": ENTRY,
+    "near_heads": np.int32,
+    "near_spots": np.int32,
+    "near_found": np.int64,
+}
+"""The arrays of a population that rules look for, as `compiling.layout.SEEKING` names them."""
+MORE_CELLS = 64
+"""How many more cells there may be than agents: a world has some also where it is empty."""
+
+
+def arrays(room: int, loops: int) -> dict[str, NDArray[Any]]:
+    """Return the arrays of an index.
+
+    Args:
+        room: for so many agents.
+        loops: how many loops of the rules go over what they found. No rule calls itself, so no
+            more of them are under way at once, each with every agent at most.
+    """
+    sizes = {
+        "near_cells": 1,
+        "near_entries": room,
+        "near_heads": room + MORE_CELLS,
+        "near_spots": room,
+        "near_found": (loops + 1) * room + 1,
+    }
+    return {name: np.zeros(size, ARRAYS[name]) for name, size in sizes.items()}
