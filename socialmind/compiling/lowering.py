@@ -295,7 +295,7 @@ class _Lowering(ast.NodeTransformer):
         return ast.Attribute(self.visit(node.args[0]), "_slot", ast.Load())
 
     def lower_agent_there(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_near_there_{mark[1]}", self.visit(node.args[0]))
+        return _call(f"_there_{mark[1]}", self.visit(node.args[0]))
 
     def lower_none_agent(self, node: ast.Compare, mark: tuple[Any, ...]) -> ast.expr:
         operator = ast.GtE() if mark[1] else ast.Lt()

@@ -51,6 +51,7 @@ def _stream(_model):
 def runtime_names() -> str:
     """Return the names by which rules call the arithmetic that both speeds share."""
     builtins = (
-        "_present", "_as_int", "_as_float", "_abs", "_len", "_range", "_print", "_breakpoint",
+        "_present", "_agent_there", "_perhaps", "_as_int", "_as_float", "_abs", "_len", "_range",
+        "_print", "_breakpoint",
     )  # fmt: skip
     return "\n".join(f"{name} = _arithmetic.{name[1:]}" for name in RUNTIME if name not in builtins)

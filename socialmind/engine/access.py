@@ -39,6 +39,13 @@ def _agent_NAME(_model, identity):
 
 
 @_inner
+def _there_NAME(_model, slot):
+    if slot < 0:
+        raise ValueError("an agent that is None was used")
+    return _rows_NAME(_model)[slot]
+
+
+@_inner
 def _contains_NAME(_model, identity):
     return _living(_slot_of_NAME(_model), identity)
 

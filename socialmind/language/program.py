@@ -362,6 +362,13 @@ def present(value: Any) -> Any:
     return value
 
 
+def agent_there(agent: Any) -> Any:
+    """Return an agent that may be None; raise when it is."""
+    if agent is None:
+        raise ValueError("an agent that is None was used; ask `is not None` before")
+    return agent
+
+
 RUNTIME: dict[str, Any] = {
     **{
         f"_{name}": function
@@ -369,6 +376,8 @@ RUNTIME: dict[str, Any] = {
         if isinstance(function, python_types.FunctionType) and not name.startswith("_")
     },
     "_present": present,
+    "_agent_there": agent_there,
+    "_perhaps": lambda agent: agent,
     "_as_int": int,
     "_as_float": float,
     "_abs": abs,

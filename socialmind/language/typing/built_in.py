@@ -22,7 +22,9 @@ if TYPE_CHECKING:
 
 def built_in(typer: Typer, node: ast.Call, name: str) -> Typed:
     """Return the call of a built-in function as both speeds run it."""
-    if name in REDUCTIONS and node.args and isinstance(node.args[0], ast.GeneratorExp):
+    keyed = name in ("min", "max") and any(one.arg == "key" for one in node.keywords)
+    several = node.args and isinstance(node.args[0], ast.GeneratorExp)
+    if (name in REDUCTIONS and several) or (keyed and len(node.args) == 1):
         return reduced(typer, node, name)
     without_keywords(typer, node, name)
     return BUILT_IN[name](typer, node)
@@ -33,7 +35,7 @@ def without_keywords(typer: Typer, node: ast.Call, name: str) -> None:
     if node.keywords:
         advice = f"write the values in their order, without names: {name}({WRITTEN.get(name, '…')})"
         if node.keywords[0].arg == "key":
-            advice = "keep the best so far in a for loop"
+            advice = f"write {name}(model.flock, key=lambda one: one.energy)"
         typer.refuse(node, f"{name}() with {node.keywords[0].arg}=", advice)
 
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.language import types
 from socialmind.language.nodes import Typed, call, marked
 from socialmind.language.source import RuleSource
+from socialmind.language.typing.neighbours import agent_there
 
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
@@ -31,7 +32,22 @@ _BODIES = {
     "max": ("FOUND = 0\nCOUNT = 0", _LEAST.replace("<", ">"), ""),
 }
 """What stands before the loop, what is done for each value, and what stands behind the loop."""
-_MAY_BE_NOTHING = "return COUNT, FOUND"
+_BEST = """ONE = VALUE
+NEXT = +KEY
+if COUNT == 0 or NEXT < LEAST:
+    LEAST = NEXT
+    FOUND = ONE
+COUNT = 1"""
+_BY_KEY = {"min": _BEST, "max": _BEST.replace("<", ">")}
+_ANY_ONE = """COUNT = COUNT + 1
+if STREAM.integers(COUNT) == 0:
+    FOUND = VALUE"""
+"""What is done for each agent or patch, of which that of the least key, or any, is looked for."""
+_AMONG_AGENTS = ("FOUND = None\nLEAST = 0\nCOUNT = 0", "return FOUND")
+_AMONG_PATCHES = (
+    "FOUND = WORLD.patch(WORLD.low_x, WORLD.low_y)\nLEAST = 0\nCOUNT = 0",
+    "return COUNT, FOUND",
+)
 _OR_DEFAULT = "if COUNT == 0:\n    return DEFAULT\nreturn FOUND"
 
 REDUCTIONS = frozenset(_BODIES)
@@ -46,84 +62,175 @@ def reduced(typer: Typer, node: ast.Call, name: str) -> Typed:
         node: the call, whose first argument is the generator expression, an array field or a set.
         name: one of `REDUCTIONS`.
     """
-    default = next((one.value for one in node.keywords if one.arg == "default"), None)
-    others = [one.arg for one in node.keywords if one.arg != "default"]
-    if len(node.args) > 1 or others or (default is not None and name not in ("min", "max")):
-        wanted = ", default=…" if name in ("min", "max") else ""
+    settings = {str(one.arg): one.value for one in node.keywords}
+    known = {"key", "default"} if name in _BY_KEY else set()
+    if len(node.args) > 1 or not settings.keys() <= known:
+        wanted = ", default=…, key=…" if known else ""
         typer.refuse(
             node,
             f"{name}() of a generator expression like this",
             f"write {name}(value for one in several if condition{wanted})",
         )
-    source = _written_out(typer, node.args[0], name, default)
-    given = [
-        typer.expression(ast.copy_location(ast.Name(one, ast.Load()), node))
-        for one in source.parameters
-    ]
-    symbol, result = typer.program.specialised(
-        source, tuple(kind for _, kind in given), typer, node
-    )
-    held = [
-        value for value, kind in given if not isinstance(kind, types.TextType | types.TableType)
-    ]
-    made: ast.expr = marked(call(symbol, held, node), ("helper", symbol))
+    if "key" in settings:
+        return _best(typer, node, name, settings)
+    before, inside, behind = _BODIES[name]
+    parts = {}
+    if not behind:
+        behind = "return COUNT, FOUND"
+    if "default" in settings:
+        parts, behind = {"DEFAULT": settings["default"]}, _OR_DEFAULT
+    made, result = _called(typer, node, name, (before, inside, behind), parts)
     if not isinstance(result, types.TupleType):
         return made, result
     kind = result.items[1]
     return call("_mean_of" if name == "mean" else "_found_in", [made], node), kind
 
 
+def _best(typer: Typer, node: ast.Call, name: str, settings: dict[str, ast.expr]) -> Typed:
+    """Return the agent or patch with the least or the largest key."""
+    key = settings["key"]
+    one = _free("one", _names_in(node))
+    if isinstance(key, ast.Lambda) and len(key.args.args) == 1 and not key.args.defaults:
+        value = _filled(key.body, {}, {key.args.args[0].arg: one})
+    elif isinstance(key, ast.Name):
+        value = ast.copy_location(ast.Call(key, [_name(one, key)], []), key)
+    else:
+        typer.refuse(node, f"the key {ast.unparse(key)}", "write key=lambda one: one.energy")
+    nobody = settings.get("default")
+    if nobody is not None and not (isinstance(nobody, ast.Constant) and nobody.value is None):
+        typer.refuse(node, f"default={ast.unparse(nobody)} with a key", "write default=None")
+    made, kind = _one_among(typer, node, f"{name}_by_key", _BY_KEY[name], {"KEY": value})
+    if nobody is None and isinstance(kind, types.MaybeRowType):
+        return agent_there(made, kind)
+    return made, kind
+
+
+def any_one(typer: Typer, node: ast.Call, stream: ast.expr) -> Typed:
+    """Return one of the agents or patches that a generator expression yields, drawn at random.
+
+    Args:
+        typer: of the rule in which it stands.
+        node: the call `rng.choice(…)`.
+        stream: the random stream, as it is written.
+    """
+    return _one_among(typer, node, "choice", _ANY_ONE, {"STREAM": stream})
+
+
+def _one_among(
+    typer: Typer, node: ast.Call, name: str, inside: str, parts: dict[str, ast.expr]
+) -> Typed:
+    """Return an agent or None, or a patch, of a generator expression or a set."""
+    value, generators = _parts(node.args[0])
+    several = next(
+        (
+            one.iter
+            for one in generators
+            if isinstance(value, ast.Name)
+            and isinstance(one.target, ast.Name)
+            and one.target.id == value.id
+        ),
+        None,
+    )
+    world = several
+    if isinstance(several, ast.Call):
+        world = several.func
+    patches = isinstance(world, ast.Attribute) and isinstance(
+        typer.expression(world.value)[1], types.WorldType
+    )
+    if patches and isinstance(world, ast.Attribute):
+        before, behind = _AMONG_PATCHES
+        parts = {**parts, "WORLD": world.value}
+    elif isinstance(world, ast.Attribute) and isinstance(
+        typer.expression(several or world)[1], types.PopulationType | types.FoundType
+    ):
+        before, behind = _AMONG_AGENTS
+    else:
+        typer.refuse(
+            node,
+            f"one of {ast.unparse(node.args[0])}",
+            "write (one for one in several if condition), of agents or patches",
+        )
+    made, kind = _called(typer, node, name, (before, inside, behind), parts)
+    if isinstance(kind, types.TupleType):
+        return call("_found_in", [made], node), kind.items[1]
+    return made, kind
+
+
+def _called(
+    typer: Typer,
+    node: ast.Call,
+    name: str,
+    texts: tuple[str, str, str],
+    parts: dict[str, ast.expr],
+) -> Typed:
+    """Return the call of the function that a generator expression stands for."""
+    written: Any = node.args[0]
+    if not hasattr(written, "written_out"):  # once, though typing walks a rule several times
+        written.written_out = _written_out(typer, node, name, texts, parts)
+    source: RuleSource = written.written_out
+    given = [typer.expression(_name(one, node)) for one in source.parameters]
+    symbol, result = typer.program.specialised(
+        source, tuple(kind for _, kind in given), typer, node
+    )
+    held = [
+        value for value, kind in given if not isinstance(kind, types.TextType | types.TableType)
+    ]
+    return marked(call(symbol, held, node), ("helper", symbol)), result
+
+
 def _written_out(
-    typer: Typer, written: ast.expr, name: str, default: ast.expr | None
+    typer: Typer,
+    node: ast.Call,
+    name: str,
+    texts: tuple[str, str, str],
+    parts: dict[str, ast.expr],
 ) -> RuleSource:
-    """Return the function that a generator expression stands for, written once for each."""
-    known: RuleSource | None = getattr(written, "written_out", None)
-    if known is not None:
-        return known
-    value, generators = _parts(written)
+    """Return that function, as its author might have written it."""
+    value, generators = _parts(node.args[0])
     if any(generator.is_async for generator in generators):
-        typer.refuse(written, "async for in a rule", "write a plain for")
-    names = {one.id for one in ast.walk(written) if isinstance(one, ast.Name)}
-    names |= {one.id for one in ast.walk(default or written) if isinstance(one, ast.Name)}
-    targets = {
-        one.id
-        for generator in generators
-        for one in ast.walk(generator.target)
-        if isinstance(one, ast.Name)
-    }
-    before, inside, behind = _BODIES[name]
-    if not behind:
-        behind = _MAY_BE_NOTHING if default is None else _OR_DEFAULT
-    parts = {"VALUE": value} if default is None else {"VALUE": value, "DEFAULT": default}
-    free = {mark: _free(mark.lower(), names) for mark in ("FOUND", "COUNT", "NEXT")}
-    body = _block(inside, parts, free, written)
+        typer.refuse(node, "async for in a rule", "write a plain for")
+    names = _names_in(node)
+    marks = {mark: _free(mark.lower(), names) for mark in ("FOUND", "COUNT", "NEXT", "LEAST")}
+    marks["ONE"] = _free("one", names)
+    before, body, behind = (_block(text, {**parts, "VALUE": value}, marks, node) for text in texts)
     for generator in reversed(generators):
         for condition in reversed(generator.ifs):
-            body = [ast.copy_location(ast.If(condition, body, []), written)]
+            body = [ast.copy_location(ast.If(condition, body, []), node)]
         target = copy.deepcopy(generator.target)
-        body = [ast.copy_location(ast.For(target, generator.iter, body, []), written)]
-    body = [*_block(before, parts, free, written), *body, *_block(behind, parts, free, written)]
-    taken = [one for one in typer.variables if one in names and one not in targets]
+        body = [ast.copy_location(ast.For(target, generator.iter, body, []), node)]
+    body = [*before, *body, *behind]
+    own = {
+        one.id
+        for statement in body
+        for one in ast.walk(statement)
+        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store)
+    }
+    taken = [one for one in typer.variables if one in names and one not in own]
     arguments = ast.arguments([], [ast.arg(one) for one in taken], None, [], [], None, [])
     title = f"{name}_in_{typer.source.name}"
     tree = ast.FunctionDef(title, arguments, body, [], None, None)
-    ast.fix_missing_locations(ast.copy_location(tree, written))
+    ast.fix_missing_locations(ast.copy_location(tree, node))
     around = typer.source
     # What tells functions of a program apart is the expression itself: it has no function of its
     # own, and two of them in one rule are two.
-    key: Any = written
-    made = RuleSource(key, title, around.file, written.lineno, tree, around.names, around.state)
-    written.written_out = made  # type: ignore[attr-defined]  # typing walks a rule several times
-    return made
+    key: Any = node.args[0]
+    return RuleSource(key, title, around.file, node.lineno, tree, around.names, around.state)
 
 
 def _parts(written: ast.expr) -> tuple[ast.expr, list[ast.comprehension]]:
     """Return what is yielded for what; each value itself where something else is written."""
     if isinstance(written, ast.GeneratorExp):
         return written.elt, written.generators
-    one = ast.copy_location(ast.Name("one", ast.Load()), written)
-    target = ast.copy_location(ast.Name("one", ast.Store()), written)
-    return one, [ast.comprehension(target, written, [], 0)]
+    target = ast.copy_location(ast.Name("each", ast.Store()), written)
+    return _name("each", written), [ast.comprehension(target, written, [], 0)]
+
+
+def _name(name: str, near: ast.AST) -> ast.Name:
+    return ast.copy_location(ast.Name(name, ast.Load()), near)
+
+
+def _names_in(node: ast.AST) -> set[str]:
+    return {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
 
 
 def _free(name: str, taken: set[str]) -> str:
@@ -133,19 +240,23 @@ def _free(name: str, taken: set[str]) -> str:
 
 
 def _block(
-    text: str, parts: dict[str, ast.expr], names: dict[str, str], near: ast.expr
+    text: str, parts: dict[str, ast.expr], names: dict[str, str], near: ast.AST
 ) -> list[ast.stmt]:
     """Return lines with the author's expressions in their places."""
-
-    class Filling(ast.NodeTransformer):
-        def visit_Name(self, node: ast.Name) -> ast.expr:
-            return parts.get(node.id) or ast.Name(names.get(node.id, node.id), node.ctx)
-
     tree = ast.parse(text)
     for node in ast.walk(tree):
         if isinstance(node, ast.stmt | ast.expr):
             ast.copy_location(node, near)
-    filled = [Filling().visit(one) for one in tree.body]
-    for one in filled:
-        ast.fix_missing_locations(one)
-    return filled
+    return [_filled(one, parts, names) for one in tree.body]
+
+
+def _filled(tree: Any, parts: dict[str, ast.expr], names: dict[str, str]) -> Any:
+    """Return a tree with other expressions, or other names, in the places of some names."""
+
+    class Filling(ast.NodeTransformer):
+        def visit_Name(self, node: ast.Name) -> ast.expr:
+            part = parts.get(node.id)
+            name = ast.Name(names.get(node.id, node.id), node.ctx)
+            return ast.copy_location(name, node) if part is None else part
+
+    return ast.fix_missing_locations(Filling().visit(copy.deepcopy(tree)))

@@ -11,6 +11,7 @@ from socialmind.language.refusals import METHODS
 from socialmind.language.types import BOOL, INT, NONE, AnyType, ArrayType, TableType, TupleType
 from socialmind.language.typing import tables
 from socialmind.language.typing.built_in import fitted, without_keywords
+from socialmind.language.typing.comprehensions import any_one
 from socialmind.language.typing.signatures import OF_SEVERAL, RNG
 
 if TYPE_CHECKING:
@@ -19,6 +20,10 @@ if TYPE_CHECKING:
 
 def typed_draw(typer: Typer, node: ast.Call, stream: ast.expr, name: str) -> Typed:
     """Return a draw as both speeds run it, and the type of what is drawn."""
+    if name == "choice" and len(node.args) == 1 and isinstance(node.args[0], ast.GeneratorExp):
+        without_keywords(typer, node, "rng.choice")
+        assert isinstance(node.func, ast.Attribute)  # it is called as one
+        return any_one(typer, node, node.func.value)
     if name == "choice":
         return _choice(typer, node, stream)
     if name == "shuffle":

@@ -36,19 +36,10 @@ def one_patch(found: Iterable[Any], rng: Any) -> Any:
 NO_PATCH = "one_of() where there is no patch"
 
 
-def agent_there(agent: Any) -> Any:
-    """Return an agent that may be None; raise when it is."""
-    if agent is None:
-        raise ValueError("an agent that is None was used; ask `is not None` before")
-    return agent
-
-
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{f"_agents_{name}": function for name, function in QUESTIONS.items()},
     "_still_living": still_living,
     "_how_many": how_many,
     "_one_found": one_found,
     "_one_patch": one_patch,
-    "_agent_there": agent_there,
-    "_perhaps": lambda agent: agent,
 }

@@ -127,14 +127,7 @@ def _near_one_NAME(_model, end, rng):
         return -1
     found = _near_found_NAME(_model)
     _neighbours.in_order(found, begin, end)
-    return found[begin + _rng_integers(rng, 0, end - begin)] & _neighbours.SLOT
-
-
-@_inner
-def _near_there_NAME(_model, slot):
-    if slot < 0:
-        raise ValueError("an agent that is None was used")
-    return _rows_NAME(_model)[slot]"""
+    return found[begin + _rng_integers(rng, 0, end - begin)] & _neighbours.SLOT"""
 
 _ASKED_BY = """@_inner
 def _near_NAME_ASKER(_model, who, radius):

@@ -134,3 +134,35 @@ def with_optional_fields(person, model):
 def in_what_is_added(person, model):
     person.i += sum(house.rooms for house in model.houses)
     person.vf[person.j % 4] += max(house.rent for house in model.houses)
+
+
+def strongest(person, model):
+    best = max(model.persons, key=lambda one: one.f)
+    person.i = best.id
+    person.f = min(model.houses, key=_value).rent
+
+
+def _value(house):
+    return house.rooms * 2 - house.id
+
+
+def strongest_of_some(person, model):
+    found = max(
+        (other for other in model.persons if other.b and other.id != person.id),
+        key=lambda other: other.f - person.f,
+        default=None,
+    )
+    if found is not None:
+        person.i = found.id
+
+
+def strongest_of_none(person, model):
+    found = min(
+        (other for other in model.persons if other.id > 99), key=lambda p: p.f, default=None
+    )
+    person.b = found is None
+
+
+def first_of_equals_by_key(person, model):
+    person.i = max(model.persons, key=lambda one: one.id % 2).id
+    person.j = min((one for one in model.persons), key=lambda one: one.id // 3).id

@@ -200,3 +200,33 @@ def all_dying(person, model):
     for house in model.houses:
         house.die()
     person.i = len(model.houses)
+
+
+def uphill(person, model):
+    best = max(model.world.neighbours(person), key=lambda patch: patch.grass + patch.x * 0.01)
+    best.visits += 1
+    model.world.move_to(person, best.x, best.y)
+
+
+def least_grown(person, model):
+    low = min((p for p in model.world.patches if not p.taken), key=lambda p: p.grass - p.y)
+    low.grass += 0.25
+
+
+def one_with_a_condition(person, model, rng):
+    friend = rng.choice(other for other in model.persons if other.b and other.id != person.id)
+    if friend is not None:
+        person.i = friend.id
+    place = rng.choice(patch for patch in model.world.in_radius(person, 2) if patch.x >= -4)
+    person.f = place.x + place.y * 10
+
+
+def strongest_near(person, model):
+    found = max(
+        (other for other in model.persons.near(person, 3.0) if other.b),
+        key=lambda other: other.f,
+        default=None,
+    )
+    if found is not None:
+        found.g += 1
+    person.j = sum(1 for other in model.persons.on(person))
