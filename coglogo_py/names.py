@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from coglogo_py.arrays import SchemeArrays
 from coglogo_py.border.errors import MindError, nearest
-from coglogo_py.laying_out import culturons_of
+from coglogo_py.laying_out import culturons_of, scheme_arrays
+from coglogo_py.parts import settle
 from coglogo_py.scheme import CognitiveScheme
 
 
@@ -70,3 +72,12 @@ class Names:
         advice = nearest(name, known) if isinstance(name, str) else "names are strings"
         there = f"there are: {', '.join(known)}" if known else f"there are no {kind}s"
         raise MindError(f"no {kind} {name!r} in {where}; {f'{advice} ' if advice else ''}{there}")
+
+
+def laid_out(scheme: CognitiveScheme) -> tuple[Names, SchemeArrays]:
+    """Return the names and the arrays of a scheme, made once and shared by its societies."""
+    known: tuple[Names, SchemeArrays] | None = vars(scheme).get("_laid_out")
+    if known is None:
+        known = Names(scheme), scheme_arrays(scheme)
+        settle(scheme, "_laid_out", known)
+    return known

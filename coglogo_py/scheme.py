@@ -141,11 +141,18 @@ class CognitiveScheme:
         Raises:
             SchemeError: the file cannot be read as a scheme; says where and why.
         """
+        return cls.parsed(text_in(Path(path), latin_1=True), path, decision_makers)
+
+    @classmethod
+    def parsed(
+        cls, text: str, path: str | Path, decision_makers: Iterable[type[DecisionMaker]] = ()
+    ) -> CognitiveScheme:
+        """Return the scheme of a text that was read from a file; arguments as of `load`."""
         # Here, since most schemes come from no file: yaml takes its time.
         from coglogo_py.files import cogscheme_file, yaml_file
 
         reader = yaml_file if Path(path).suffix.lower() in (".yaml", ".yml") else cogscheme_file
-        return reader.parse(text_in(Path(path), latin_1=True), path, cls, decision_makers)
+        return reader.parse(text, path, cls, decision_makers)
 
     def save(self, path: str | Path) -> None:
         """Write the scheme to a file, in the form that the suffix names; replaces what was there.

@@ -7,14 +7,14 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.arrays import MindArrays, SchemeArrays
+from coglogo_py.arrays import MindArrays
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.errors import CogLogoError
 from coglogo_py.border.memory import check_memory
 from coglogo_py.border.numbers import whole_number
-from coglogo_py.laying_out import grown, mind_arrays, scheme_arrays
+from coglogo_py.laying_out import grown, mind_arrays
 from coglogo_py.mind import Mind
-from coglogo_py.names import Names
+from coglogo_py.names import laid_out
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.state_check import oddity
 
@@ -54,8 +54,7 @@ class Society(Closed):
         self.scheme = scheme
         self.seed = whole_number(seed, "seed of a society", 0, 2**64 - 1)
         self.stream = whole_number(stream, "stream of a society", 0, 2**16 - 1)
-        self.names = Names(scheme)
-        self.arrays: SchemeArrays = scheme_arrays(scheme)
+        self.names, self.arrays = laid_out(scheme)
         self.weights_scratch = np.empty(len(scheme.plans))
         self.plans_scratch = np.empty(len(scheme.plans), np.int64)
         self.era = 0
@@ -138,7 +137,17 @@ class Society(Closed):
             one = sum(array.nbytes for array in mind_arrays(self.arrays, 1, seed=0))
             minds = f"{capacity + missing} minds of scheme {self.scheme.name!r}"
             check_memory((capacity + missing) * one, minds)
-            self.minds = grown(self.arrays, self.minds, max(2 * capacity, capacity + missing))
+            larger = max(2 * capacity, capacity + missing)
+            if self._untouched:
+                self.minds = mind_arrays(self.arrays, larger, self.seed, self.stream)
+            else:
+                self.minds = grown(self.arrays, self.minds, larger)
+
+    @property
+    def _untouched(self) -> bool:
+        """Whether there has been no mind and no group yet."""
+        counters = self.minds.counters
+        return not counters[kernel.NEXT_MIND] and not counters[kernel.NEXT_GROUP]
 
     def reset(self) -> None:
         """Forget all minds, groups, identities and draws: as if just made, with the same seed."""

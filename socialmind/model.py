@@ -11,17 +11,16 @@ instance is a running society:
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents import idleness
 from socialmind.agents.agent_columns import agent_columns, default_series
-from socialmind.compiling.layout import model_dtype
 from socialmind.engine.engine import Engine
 from socialmind.engine.explaining import explained
 from socialmind.errors import SocialmindError
@@ -30,6 +29,7 @@ from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.society import copying, making
 from socialmind.society.admitting import admitted
+from socialmind.society.blueprint import Blueprint
 from socialmind.society.declaration import kept_names
 from socialmind.society.kind import ModelKind
 from socialmind.society.parameter import Parameter
@@ -95,6 +95,7 @@ class Model(metaclass=ModelKind):
     measures: ClassVar[dict[str, Any]] = {}
     shape: ClassVar[ModelShape]
     _programs: ClassVar[dict[bool, Program]] = {}
+    _blueprint: ClassVar[Blueprint]
 
     _tables_given: dict[str, Any]
     _given: tuple[Any, Any]  # `socialmind.agents.running` names what else an instance keeps
@@ -128,25 +129,27 @@ class Model(metaclass=ModelKind):
         self._steerings = kind.steerings(hierarchy)
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = kind.typed(compiled)
-        self.contexts: NDArray[Any] = np.zeros(
-            1, model_dtype(self.shape, self.program.world_columns, self.program.sought)
-        )
+        self.record = kind._blueprint.record_of(self.program)
+        self.contexts: NDArray[Any] = self.record.new()
         self.context: Any = self.contexts[0]
         tables = {name: parameters.pop(name) for name in kind.populations if name in parameters}
         self._tables_given: dict[str, Any] = tables
         making.set_values(self.context, kind.parameters, kind.variables, parameters, kind.name)
         making.ignore(self.context, kind.interruptions, self.without, kind.name)
         self.ground = making.ground_of(self, kind.declared_world)
-        self.schemes, files = making.schemes_of(self.populations, kind.folder, scheme, kind.name)
+        shared = kind._blueprint
+        self.schemes, files = making.schemes_of(
+            self.populations, kind.folder, scheme, kind.name, shared.schemes
+        )
         beginnings = making.beginnings_of(self, tables, parameters, kind.folder)
-        self.tables: dict[str, Table] = making.tables_of(self, self._steerings, beginnings)
+        self.tables: dict[str, Table] = making.tables_of(self, self._steerings, beginnings, shared)
         self.ground.settle_in()
         self.stream = making.new_stream(self.seed)
-        self.connected: list[NDArray[Any]] = []
+        self.connected: list[Any] = []
         self.names = making.names_in_minds(self, files)
         self.engine = Engine(self, compiled)
         if self._sets_up:
-            self.engine.set_up()
+            self.engine.set_up(partial(copying.unbegun, self, Model))
             self.ground.build()
 
     def __setattr__(self, name: str, value: Any) -> None:

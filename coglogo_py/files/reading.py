@@ -31,7 +31,11 @@ def text_in(path: Path, most: int = MOST_BYTES, latin_1: bool = False) -> str:
         SchemeError: there is no such file, it cannot be read, it is too large or in another
             encoding.
     """
-    content = _content(path, most)
+    return text_of(content_of(path, most), path, latin_1)
+
+
+def text_of(content: bytes, path: Path, latin_1: bool = False) -> str:
+    """Return what a file's bytes say; arguments and errors as of `text_in`."""
     for mark, encoding in _MARKS.items():
         if content.startswith(mark):
             raise SchemeError(f"text in {encoding}", "text in UTF-8", _REMEDY, path, 1)
@@ -59,14 +63,21 @@ def text_in(path: Path, most: int = MOST_BYTES, latin_1: bool = False) -> str:
         ) from None
 
 
-def _content(path: Path, most: int) -> bytes:
-    """Return the bytes of a regular file: others, such as pipes, may never end."""
+def content_of(path: Path, most: int = MOST_BYTES) -> bytes:
+    """Return the bytes of a regular file: others, such as pipes, may never end.
+
+    Raises:
+        SchemeError: there is no such file, it cannot be read, or it is too large.
+    """
     try:
-        mode = path.stat().st_mode
-        content = b""
+        found = path.stat()
+        mode, content = found.st_mode, b""
         if stat.S_ISREG(mode):
             with path.open("rb") as file:
-                content = file.read(most + 1)
+                # Room for as much as there is: that for the most would take longer than to read.
+                content = file.read(min(found.st_size, most) + 1)
+                if len(content) > found.st_size:  # it has grown since
+                    content += file.read(max(most + 1 - len(content), 0))
     except (OSError, ValueError) as error:  # ValueError: a null character in its name
         reason = getattr(error, "strerror", None) or error
         raise SchemeError(

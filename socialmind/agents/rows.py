@@ -7,7 +7,7 @@ still lives (`Held…`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 from coglogo_py.mind import Mind
@@ -164,19 +164,19 @@ def _hierarchy(row: Row) -> Any:
     return row._table.minds.of(row._slot)
 
 
-def row_class(shape: PopulationShape, keepers: Mapping[str, Keeper]) -> type[Row]:
+def row_class(shape: PopulationShape, kept: Collection[str]) -> type[Row]:
     """Return the class of a population's rows as rules hold them, its fields as properties.
 
     Args:
         shape: the population's.
-        keepers: by field, what turns a heading to 0 … 360, and brings a place back into the world
-            or refuses it.
+        kept: the fields for which the table has a keeper, which turns a heading to 0 … 360, and
+            brings a place back into the world or refuses it.
     """
     members: dict[str, Any] = {"__slots__": ()}
     for field in shape.fields.values():
         members[field.name] = field_property(field, _slot_of_row)
-        if field.name in keepers:
-            members[field.name] = _kept_property(field.name, keepers[field.name])
+        if field.name in kept:
+            members[field.name] = _kept_property(field.name)
     if shape.minded:
         members["mind"] = property(_mind)
         members["plan"] = property(_plan, _set_plan)
@@ -270,7 +270,7 @@ def _slot_of_row(row: Any) -> tuple[Any, int]:
     return row._table.columns, row._slot
 
 
-def _kept_property(name: str, keep: Keeper) -> property:
+def _kept_property(name: str) -> property:
     """Return a coordinate or a heading, which is brought back to its range, or refused."""
 
     def read(row: Any) -> float:
@@ -279,6 +279,6 @@ def _kept_property(name: str, keep: Keeper) -> property:
 
     def write(row: Any, value: float) -> None:
         table = row._table
-        table.columns[name][row._slot] = keep(value, f"agent {row.id}")
+        table.columns[name][row._slot] = table._keepers[name](value, f"agent {row.id}")
 
     return property(read, write)

@@ -27,13 +27,14 @@ class Running(Protocol):
         ground: its world.
         engine: what runs it.
         stream: the state of its compiled draws.
-        connected: the arrays whose addresses the record holds.
+        connected: the arrays, or tuples of them, whose addresses the record holds.
         watch: the population and identity of an agent whose decision is to be explained.
         watched: the receipt of that decision.
     """
 
     seed: int
     physics: str
+    record: Any
     contexts: NDArray[Any]
     context: Any
     tables: dict[str, Any]
@@ -44,7 +45,7 @@ class Running(Protocol):
     ground: Any
     engine: Any
     stream: NDArray[Any]
-    connected: list[NDArray[Any]]
+    connected: list[Any]
     watch: tuple[str, int] | None
     watched: Any
 

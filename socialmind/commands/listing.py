@@ -64,8 +64,10 @@ def _population(one: Population) -> tuple[str, ...]:
     if one.hierarchy is not None:
         minds.append(f"skills {_called(one.hierarchy)}")
     fields = [name for name in one.shape.fields if name not in ("x", "y", "heading")]
-    size = one.size if one.table is None else one.table if isinstance(one.table, str) else "a table"
-    return one.name, str(size), one.agent.__name__, ", ".join(minds), ", ".join(fields)
+    size = str(one.size)
+    if one.table is not None:
+        size = one.table if isinstance(one.table, str) else "a table"
+    return one.name, size, one.agent.__name__, ", ".join(minds), ", ".join(fields)
 
 
 def _called(mind: Any) -> str:
@@ -74,9 +76,7 @@ def _called(mind: Any) -> str:
 
 def _world(model_class: type[Model]) -> str:
     world = getattr(model_class, "world", None)
-    if world is None:
-        return ""
-    return str(world)
+    return "" if world is None else str(world)
 
 
 def _lessons(folder: Path) -> list[str]:

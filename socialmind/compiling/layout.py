@@ -43,6 +43,7 @@ WEIGHING: dict[str, tuple[str, int]] = {
 SEEKING = (
     *("near_cells", "near_entries", "near_heads", "near_heads_0"),
     *("near_spots", "near_spots_0", "near_found", "near_found_0"),
+    *("near_marks", "near_marks_0"),
 )
 """Further columns of the record for a population whose agents rules look for: its index."""
 

@@ -314,7 +314,7 @@ class _Lowering(ast.NodeTransformer):
     def lower_nearest(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args[1:]]
         radius = arguments[1:] or [_parsed("np.inf")]
-        return _call(f"_nearest_{mark[1]}_{mark[2]}", arguments[0], *radius)
+        return _call(f"_near_first_{mark[1]}_{mark[2]}", arguments[0], *radius)
 
     def lower_count_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         return ast.BinOp(self.visit(node.args[0]), ast.Sub(), _call(f"_near_begin_{mark[1]}"))
@@ -348,8 +348,9 @@ class _Lowering(ast.NodeTransformer):
 
     def block(self, statements: list[ast.stmt]) -> list[ast.stmt]:
         """Return statements for numba."""
-        made: list[ast.stmt] = self.generic_visit(ast.Module(statements, [])).body
-        return made
+        made = ast.Module(statements, [])
+        self.generic_visit(made)
+        return made.body
 
     def patches_asked(self, node: Any) -> tuple[str, str, list[ast.expr]]:
         """Return what patches are around whom, by whom it is asked, and with what."""

@@ -70,6 +70,16 @@ def fetch_ahead(typing_context: Any, array: Any, row: Any) -> Any:
     return types.none(array, types.int64), generate
 
 
+@intrinsic
+def lowest_bit(typing_context: Any, bits: Any) -> Any:
+    """Return the number of the lowest bit of a whole number that is set; it is not 0."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return builder.cttz(arguments[0], ir.Constant(ir.IntType(1), 1))
+
+    return types.int64(types.int64), generate
+
+
 @register_jitable
 def some(there: bool, value: Any) -> Any:
     """Return an optional field's value; raise when it is None."""

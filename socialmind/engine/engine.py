@@ -12,6 +12,7 @@ from numba.core.errors import NumbaError
 from coglogo_py.compiled.own_maker import refusal_of
 from coglogo_py.decision import BUILT_IN
 from socialmind.compiling.modules import compiled_module
+from socialmind.compiling.reached import fingerprint
 from socialmind.engine.module_text import module_text
 from socialmind.engine.ticks import run_setup, run_tick, taken
 from socialmind.errors import SocialmindError
@@ -23,12 +24,19 @@ if TYPE_CHECKING:
     from coglogo_py.decision import DecisionMaker
     from socialmind.agents.running import Running
 
+State = dict[str, Any]
+
 CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
 INTERPRETED_SETUP = 20_000
-"""Up to so many agents and patches the setup runs interpreted: faster than loading its code."""
+"""Up to so many agents and patches the first society's setup runs interpreted: faster than loading
+its code."""
 SNAPSHOT_BYTES = 8 * 2**20
 """The largest state of which a copy is kept, to find the line of an error in compiled code."""
+
+
+_OUTGROWN = "setup outgrown"
+"""Under what a program holds that its setup brings more agents than there is room for."""
 
 
 class Engine:
@@ -45,21 +53,33 @@ class Engine:
         self._functions: dict[str, Callable[..., Any]] | None = None
         self._module: ModuleType | None = None
         self._ticks_per_chunk = 1
+        self._record: Any = None
+        self._sized: list[Any] | None = None
+        self._size = 0
 
     @property
     def module(self) -> Any:
         """The compiled loops."""
         if self._module is None:
-            model = self.model
-            own = {name: maker.choose for name, maker in self._own_makers().items()}
-            try:
-                self._module = compiled_module(module_text(model.program, frozenset(own)), own)
-            except NumbaError as error:
-                self._refuse_makers(error)
-            for table in model.tables.values():
+            program, loops = self.model.program, self._loops()
+            if loops not in program.made:
+                own = {name: maker.choose for name, maker in self._own_makers().items()}
+                try:
+                    text = module_text(program, frozenset(own))
+                    program.made[loops] = compiled_module(text, own)
+                except NumbaError as error:
+                    self._refuse_makers(error)
+            self._module = program.made[loops]
+            # As numba has it, in which arrays of truth values are bytes.
+            self._record = self.model.contexts.view(self._module.MODEL)
+            for table in self.model.tables.values():
                 if table.minds is not None:
                     table.minds.compile()
         return self._module
+
+    def _loops(self) -> tuple[tuple[str, str], ...]:
+        """Return what tells the compiled loops of one program from each other."""
+        return tuple((name, fingerprint(one.choose)) for name, one in self._own_makers().items())
 
     @property
     def functions(self) -> dict[str, Callable[..., Any]]:
@@ -73,13 +93,25 @@ class Engine:
             self._functions = program.interpreted(names)
         return self._functions
 
-    def set_up(self) -> None:
-        """Run the setup."""
-        if self.compiled and self._entities() > INTERPRETED_SETUP:
+    def set_up(self, unbegun: Callable[[], State] | None = None) -> None:
+        """Run the setup.
+
+        Args:
+            unbegun: gives the state before it, should it fail; a copy is made unless given.
+        """
+        if self.compiled and self._compiles_setup():
             connect(self.model)
-            self._guarded(lambda: self.module.prepare(self.model.contexts), run_setup)
+            self._guarded(lambda: self.module.prepare(self._record), _run_outgrown_setup, unbegun)
         else:
             run_setup(self.model, self.functions)
+
+    def _compiles_setup(self) -> bool:
+        """Whether the setup runs compiled: in large worlds, and once other societies had ticks."""
+        if not self.model.program.setup or self._entities() > INTERPRETED_SETUP:
+            return bool(self.model.program.setup)
+        made = self.model.program.made
+        module = made.get(self._loops())
+        return module is not None and _OUTGROWN not in made and bool(module.advance.signatures)
 
     def advance(self, ticks: int) -> None:
         """Run a number of ticks.
@@ -99,7 +131,7 @@ class Engine:
             begin = time.perf_counter()
             wanted = min(left, self._ticks_per_chunk)
             connect(self.model)
-            loop = functools.partial(self.module.advance, self.model.contexts, wanted)
+            loop = functools.partial(self.module.advance, self._record, wanted)
             done = self._guarded(loop, run_tick)
             if done < wanted:
                 self._make_room()
@@ -107,7 +139,7 @@ class Engine:
             took = time.perf_counter() - begin
             # Many short advances say nothing of how long a stretch may be.
             if done == self._ticks_per_chunk and took < CHUNK_SECONDS / 2:
-                self._ticks_per_chunk *= 2
+                self._ticks_per_chunk *= 16 if took < CHUNK_SECONDS / 32 else 2
             elif took > CHUNK_SECONDS and wanted > 1:
                 self._ticks_per_chunk = wanted // 2
 
@@ -118,7 +150,7 @@ class Engine:
         def one() -> int:
             # Within what is done again when it fails, so that nothing moves twice.
             model.ground.before_compiled_tick()
-            return int(self.module.advance(model.contexts, 1))
+            return int(self.module.advance(self._record, 1))
 
         for _ in range(ticks):
             self._make_room()
@@ -141,7 +173,12 @@ class Engine:
             if self.model.tables[name].short_of_room:
                 self.model.tables[name].grow()
 
-    def _guarded(self, run: Callable[[], Any], again: Callable[..., None]) -> int:
+    def _guarded(
+        self,
+        run: Callable[[], Any],
+        again: Callable[..., None],
+        before: Callable[[], State] | None = None,
+    ) -> int:
         """Run compiled code; when it fails, do its last tick again, interpreted.
 
         The interpreted tick fails alike, and knows the line. If it does not fail, it was room for
@@ -150,8 +187,8 @@ class Engine:
         model = self.model
         begin = model.tick
         # Births may outrun the room, whatever the size of the state.
-        copied = bool(model.program.births) or self._bytes() <= SNAPSHOT_BYTES
-        before = model.state() if copied else None
+        if before is None and (model.program.births or self._bytes() <= SNAPSHOT_BYTES):
+            before = functools.partial(dict, model.state())
         try:
             return int(run() or 0)
         except NumbaError as error:
@@ -166,10 +203,10 @@ class Engine:
                     f"{type(error).__name__} in tick {failed}: {error}; "
                     "run with --interpreted to see where"
                 ) from error
-            model.restore(before)
+            model.restore(before())
             connect(model)
             if failed > begin:
-                self.module.advance(model.contexts, failed - begin)
+                self.module.advance(self._record, failed - begin)
             again(model, self.functions)
             return model.tick - begin
 
@@ -196,8 +233,20 @@ class Engine:
         return int(self.model.ground.entities) + sum(len(table) for table in tables)
 
     def _bytes(self) -> int:
+        """Return how large the arrays of the society are, which is asked of each stretch."""
+        if self._sized is not self.model.connected:
+            self._sized, self._size = self.model.connected, self._counted_bytes()
+        return self._size
+
+    def _counted_bytes(self) -> int:
         tables = self.model.tables
         arrays = [table.rows.nbytes + 64 * len(table.rows) for table in tables.values()]
         arrays += [table.minds.bytes for table in tables.values() if table.minds is not None]
         arrays += [one.nbytes for one in self.model.ground.arrays().values()]
         return sum(arrays)
+
+
+def _run_outgrown_setup(model: Running, functions: dict[str, Callable[..., Any]]) -> None:
+    """Run a setup interpreted that failed compiled; if it does not, it was for want of room."""
+    run_setup(model, functions)
+    model.program.made[_OUTGROWN] = True  # as it would be for the next

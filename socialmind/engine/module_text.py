@@ -16,7 +16,6 @@ from socialmind.engine.access import AGENTS, call_text, plans_text, population_t
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
 from socialmind.streams import ORDER_TAG
-from socialmind.worlds.neighbours import text as neighbours
 
 
 def module_text(program: Program, own_makers: frozenset[str]) -> str:
@@ -37,7 +36,10 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         leaving = shape.world.leaving(population.name)
         own, sought = population.name in own_makers, population.name in program.sought
         parts.append(population_text(population, own, leaving, sought))
-    parts.append(neighbours.text(shape, program.sought))
+    if program.sought:
+        from socialmind.worlds.neighbours.text import text
+
+        parts.append(text(shape, program.sought))
     for name, what, field in program.aggregates:
         parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
     minded = [one for one in shape.populations.values() if one.hierarchy]
@@ -52,7 +54,9 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         parts.append(f"@_inner\n{lowered(function, shape, program.sought)}")
     for name, plans in program.plans.items():
         parts.append(plans_text(name, list(plans.values())))
-    parts += [_phase_text(shape, phase) for phase in (*program.setup, *program.schedule)]
+    parts += [
+        _phase_text(shape, phase, program.sought) for phase in (*program.setup, *program.schedule)
+    ]
     listing = "".join(f"    _near_list_{name}(_model)\n" for name in program.sought)
     setup, schedule = listing + _calls(program.setup), listing + _calls(program.schedule)
     tick = world.tick.replace("PHASES", schedule)
@@ -82,7 +86,7 @@ FETCH_AHEAD = 4
 """How many agents ahead the memory of a mind is asked for; that of its body twice as many."""
 
 
-def _phase_text(shape: ModelShape, phase: Phase) -> str:
+def _phase_text(shape: ModelShape, phase: Phase, sought: tuple[str, ...]) -> str:
     function = f"_phase_{phase.tag}"
     rng = "rng" in phase.takes
     population = phase.shape.population
@@ -119,6 +123,12 @@ def _phase_text(shape: ModelShape, phase: Phase) -> str:
             f"        if large and place + {2 * FETCH_AHEAD} < count:",
             f"            _fetch_ahead(rows, acting[place + {2 * FETCH_AHEAD}])",
         ]
+        if population in sought:
+            for name, ahead in (("heads", 6), ("entries", 3)):
+                lines.append(
+                    f"            _near_ask_{name}_{population}"
+                    f"(_model, rows[acting[place + {ahead}]])"
+                )
         if minded:
             lines += [
                 f"            mind = rows[acting[place + {FETCH_AHEAD}]]._mind",
@@ -167,25 +177,17 @@ def _tick(_model, rng):
     _model._tick += 1
 
 
-def prepare(models):
-    """Run the setup."""
-    _prepare(models.view(MODEL))
-
-
-def advance(models, ticks):
-    """Run up to so many ticks; return how many, fewer when there is no room for births."""
-    return _advance(models.view(MODEL), ticks)
-
-
 @_kept(__name__)
-def _prepare(models):
+def prepare(models):
+    """Run the setup of a society, whose record is given as an array of one MODEL."""
     _model = models[0]
     rng = _stream(_model)
 {setup}    _end_tick(_model)
 
 
 @_kept(__name__, nogil=True)
-def _advance(models, ticks):
+def advance(models, ticks):
+    """Run up to so many ticks; return how many, fewer when there is no room for births."""
     _model = models[0]
     rng = _stream(_model)
     for done in range(ticks):

@@ -22,7 +22,13 @@ if TYPE_CHECKING:
 _LOOP = "write a for loop: `for other in model.{all}:`"
 _DRAW = "draw from the rule's stream: `rng.random()`, with the parameter `rng`"
 _HERE = "write model.world.patch({agent}.x, {agent}.y)"
-_AROUND = "write `for patch in model.world.in_radius({agent}, 1.5):`"
+_AROUND = (
+    "write `for patch in model.world.neighbours({agent}):`, and of agents "
+    "`for other in model.{all}.neighbours({agent}):`"
+)
+_FOUR = _AROUND.replace("neighbours", "neighbours4")
+_NEAR = "write `for other in model.{all}.near({agent}, radius):`"
+_ON = "write `for other in model.{all}.on({agent}):`, which leaves the agent itself out"
 
 _ADVANCE = "a society runs as long as `advance()` or the run says, or until `stop_when`"
 
@@ -36,12 +42,17 @@ NAMES = {
     "patches": "write `for patch in model.world.patches:`",
     "patch": "write model.world.patch(x, y)",
     "patch_here": _HERE,
-    "neighbors": _AROUND,
-    "in_radius": _AROUND,
+    **dict.fromkeys(("neighbors", "neighbours", "get_neighbors"), _AROUND),
+    **dict.fromkeys(("neighbors4", "neighbours4"), _FOUR),
+    **dict.fromkeys(("in_radius", "near"), _NEAR),
+    **dict.fromkeys(("turtles_here", "turtles_on", "other_turtles_here"), _ON),
+    **dict.fromkeys(("min_one_of", "nearest"), "write model.{all}.nearest({agent})"),
+    "at_points": "write a for loop over the pairs, and `for other in "
+    "model.{all}.on(model.world.patch({agent}.x + dx, {agent}.y + dy)):` in it",
     "one_of": "write model.{all}.one_of(rng)",
     "n_of": "count in a for loop, with model.{all}.one_of(rng)",
     "count": "write len(model.{all}), or count in a for loop",
-    "mean": "add up in a for loop, and divide",
+    "mean": "write model.{all}.mean('energy'), with the name of a field",
     "fd": "write model.world.forward({agent}, length)",
     "rt": "write model.world.right({agent}, degrees)",
     "lt": "write model.world.left({agent}, degrees)",
@@ -75,7 +86,11 @@ AGENT = {
     "rt": NAMES["rt"],
     "lt": NAMES["lt"],
     "setxy": NAMES["setxy"],
-    "neighbors": _AROUND,
+    **dict.fromkeys(("neighbors", "neighbours", "get_neighbors"), _AROUND),
+    **dict.fromkeys(("neighbors4", "neighbours4"), _FOUR),
+    **dict.fromkeys(("near", "in_radius"), _NEAR),
+    **dict.fromkeys(("turtles_here", "on"), _ON),
+    "nearest": NAMES["nearest"],
     "choose_next_plan": "write {agent}.plan = {agent}.mind.choose_next_plan()",
 }
 """Fields and methods that agents have elsewhere."""
@@ -104,14 +119,29 @@ POPULATION = {
     **dict.fromkeys(("shuffle", "shuffle_do"), "agents come in a fresh random order by themselves"),
     "sort": "keep the best so far in a for loop",
     "get": "write model.{all}[identity]",
-    "in_radius": "write a for loop over it, and ask model.world.distance({agent}, other.x, "
-    "other.y)",
+    **dict.fromkeys(("in_radius", "within"), _NEAR),
+    **dict.fromkeys(("neighbors", "get_neighbors", "get_neighborhood"), _NEAR),
+    "neighbors4": "write `for other in model.{all}.neighbours4({agent}):`",
+    **dict.fromkeys(("here", "turtles_here", "at"), _ON),
+    **dict.fromkeys(("closest", "min_one_of"), "write model.{all}.nearest({agent})"),
 }
 """What sets of agents have elsewhere."""
 
+SETS = {
+    **dict.fromkeys(("count", "size"), "write len(…)"),
+    **dict.fromkeys(("choice", "random", "sample"), "write ….one_of(rng)"),
+    **dict.fromkeys(
+        ("near", "nearest", "on"), "ask the population: `model.flock.near(who, radius)`"
+    ),
+    "sort": "keep the best so far in a for loop",
+}
+"""What sets of agents or patches have elsewhere."""
+
 WORLD = {
     "size": "write model.world.width and model.world.height",
-    **dict.fromkeys(("neighbors", "neighbors4", "get_neighbors", "get_neighborhood"), _AROUND),
+    **dict.fromkeys(("neighbors", "get_neighbors", "get_neighborhood"), _AROUND),
+    "neighbors4": _FOUR,
+    **dict.fromkeys(("near", "agents_near"), _NEAR),
     **dict.fromkeys(("patch_here", "patch_at", "get"), _HERE),
     **dict.fromkeys(("move_agent", "place_agent", "setxy"), NAMES["setxy"]),
 }

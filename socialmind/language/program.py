@@ -71,6 +71,9 @@ class Program:
         shape: the model's shape.
         compiled: whether it will be compiled; `print` and `breakpoint` are for interpreted runs.
 
+    Attributes:
+        made: what the rooms above made of it, by whose it is: as long as the program is in force.
+
     Raises:
         ModelError: a rule outside the language, with file, line and what to write instead.
     """
@@ -86,6 +89,8 @@ class Program:
         self.world_calls: list[tuple[str, ...]] = []
         self.aggregates: list[tuple[str, str, Field]] = []
         self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
+        self.made: dict[Any, Any] = {}
+        self._codes: dict[str, python_types.CodeType] | None = None
         self._sources: dict[Callable[..., Any], RuleSource] = {}
         self._modules: dict[python_types.ModuleType, Names] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
@@ -308,16 +313,14 @@ class Program:
         Args:
             namespace: further names that the tree calls (the world's, the rows').
         """
+        if self._codes is None:
+            self._codes = {one.symbol: _code(one) for one in self.functions.values()}
         names: dict[str, Any] = {**RUNTIME, **namespace}
-        for function in self.functions.values():
-            module = ast.Module([function.tree], [])
-            exec(compiled(module, function.source.file), names)
-            # What a traceback and a debugger show is the author's name.
-            made = names[function.symbol]
-            name = function.source.name
-            made.__name__ = made.__qualname__ = name
-            made.__code__ = made.__code__.replace(co_name=name, co_qualname=name)
-        return {symbol: names[symbol] for symbol in self.functions}
+        made: dict[str, Callable[..., Any]] = {
+            symbol: python_types.FunctionType(code, names) for symbol, code in self._codes.items()
+        }
+        names |= made
+        return made
 
     def placed(
         self, population: str, tables: Mapping[str, Mapping[Any, int]], owners: Mapping[str, str]
@@ -353,6 +356,14 @@ class Program:
                 )
             indices.append(table[key])
         return indices
+
+
+def _code(function: TypedFunction) -> python_types.CodeType:
+    """Return a function as Python's code, under its author's name for tracebacks and debuggers."""
+    module = compiled(ast.Module([function.tree], []), function.source.file)
+    (code,) = (one for one in module.co_consts if isinstance(one, python_types.CodeType))
+    name = function.source.name
+    return code.replace(co_name=name, co_qualname=name)
 
 
 def present(value: Any) -> Any:

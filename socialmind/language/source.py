@@ -48,10 +48,12 @@ class Names(Mapping[str, Any]):
     @property
     def outdated(self) -> bool:
         """Whether a name that was read means something else by now."""
-        return any(
-            not _same(value, self._namespace.get(name, _ABSENT))
-            for name, value in self._read.items()
-        )
+        now = self._namespace.get
+        for name, value in self._read.items():  # of each society that is made, so no generator
+            other = now(name, _ABSENT)
+            if other is not value and not _same(value, other):
+                return True
+        return False
 
 
 def _same(one: Any, other: Any) -> bool:
@@ -91,11 +93,10 @@ class RuleSource:
     @property
     def outdated(self) -> bool:
         """Whether the function, or something that it reads, is another by now."""
+        code, defaults = self.state
         function = self.function
-        now = (function.__code__, function.__defaults__)
-        return self.names.outdated or any(
-            one is not other for one, other in zip(self.state, now, strict=True)
-        )
+        same = function.__code__ is code and function.__defaults__ is defaults
+        return not same or self.names.outdated
 
     @property
     def defaults(self) -> dict[str, Any]:

@@ -110,7 +110,7 @@ class PopulationType(_OfPopulation):
 
 @dataclass(frozen=True)
 class WorldType(_Called):
-    """The torus that the agents stand on."""
+    """The world that the agents stand on."""
 
     words = "the world"
 

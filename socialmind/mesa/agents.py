@@ -14,7 +14,7 @@ import mesa
 from socialmind.agents.agent import Agent
 from socialmind.agents.attributes import unknown
 from socialmind.columns import check_fields
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.society.population import Population
 from socialmind.society.table import Table
 from socialmind.values import fitted
@@ -59,6 +59,12 @@ class SocietyAgent(mesa.Agent):
         self.id = identity
         super().__init__(model)
         model.enrol(self)
+        if {"x", "y"} <= fields.keys():  # a move is one step
+            try:
+                self._table.model.ground.put(self.row, fields.pop("x"), fields.pop("y"))
+            except SocialmindError:
+                self.remove()
+                raise
         for name, value in fields.items():
             setattr(self, name, value)
 

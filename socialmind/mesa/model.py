@@ -219,11 +219,12 @@ def _initialiser(society: Any) -> Any:
     """Return the `__init__` of a society's class; its signature is what SolaraViz reads."""
     kind, compiled, schemes = type(society), society.compiled, society.schemes
     settings: dict[str, Any] = {"seed": society.seed, **society.parameter_values()}
+    tables = society._tables_given
 
     def initialise(model: SocietyModel, society: Any = None, **changed: Any) -> None:
         if society is None:
             values = settings | {name: _read(kind, name, changed[name]) for name in changed}
-            society = kind(compiled=compiled, scheme=schemes or None, **values)
+            society = kind(compiled=compiled, scheme=schemes or None, **values, **tables)
         SocietyModel.__init__(model, society)
 
     named = inspect.Parameter

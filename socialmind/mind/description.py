@@ -54,6 +54,7 @@ class MindDescription:
         skills: Iterable[Skill] = (),
     ) -> None:
         self.name = name
+        self.laid_out: dict[Any, Any] = {}  # its arrays, once they are made
         self.sensors: Mapping[str, Sensor] = _by_name(sensors, Sensor, "sensor")
         self.actuators: Mapping[str, Actuator] = _by_name(actuators, Actuator, "actuator")
         self.variables: Mapping[str, Variable] = _by_name(variables, Variable, "variable")
@@ -79,7 +80,7 @@ class MindDescription:
     def __reduce__(self) -> tuple[Any, ...]:
         from socialmind.work.packing import packed
 
-        return _unpacked_mind, (packed(vars(self)),)
+        return _unpacked_mind, (packed({**vars(self), "laid_out": {}}),)
 
     def __copy__(self) -> MindDescription:
         return self  # it never changes

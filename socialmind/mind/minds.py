@@ -12,7 +12,7 @@ from coglogo_py.border.closed import Closed
 from coglogo_py.border.memory import check_memory
 from coglogo_py.border.numbers import is_whole, whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
-from socialmind.mind.code.mind_code import MindCode
+from socialmind.mind.code.mind_code import code_of
 from socialmind.mind.description import MindDescription
 from socialmind.mind.evaluation import state as states
 from socialmind.mind.evaluation.arrays import Assembly, assemble, master_of
@@ -83,7 +83,7 @@ class Minds(Closed):
         skills = description.skills
         self.unset = {name for name in self.assembly.skills if skills[name].genome_size}
         self._evaluate: Any = None
-        self._code = MindCode(self.assembly, drive)
+        self._code = code_of(self.assembly, drive)
         self._record = states.Record(self.assembly, self._code.names)
         one = states.new_state(self.assembly, 1, 1, own_genomes, 0)
         needed = agents * sum(array.nbytes for array in one)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from socialmind.errors import ModelError
 from socialmind.mind.code.drive import AgentHierarchy
-from socialmind.mind.code.mind_code import MindCode
+from socialmind.mind.code.mind_code import code_of
 from socialmind.mind.evaluation import state as states
 from socialmind.mind.evaluation.arrays import Assembly
 from socialmind.mind.evaluation.steps import Steps
@@ -49,7 +49,7 @@ class PopulationMinds:
         self.own_genomes = own_genomes
         self.seed = seed
         self.instances = instances
-        self.code = MindCode(assembly, drive)
+        self.code = code_of(assembly, drive)
         self.record = states.Record(assembly, self.code.names)
         self.state = states.new_state(assembly, capacity, 1, own_genomes, instances)
         self.societies = states.societies_of(assembly, seed, capacity, population)

@@ -67,7 +67,11 @@ def _idle(name: str, population: Steered) -> MindDescription:
 
 
 def steerings_of(
-    populations: Mapping[str, Steered], folder: Path, given: Any, name: str
+    populations: Mapping[str, Steered],
+    folder: Path,
+    given: Any,
+    name: str,
+    load: Callable[[Path], MindDescription] = MindDescription.load,
 ) -> dict[str, Steering]:
     """Read the hierarchies of a model's populations.
 
@@ -78,6 +82,7 @@ def steerings_of(
             `Steering`; or a mapping from populations to these; or False for robots that are
             steered from outside, whose minds do nothing.
         name: the model's name, for errors.
+        load: reads a mind's folder or file.
 
     Raises:
         SocialmindError: a mind is given for a model that has none, or several.
@@ -113,6 +118,6 @@ def steerings_of(
             )
         if not isinstance(source, MindDescription):
             own = given is None or key not in given
-            source = MindDescription.load(folder / source if own else Path(source).expanduser())
+            source = load(folder / source if own else Path(source).expanduser())
         steerings[key] = Steering(source, master, drive)
     return steerings

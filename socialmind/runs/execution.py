@@ -121,6 +121,12 @@ def run(
         folders.refuse_unless_free(target.expanduser())
 
     given = dict(parameters or {})
+    for name in given:
+        if name in getattr(model_class, "populations", {}):
+            raise SocialmindError(
+                f"a table for {name!r}, which a run could not repeat; declare it beside the model: "
+                f"{name} = Population(…, table='{name}.csv')"
+            )
     model = model_class(
         seed=seed,
         compiled=compiled,

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import operator
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.laying_out import culturons_of
+from socialmind.compiling.layout import SEEKING
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
 
@@ -24,34 +27,68 @@ def connect(model: Running) -> None:
 
     The arrays are kept: while they are, no other array can take an address that was written.
     """
-    arrays = _all_arrays(model)
-    known = model.connected
-    if len(known) == len(arrays) and all(map(operator.is_, known, arrays.values())):
+    now, known = _held(model), model.connected
+    if len(known) == len(now) and all(map(operator.is_, known, now)):
         return
-    context = model.context
-    context["_stream"] = _address(model.stream)
-    for name, table in model.tables.items():
-        context[f"_{name}_room"] = len(table.rows)
-    for name, array in arrays.items():
-        context[f"_{name}"] = _address(array)
+    arrays = _all_arrays(model)
+    numbers = [_address(model.stream), *(len(table.rows) for table in model.tables.values())]
+    for array in arrays.values():
+        numbers.append(_address(array))
         if array.dtype.names is None:
-            for axis, length in enumerate(array.shape):
-                context[f"_{name}_{axis}"] = length
-    model.connected = list(arrays.values())
-    model.ground.connect(context)
+            numbers += array.shape
+    words = model.record.places_of(tuple(arrays), lambda: _columns(model, arrays))
+    words_of(model)[words] = numbers
+    model.connected = now
+    model.ground.connect(model.context)
+
+
+def words_of(model: Running) -> NDArray[np.int64]:
+    """Return the model's record as the whole numbers of eight bytes that it was made from."""
+    words: Any = model.contexts.base
+    found: NDArray[np.int64] = words
+    return found
+
+
+def _columns(model: Running, arrays: Mapping[str, Any]) -> list[str]:
+    """Return the columns of the record that `connect` writes, in its order."""
+    columns = ["_stream", *(f"_{name}_room" for name in model.tables)]
+    for name, array in arrays.items():
+        columns.append(f"_{name}")
+        if array.dtype.names is None:
+            columns += [f"_{name}_{axis}" for axis in range(array.ndim)]
+    return columns
+
+
+_OF_TABLES = operator.attrgetter(
+    "rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"
+)
+
+
+def _held(model: Running) -> list[Any]:
+    """Return what holds the arrays of a model: while it is the same, so are they."""
+    held: list[Any] = [*model.ground.arrays().values()]
+    for name in model.program.sought:
+        held += model.tables[name].index(model.program.loops_over_found).values()
+    for table in model.tables.values():
+        held += _OF_TABLES(table)
+        if table.minds is not None:
+            held.append(table.minds.record.record)
+        if table.society is not None:
+            held += (table.society.arrays, table.society.minds)
+    return held
 
 
 def connected_arrays(model: Running) -> list[Any]:
-    """Return the arrays of a model that change in a run, beside its record and its minds."""
+    """Return the arrays of a model that are state, beside its record and its minds."""
     return [
         array
         for name, array in _all_arrays(model).items()
-        if not name.endswith(("_names", "_default", "_hierarchy"))
+        if not name.endswith(("_names", "_default", "_hierarchy", *SEEKING))
     ]
 
 
 def _address(array: Any) -> int:
-    return int(array.__array_interface__["data"][0])
+    return int(array.ctypes.data)
 
 
 def _all_arrays(model: Running) -> dict[str, Any]:

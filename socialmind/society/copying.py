@@ -35,6 +35,21 @@ def fresh(society: Any) -> Any:
     return type(society)(**settings)
 
 
+def unbegun(society: Any, model: Any) -> dict[str, Any]:
+    """Return the state of a society before its setup: that of another one, made like it.
+
+    Args:
+        society: just made.
+        model: `Model`, which makes it.
+    """
+    kind: Any = type(society)
+    made = kind.__new__(kind)
+    made._sets_up = False
+    model.__init__(made, **_settings_of(society))
+    state: dict[str, Any] = made.state()
+    return state
+
+
 def own_of(society: Any, model: type) -> dict[str, Any]:
     """Return the attributes that a modeller's methods gave a society.
 

@@ -15,6 +15,7 @@ from socialmind.fields import place_of_field
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
+from socialmind.society.blueprint import Blueprint
 from socialmind.society.declaration import declaration_of
 from socialmind.sources.provenance import note_definition
 from socialmind.work.packing import is_private, reference
@@ -62,6 +63,7 @@ class ModelKind(ABCMeta):
             schedule=tuple(phase.shape for phase in cls.schedule),
         )
         cls._programs = dict[bool, Program]()
+        cls._blueprint = Blueprint(cls.shape)
 
     def typed(cls: Any, compiled: bool = True) -> Program:
         """Return the typed rules of a model; typed anew once a constant or helper is another.
@@ -84,7 +86,9 @@ class ModelKind(ABCMeta):
             return {}
         from socialmind.mind.steering import steerings_of
 
-        return steerings_of(cls.populations, cls.folder(), given, cls.name)
+        return steerings_of(
+            cls.populations, cls.folder(), given, cls.name, cls._blueprint.minds.load
+        )
 
     def before_setup(cls: Any, **arguments: Any) -> Any:
         """Return a society whose setup has not run; arguments as of the class."""

@@ -15,10 +15,10 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.memory import check_memory
 from coglogo_py.society import Society
 from socialmind.agents.running import Running
-from socialmind.compiling.layout import row_dtype
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, presence
 from socialmind.society.beginning import Beginning, beginning_of, is_table
+from socialmind.society.blueprint import Blueprint, SchemeFiles
 from socialmind.society.connection import names_of_minds
 from socialmind.society.parameter import Parameter
 from socialmind.society.population import Population
@@ -141,7 +141,11 @@ def size_of(context: Any, size: int | str, least: int) -> int:
 
 
 def schemes_of(
-    populations: Mapping[str, Population], folder: Callable[[], Path], given: Any, model: str
+    populations: Mapping[str, Population],
+    folder: Callable[[], Path],
+    given: Any,
+    model: str,
+    read: SchemeFiles,
 ) -> tuple[dict[str, CognitiveScheme], dict[str, Path]]:
     """Return the schemes of the populations that have minds, and the files of those in files.
 
@@ -150,6 +154,7 @@ def schemes_of(
         folder: gives the model's, if it is asked for: a class may stand in no file.
         given: schemes to use in place of its own, as `Model` takes them.
         model: the model's name.
+        read: reads schemes from files.
 
     Raises:
         SocialmindError: it is not clear for whom a scheme is, or it cannot be read.
@@ -170,7 +175,7 @@ def schemes_of(
         own = given is None or name not in given
         if not isinstance(source, CognitiveScheme):
             path = folder() / source if own else Path(source)
-            source = CognitiveScheme.load(path, decision_makers=population.decision_makers)
+            source = read.load(path, population.decision_makers)
             files[name] = path
         schemes[name] = source
     for name, population in minded.items():
@@ -244,7 +249,10 @@ def beginnings_of(
 
 
 def tables_of(
-    society: Running, steerings: Mapping[str, Steering], beginnings: Mapping[str, Beginning]
+    society: Running,
+    steerings: Mapping[str, Steering],
+    beginnings: Mapping[str, Beginning],
+    blueprint: Blueprint,
 ) -> dict[str, Table]:
     """Return the populations of a society, with the agents that it begins with.
 
@@ -252,6 +260,7 @@ def tables_of(
         society: with its ground, schemes and assemblies.
         steerings: the hierarchies of skills of those that have some.
         beginnings: the tables of those that begin with one.
+        blueprint: what its tables share with those of other societies.
 
     Raises:
         SocialmindError: a table holds what a field cannot, or more agents than there is memory for.
@@ -263,9 +272,8 @@ def tables_of(
             if name in beginnings
             else size_of(society.context, population.size, 0)
         )
-        shape = society.shape.populations[name]
         # Beside its row an agent has a place in five more arrays, and its mind.
-        row = row_dtype(dict(shape.fields), shape).itemsize + 5 * 8
+        row = blueprint.tables[name].dtype.itemsize + 5 * 8
         what = f"{shown(sizes[name])} agents of {name!r} in {society.name}"
         check_memory(sizes[name] * row, what, SocialmindError)
     tables: dict[str, Table] = {}
@@ -274,13 +282,13 @@ def tables_of(
         minds = None
         if name in schemes:
             # Breeds that share a scheme share its groups.
-            same = [n for n in schemes if schemes[n] == schemes[name] and n in tables]
+            same = [n for n in tables if n in schemes and schemes[n] == schemes[name]]
             minds = tables[same[0]].society if same else Society(schemes[name], society.seed, place)
         skills = None
         if name in society.assemblies:
             skills = partial(_skills, society, name, steerings[name].drive)
         shape = society.shape.populations[name]
-        tables[name] = Table(society, shape, sizes[name], minds, skills)
+        tables[name] = Table(society, shape, blueprint.tables[name], sizes[name], minds, skills)
         if name in beginnings:
             tables[name].begin_with(beginnings[name])
     return tables

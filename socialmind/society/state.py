@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.society.state_check import check_state, kept_columns
+from socialmind.society.connection import words_of
+from socialmind.society.state_check import check_state
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
@@ -20,12 +20,8 @@ def state_of(model: Running) -> dict[str, NDArray[Any]]:
     Args:
         model: at any tick.
     """
-    # What else the record has is addresses and sizes, which `connect` finds anew.
-    kept = kept_columns(model)
-    context = np.empty(1, [(name, model.contexts.dtype[name]) for name in kept])
-    for name in kept:
-        context[name] = model.contexts[name]
-    state: dict[str, NDArray[Any]] = {"context": context}
+    bits = words_of(model) & model.record.kept_bits
+    state: dict[str, NDArray[Any]] = {"context": bits.view(model.contexts.dtype)}
     for part, array in model.ground.state().items():
         state[f"world.{part}"] = array
     for name, table in model.tables.items():
@@ -51,7 +47,7 @@ def restore(model: Running, state: Mapping[str, NDArray[Any]]) -> None:
         SocialmindError: the state is that of another model.
     """
     check_state(model, state)
-    for name in kept_columns(model):
+    for name in model.record.kept:
         model.contexts[name] = state["context"][name]
     model.connected = []
     model.ground.restore(_part(state, "world"))

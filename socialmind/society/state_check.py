@@ -20,17 +20,6 @@ if TYPE_CHECKING:
 Arrays = Mapping[str, NDArray[Any]]
 
 
-KEPT = ("tick", "idle", "idle_agent", "idle_tick")
-"""Columns of the record with a leading underscore that are state, beside the world's own."""
-
-
-def kept_columns(model: Running) -> list[str]:
-    """Return the columns of a model's record that are state, not addresses and sizes."""
-    kept = {f"_{one}" for one in (*KEPT, *model.shape.world.kept_columns)}
-    names = model.contexts.dtype.names or ()
-    return [one for one in names if one[0] != "_" or one.startswith("_has_") or one in kept]
-
-
 def check_state(model: Running, state: Arrays) -> None:
     """Raise unless arrays are a state of a model.
 
@@ -43,7 +32,7 @@ def check_state(model: Running, state: Arrays) -> None:
     """
     record = _check(state, "context", None, (1,), model)
     mine, theirs = model.contexts.dtype, record.dtype.names or ()
-    kept = kept_columns(model)
+    kept = model.record.kept
     # A record may hold addresses and sizes beside, as it did in older checkpoints.
     more = [one for one in theirs if one not in kept and one[0] != "_"]
     if more or any(one not in theirs or record.dtype[one] != mine[one] for one in kept):

@@ -13,19 +13,17 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
 from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
-from socialmind.agents.rows import Row, held_class, row_class
+from socialmind.agents.rows import Row
 from socialmind.columns import check_fields, column, columns_of
-from socialmind.compiling.layout import row_dtype
 from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
-from socialmind.fields import Field, presence, set_default
+from socialmind.fields import Field, presence
 from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
+from socialmind.language.typing.neighbours import AGENTS
 from socialmind.society.beginning import Beginning
 from socialmind.society.connection import plan_functions
 from socialmind.values import fitted_column
-from socialmind.worlds.neighbours.asked import QUESTIONS
-from socialmind.worlds.neighbours.index import arrays as index_arrays
 
 if TYPE_CHECKING:
     from coglogo_py import Mind
@@ -34,6 +32,7 @@ if TYPE_CHECKING:
     from socialmind.mind.contract import CognitonMinds
     from socialmind.mind.population_minds import PopulationMinds
     from socialmind.mind.weighing import WeighingPlaces
+    from socialmind.society.blueprint import TableForm
 
 
 KEPT_BY_TABLES = frozenset((
@@ -60,6 +59,7 @@ class Table:
     Args:
         model: the model.
         shape: the population's shape.
+        form: what its tables have in common in all societies.
         size: how many agents there are at the start.
         society: the minds, or None.
         minds: makes the hierarchies for so many agents, or None.
@@ -69,6 +69,7 @@ class Table:
         self,
         model: Running,
         shape: PopulationShape,
+        form: TableForm,
         size: int,
         society: CognitonMinds | None,
         minds: Callable[[int], PopulationMinds] | None = None,
@@ -77,17 +78,13 @@ class Table:
         self.shape = shape
         self.society = society
         self.minds = None if minds is None else minds(max(size, 1))
-        self.dtype = row_dtype(dict(shape.fields), shape)
-        self.default = np.zeros(1, self.dtype)
-        for field in shape.fields.values():
-            set_default(self.default, field)
+        self.dtype = form.dtype
+        self.default = form.default.copy()
         keepers = {name: model.ground.keeper(shape.name, name) for name in shape.fields}
         keepers["heading"] = lambda value, whose: turned(value)
         self._keepers = {name: keep for name, keep in keepers.items() if keep is not None}
-        for name in ("x", "y", "heading"):
+        for name in self._keepers:
             self.default[name] = self._kept_within(name, self.default[name])
-        if shape.minded:
-            self.default["_mind"] = self.default["_plan"] = self.default["_decided"] = -1
         capacity = max(size, 1)
         self.rows = np.zeros(capacity, self.dtype)
         self.order = np.zeros(capacity, np.int64)
@@ -113,8 +110,7 @@ class Table:
         if weighing is not None and society is not None and self.minds is not None:
             description = self.minds.assembly.description
             self.weighing = weighing.places(society.scheme, description)
-        self._bare = row_class(shape, self._keepers)
-        self._held = held_class(self._bare, shape)
+        self._bare, self._held = form.row_classes(self._keepers)
         self.row_class: type[Row] = self._held
         self._scratch: dict[str, NDArray[Any]] = {}
         self._placed_by: Beginning | None = None
@@ -159,7 +155,9 @@ class Table:
             raise AttributeError(f"no attribute {name!r}")
         if name in AGGREGATES and name not in shape.fields:
             return partial(self._aggregated, name)
-        if name in QUESTIONS and name not in shape.fields:
+        if name in AGENTS and name not in shape.fields:
+            from socialmind.worlds.neighbours.asked import QUESTIONS
+
             return partial(QUESTIONS[name], self)
         if name != "id" and name not in shape.fields:
             raise unknown(name, shape.name, type(self), ["id", *shape.fields])
@@ -477,7 +475,9 @@ class Table:
             loops: how many loops of the rules go over what they found.
         """
         if not self._index or len(self._index["near_entries"]) != len(self.rows):
-            self._index = index_arrays(len(self.rows), loops)
+            from socialmind.worlds.neighbours.index import arrays
+
+            self._index = arrays(len(self.rows), loops)
         return self._index
 
     @property

@@ -1,1 +1,1 @@
-"""The worlds that agents live in; today the torus grid with NetLogo's geometry."""
+"""The worlds that agents live in: grids of patches, with NetLogo's geometry, and a plane."""

@@ -274,7 +274,7 @@ STATEMENTS = {
     "person.f = model.world.wide": ("the world's 'wide'", "did you mean 'width'?"),
     "model.world.jump(person)": ("the world's jump()", "there is"),
     "x = model.world.patches": ("the world's 'patches' as a value", "for patch in"),
-    "x = model.world.in_radius(person, 2)": ("in_radius as a value", "for patch in"),
+    "x = model.world.in_radius(person, 2)": ("a set of patches as the var", "where it is used"),
     "model.world.face(person)": ("face() without x, y", "a value"),
     "model.world.patch(1).grass = 3": ("1 arguments for patch()", "docs/rules.md"),
     "model.world.patch(1, 1).gras = 3": ("the unknown field 'gras'", "did you mean 'grass'?"),
@@ -321,7 +321,7 @@ STATEMENTS = {
     "person.f = model.world.breadth": ("the world's 'breadth'", "there is size, low"),
     "for p in model.world.neighbors(person):\n        pass": (
         "the world's neighbors()",
-        "in_radius(person, 1.5)",
+        "model.world.neighbours(person)",
     ),
     "model.world.patch(0, 0).sugar = 1": ("the unknown field 'sugar'", "class of the patches"),
     "person.i = model.persons[0]": ("an agent of 'persons' for", "its identity"),

@@ -9,7 +9,18 @@ import numpy as np
 import pytest
 from mesa.datacollection import DataCollector
 
-from socialmind import Agent, Model, ModelError, Patch, Population, Torus, each, once, parameter
+from socialmind import (
+    Agent,
+    Grid,
+    Model,
+    ModelError,
+    Patch,
+    Population,
+    Torus,
+    each,
+    once,
+    parameter,
+)
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 
@@ -481,3 +492,29 @@ def test_nothing_but_mesa_imports_mesa():
         [sys.executable, "-c", textwrap.dedent(program)], capture_output=True, text=True, check=True
     )
     assert done.stdout.strip() == "[]"
+
+
+class Neighbourly(Model):
+    sheep = Population(Sheep, 2)
+    world = Grid(5, 3, wraps=False, low=(0, -1), one_per_patch=True)
+
+
+def test_a_grid_with_walls_and_room_for_one():
+    society = Neighbourly(compiled=False, sheep={"x": [1, 2], "y": [0, 0]})
+    model = society.mesa()
+    one, other = model.agents
+    assert model.grid.dimensions == (5, 3)
+    assert one.pos == (1.0, 1.0) and one.cell.coordinate == (1, 1)
+    assert len(model.grid[0, 0].connections) == 3  # a corner between walls
+    with pytest.raises(SocialmindError, match="agent 0 of 'sheep' onto"):
+        one.move_to(other.cell)
+    one.move_to(model.grid[4, 2])
+    assert (one.row.x, one.row.y) == (4.0, 1.0) and not society.world.is_free(4, 1)
+    born = type(one)(model, x=0, y=1)
+    assert born.row.x == 0.0 and not society.world.is_free(0, 1)
+    with pytest.raises(SocialmindError, match="stands"):
+        type(one)(model, x=0, y=1)
+    assert len(society.sheep) == 3
+    model.step()
+    again = type(model)()  # as SolaraViz's Reset does
+    assert again.society.sheep.x.tolist() == [1.0, 2.0]

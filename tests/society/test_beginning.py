@@ -87,6 +87,12 @@ def test_a_run_records_its_hash_and_is_replayed(town, tmp_path):
     assert replay(folder, kept=True, trust=True).equal
 
 
+def test_a_run_refuses_a_table_that_it_could_not_repeat(tmp_path):
+    with pytest.raises(SocialmindError, match=r"a table for 'people', which a run could not rep"):
+        run(Village, ticks=1, parameters={"people": {"wheat": [1]}}, out=tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
 def test_the_first_ticks_are_repeated_from_a_copy(town):
     society = town(seed=2)
     society.advance(3)

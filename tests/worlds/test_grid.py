@@ -41,6 +41,8 @@ def walk(walker, model, rng):
         walker.met += patch.x + 3 * patch.y
     walker.away += world.distance(walker, 0, 1) + world.towards(walker, 1, 0)
     world.walk_to(walker, here.x, here.y, 0.3)
+    world.forward(walker, 1)
+    world.forward(walker, -2)
     if world.is_inside(walker.x + 1, walker.y) and world.is_on(walker, here.x, here.y):
         walker.x += 1
 

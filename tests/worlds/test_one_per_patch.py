@@ -158,6 +158,29 @@ def test_a_taken_patch_is_refused_and_nothing_changes():
     assert one.x == pytest.approx(spot.x + 0.3)
 
 
+def seek(ant, model, rng):
+    ant.steps += len(model.ants.neighbours(ant)) + 10 * len(model.ants.near(ant, 2.5))
+    spot = model.world.one_free(rng)
+    model.world.move_to(ant, spot.x, spot.y)
+    ant.steps += 100 * len(model.ants.on(ant)) + 1000 * len(model.ants.neighbours4(ant))
+    if rng.random() < 0.1:
+        ant.die()
+    elif rng.random() < 0.1:
+        arrive(ant.hatch(), model, rng)
+
+
+class Seeking(Hill):
+    schedule = (each(Hill.ants, seek),)
+
+
+def test_who_moves_so_is_found_where_it_is():
+    fast, slow = Seeking(seed=4), Seeking(seed=4, compiled=False)
+    for society in (fast, slow):
+        society.advance(30)
+    assert fast.ants.steps.tolist() == slow.ants.steps.tolist()
+    assert fast.ants.x.tolist() == slow.ants.x.tolist()
+
+
 def crowd(ant, model):
     model.world.move_to(ant, 1, 1)
 
@@ -243,6 +266,9 @@ def test_a_checkpoint_with_wrong_holders_is_refused():
     state = society.state()
     with pytest.raises(SocialmindError, match=r"world\.taken"):
         Hill(seed=1).restore({**state, "world.taken": state["world.taken"][:-1]})
+    twice = np.zeros_like(state["world.taken"])
+    with pytest.raises(SocialmindError, match="stand on no patch, or on two"):
+        Hill(seed=1).restore({**state, "world.taken": twice})
     del state["world.taken"]
     with pytest.raises(SocialmindError, match=r"world\.taken holds nothing"):
         Hill(seed=1).restore(state)

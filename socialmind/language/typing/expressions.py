@@ -251,15 +251,16 @@ class ExpressionTyper:
             return types.NOBODY
         self.guessed.add(name)
         for node in ast.walk(self.source.tree):
-            if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
-                if node.targets[0].id == name and not isinstance(node.value, ast.Constant):
-                    try:
-                        _, kind = self.expression(node.value)
-                    except ModelError:  # something in it is not known yet
-                        continue
-                    if isinstance(kind, types.RowType | types.MaybeRowType):
-                        self.guessed.discard(name)
-                        return types.MaybeRowType(kind.population)
+            value = node.value if isinstance(node, ast.Assign) else None
+            if value is None or isinstance(value, ast.Constant) or not _is_for(node, name):
+                continue
+            try:
+                _, kind = self.expression(value)
+            except ModelError:  # something in it is not known yet
+                continue
+            if isinstance(kind, types.RowType | types.MaybeRowType):
+                self.guessed.discard(name)
+                return types.MaybeRowType(kind.population)
         self.guessed.discard(name)
         return types.NOBODY
 
@@ -479,3 +480,8 @@ class ExpressionTyper:
         """Return the place in the population's table of names of a written name."""
         place: int = self.program.name(population, part, keys, self.source.file, node.lineno)
         return place
+
+
+def _is_for(node: Any, name: str) -> bool:
+    """Say whether an assignment is to a variable of this name."""
+    return any(isinstance(target, ast.Name) and target.id == name for target in node.targets)

@@ -50,13 +50,10 @@ def agents_found(
     elif asker != "patch":
         asker = "other"
     typer.program.seeks(population)
-    if name == "nearest":
-        mark = ("nearest", population, asker)
-        made = call("_agents_nearest", [base, who, *numbers], node)
-        return marked(made, mark), types.MaybeRowType(population)
-    mark = ("found", population, name, asker)
     made = call(f"_agents_{name}", [base, who, *numbers], node)
-    return marked(made, mark), types.FoundType(population)
+    if name == "nearest":
+        return marked(made, ("nearest", population, asker)), types.MaybeRowType(population)
+    return marked(made, ("found", population, name, asker)), types.FoundType(population)
 
 
 def patches_found(typer: Typer, node: ast.Call, base: ast.expr, name: str) -> Typed:

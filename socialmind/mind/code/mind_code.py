@@ -34,6 +34,18 @@ def check_program(skill: Skill) -> None:
         typed_function(Program(_outside_models(), compiled=True), *one)
 
 
+def code_of(assembly: Assembly, drive: Callable[..., None] | None) -> MindCode:
+    """Return the programs of a hierarchy, typed anew once a constant or helper is another.
+
+    Raises:
+        ModelError: as of `MindCode`.
+    """
+    known: MindCode | None = assembly.codes.get(drive)
+    if known is None or known.outdated:
+        known = assembly.codes[drive] = MindCode(assembly, drive)
+    return known
+
+
 class MindCode:
     """The programmed functions, regulations and drive of a hierarchy.
 
@@ -50,6 +62,11 @@ class MindCode:
         symbol = None if drive is None else typed_drive(self._program, drive)
         self._programs = typed_programs(self._program, assembly, symbol)
         self.names = names_of(self._program, assembly)
+
+    @property
+    def outdated(self) -> bool:
+        """Whether typing its programs again would read other constants or call other helpers."""
+        return self._program.outdated
 
     @cached_property
     def module(self) -> Any:

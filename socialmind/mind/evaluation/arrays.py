@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -38,6 +38,7 @@ class Assembly:
         schemes: the skills whose functions are cogniton schemes, as they are numbered.
         regulations: the modeller's regulations, as they are numbered.
         shared: the names of the shared variables, as they are numbered.
+        codes: its programs as code, by the drive beside them.
     """
 
     description: MindDescription
@@ -53,6 +54,7 @@ class Assembly:
     schemes: tuple[str, ...]
     regulations: tuple[Regulated, ...]
     shared: tuple[str, ...]
+    codes: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def genome_of(self, skill: str) -> slice:
         """Return where a skill's weights stand in the genome of the hierarchy."""
@@ -99,7 +101,7 @@ def groups_of(description: MindDescription) -> list[str]:
 def assemble(
     description: MindDescription, master: str, driven: bool = False, observed: bool = False
 ) -> Assembly:
-    """Lay a mind out in arrays.
+    """Lay a mind out in arrays, of which all its societies share all but the sizes.
 
     Args:
         description: the mind.
@@ -107,8 +109,14 @@ def assemble(
         driven: whether a drive may influence skills outside the master's hierarchy.
         observed: whether the outputs of skills without influence are wanted too.
     """
-    skills = description.order if driven else description.below(master)
-    return _Assembling(description, master, skills, observed).assembly()
+    key, known = (master, driven, observed), description.laid_out
+    if key not in known:
+        skills = description.order if driven else description.below(master)
+        known[key] = _Assembling(description, master, skills, observed).assembly()
+    made: Assembly = known[key]
+    sizes = made.structure.sizes.copy()  # its own: whoever looks at a society changes it
+    sizes.setflags(write=False)
+    return replace(made, structure=made.structure._replace(sizes=sizes))
 
 
 class _Assembling:

@@ -7,6 +7,7 @@ of block i // lanes. Agents that act one after another, as in a model, are block
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Annotated, Any, NamedTuple, get_type_hints
 
 from numpy.typing import NDArray
@@ -120,6 +121,7 @@ LIVES = (
 """The arrays of state with a row for each block."""
 
 
+@cache
 def array_types(kind: type) -> dict[str, tuple[str, int]]:
     """Return the NumPy type and the dimensions of each array of `Structure` or `State`."""
     hints = get_type_hints(kind, include_extras=True)

@@ -7,6 +7,7 @@ would be some five hundred words in every call, and most of the time to compile 
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -62,6 +63,7 @@ def mind_arrays(schemes: int) -> dict[str, tuple[str, int]]:
     return arrays
 
 
+@cache
 def mind_dtype(schemes: int) -> np.dtype[Any]:
     """Return the record that says where the arrays of a hierarchy are, and how large."""
     columns: list[Any] = [(name, "i8") for name in RECORD]

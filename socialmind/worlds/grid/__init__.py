@@ -1,1 +1,1 @@
-"""The torus: patches on a square that wraps round, with NetLogo's geometry."""
+"""Worlds of patches of any shape, with walls or none, and NetLogo's geometry."""

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-LARGEST_SIDE = 2**31 - 1
-"""Further patches no coordinate tells apart to half a patch, once multiplied."""
-
 OF_TORUS: Mapping[str, str] = {
     "size": "_model._world_size",
     "low": "_model._world_low",

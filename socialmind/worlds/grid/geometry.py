@@ -226,10 +226,24 @@ def is_on(world: Any, agent: Any, x: float, y: float) -> bool:
 
 
 def offset(world: Any, agent: Any, other: Any) -> tuple[float, float]:
-    """Return how far another agent or patch lies to the right of an agent, and how far up."""
-    dx = apart(other.x - agent.x, world.width, world.wraps_x)
-    dy = apart(other.y - agent.y, world.height, world.wraps_y)
+    """Return how far another agent or patch lies to the right of an agent, and how far up.
+
+    It is the short way round where the world wraps: within (−width / 2, width / 2).
+    """
+    dx = between_inside(other.x - agent.x, world.width, world.wraps_x)
+    dy = between_inside(other.y - agent.y, world.height, world.wraps_y)
     return dx, dy
+
+
+def between_inside(difference: float, size: int, wraps: int) -> float:
+    """Return `apart` of two coordinates that both lie in the world."""
+    if wraps:
+        half = size / 2
+        if difference > half:
+            return difference - size
+        if difference < -half:
+            return difference + size
+    return difference
 
 
 # Moving ----------------------------------------------------------------------------------------
@@ -367,14 +381,9 @@ def count_around(
     wraps_x: int,
     wraps_y: int,
 ) -> int:
-    """Return how many patches there are around the patch of a point, which is not among them.
+    """Return how many patches there are around that of a point, which is not among them.
 
-    Args:
-        x: of the point.
-        y: likewise.
-        steps: at most so many king's moves away, 0 or more.
-        four: whether only those count that share a side with it.
-        low_x, low_y, width, height, wraps_x, wraps_y: the world.
+    They are at most so many king's moves away; or, if `four`, share a side with it.
     """
     if steps < 0:
         raise ValueError("a radius, or a number of steps, below 0")
@@ -400,7 +409,7 @@ def nth_around(
 ) -> int:
     """Return one of the patches that `count_around` counts, by its number, column by column."""
     column, row = place_on(x, low_x, width, wraps_x), place_on(y, low_y, height, wraps_y)
-    first_x, columns, own_x = axis_around(column, min(steps, width), width, wraps_x)
+    first_x, _, own_x = axis_around(column, min(steps, width), width, wraps_x)
     first_y, rows, own_y = axis_around(row, min(steps, height), height, wraps_y)
     if not four:
         if number >= own_x * rows + own_y:

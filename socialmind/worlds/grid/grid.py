@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from coglogo_py.border.errors import shown
-from coglogo_py.border.numbers import is_number, is_whole
+from coglogo_py.border.numbers import is_number, is_truth, is_whole
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import class_fields, place_of_field
@@ -79,9 +79,9 @@ class Grid(World):
         Raises:
             ModelError: so it is.
         """
-        if self.wraps not in (True, False, "x", "y"):
+        if not is_truth(self.wraps) and self.wraps not in ("x", "y"):
             raise ModelError(f"wraps={shown(self.wraps)} of the world", "True, False, 'x' or 'y'")
-        if self.one_per_patch not in (True, False):
+        if not is_truth(self.one_per_patch):
             raise ModelError(f"one_per_patch={shown(self.one_per_patch)}", "True or False")
         low = self.low
         if low is not None and not (

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from coglogo_py.border.errors import shown
 from coglogo_py.border.memory import check_memory
 from socialmind.agents.running import Running
-from socialmind.compiling.layout import row_dtype
 from socialmind.compiling.lowering import PLACES, SPACE
 from socialmind.errors import RuleError, SocialmindError, ValueRefusedError
 from socialmind.worlds.contract import Extent, Functions, Ground
@@ -52,7 +51,7 @@ class GridGround(Ground):
         super().__init__(society)
         shape: Any = society.shape.world
         what = f"{shown(width)} × {shown(height)} patches of {society.name}"
-        row = row_dtype(dict(shape.patch), None).itemsize + (24 if shape.alone is not None else 0)
+        row = shape.form.dtype.itemsize + (24 if shape.alone is not None else 0)
         check_memory(width * height * row, what, SocialmindError)
         numbers = values_of(shape.numbers, width, height, low)
         if not all(numbers[f"low_{a}"] <= 0 <= numbers[f"high_{a}"] for a in PLACES):
@@ -61,7 +60,7 @@ class GridGround(Ground):
                 "begin, lies outside; expected one that is inside"
             )
         kind = PatchWorld if shape.alone is None else OnePerPatch
-        self.world: Any = kind(dict(shape.patch), numbers)
+        self.world: Any = kind(shape.patch, numbers, shape.form)
         self._load(maps)
         self.alone = shape.alone is not None
         self._restored = False

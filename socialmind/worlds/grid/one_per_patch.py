@@ -21,7 +21,7 @@ from socialmind.fields import Field
 from socialmind.language.shape import AGENT, WorldCall
 from socialmind.language.types import BOOL, FLOAT, NONE, RNG, PatchType
 from socialmind.worlds.grid.geometry import ahead, is_inside, nearer
-from socialmind.worlds.grid.patches import PatchRow, PatchWorld
+from socialmind.worlds.grid.patches import PatchForm, PatchRow, PatchWorld
 
 NOBODY = -1
 
@@ -167,18 +167,26 @@ def _world_move_to_NAME(_model, agent, x, y):
     ):
         raise ValueError("a patch that is taken")
     agent.x = x
-    agent.y = y"""
+    agent.y = y
+    MOVED"""
 
 TICK = "    _world_begin(_model)\nPHASES    _world_end(_model)\n"
 
 
-def text(populations: tuple[str, ...], fills: Mapping[str, str]) -> str:
-    """Return how compiled rules move agents of which a patch has room for one."""
+def text(populations: tuple[str, ...], fills: Mapping[str, str], sought: tuple[str, ...]) -> str:
+    """Return how compiled rules move agents of which a patch has room for one.
+
+    Args:
+        populations: all of the model.
+        fills: how compiled code finds where the world is, and keeps a place in it.
+        sought: the populations whose agents rules look for.
+    """
     living = [f"_counters_{name}(_model)[_bookkeeping.ALIVE]" for name in populations]
     parts = [_TEXT.replace("LIVING", f"({' + '.join(living) or '0'})")]
     for number, name in enumerate(populations):
         own = {"COUNT": str(len(populations)), "NUMBER": str(number), **fills, "NAME": name}
-        part = _OF_POPULATION
+        moved = "_near_moved_NAME(_model, agent)" if name in sought else "return"
+        part = _OF_POPULATION.replace("MOVED", moved)
         for mark, fill in own.items():
             part = part.replace(mark, fill)
         parts.append(part)
@@ -204,8 +212,13 @@ class OnePerPatch(PatchWorld):
         numbers: where the world is.
     """
 
-    def __init__(self, fields: dict[str, Field], numbers: Mapping[str, int]) -> None:
-        super().__init__(fields, numbers)
+    def __init__(
+        self,
+        fields: dict[str, Field],
+        numbers: Mapping[str, int],
+        form: PatchForm | None = None,
+    ) -> None:
+        super().__init__(fields, numbers, form)
         size = len(self.rows)
         self._taken = np.full(size, NOBODY, np.int64)
         self._free = np.zeros(size + 1, np.int64)
@@ -253,6 +266,15 @@ class OnePerPatch(PatchWorld):
     def snapshot(self) -> dict[str, NDArray[Any]]:
         """Return copies of the arrays that a checkpoint keeps."""
         return super().snapshot() | {"taken": self._taken.copy()}
+
+    def misfit(self, state: Mapping[str, Any]) -> str | None:
+        """Say what is wrong with arrays that are offered as a state, or None."""
+        found = super().misfit(state)
+        if found is None:
+            there = state["taken"][state["taken"] != NOBODY]
+            if len(there) and (there.min() < 0 or len(np.unique(there)) < len(there)):
+                found = "world.taken holds agents that stand on no patch, or on two"
+        return found
 
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take the arrays of a checkpoint."""

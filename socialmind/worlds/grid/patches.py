@@ -100,6 +100,24 @@ def held_patch_class(bare: type[PatchRow], fields: dict[str, Field]) -> type[Hel
     return type("Patch", (HeldPatch, bare), members)
 
 
+class PatchForm:
+    """What the patches of all worlds of a kind have in common: their record, and their classes.
+
+    Args:
+        fields: the fields of a patch.
+
+    Attributes:
+        dtype: the record.
+        bare: their class as rules hold them.
+        held: their class as users do.
+    """
+
+    def __init__(self, fields: dict[str, Field]) -> None:
+        self.dtype = row_dtype(fields, None)
+        self.bare = patch_class(fields)
+        self.held = held_patch_class(self.bare, fields)
+
+
 class PatchWorld:
     """The patches of a running model.
 
@@ -118,6 +136,7 @@ class PatchWorld:
     Args:
         fields: the fields of a patch.
         numbers: where it is, by the names under which rules read it; see `extent`.
+        form: what its patches share with those of other worlds; their own unless given.
     """
 
     width: int
@@ -125,17 +144,22 @@ class PatchWorld:
     low_x: int
     low_y: int
 
-    def __init__(self, fields: dict[str, Field], numbers: Mapping[str, int]) -> None:
+    def __init__(
+        self,
+        fields: dict[str, Field],
+        numbers: Mapping[str, int],
+        form: PatchForm | None = None,
+    ) -> None:
+        form = form or PatchForm(fields)
         self.fields = fields
         self.numbers = dict(numbers)
         for name, value in numbers.items():
             object.__setattr__(self, name, value)
         self._space = tuple(self.numbers[name] for name in SPACE)
-        self.rows = np.zeros(self.width * self.height, row_dtype(fields, None))
+        self.rows = np.zeros(self.width * self.height, form.dtype)
         for field in fields.values():
             set_default(self.rows, field)
-        self._bare = patch_class(fields)
-        self._held = held_patch_class(self._bare, fields)
+        self._bare, self._held = form.bare, form.held
         self.row_class: type[PatchRow] = self._held
         self._see_columns()
 

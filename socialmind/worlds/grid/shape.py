@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
 from socialmind.compiling.layout import dtype_text, row_dtype
@@ -12,6 +13,7 @@ from socialmind.language.shape import WorldShape, WorldText
 from socialmind.worlds.grid import fields as steps
 from socialmind.worlds.grid import one_per_patch
 from socialmind.worlds.grid.geometry import COMMANDS, LOOKING
+from socialmind.worlds.grid.patches import PatchForm
 
 _BEFORE = """from socialmind.worlds.grid import geometry as _geometry
 
@@ -100,6 +102,11 @@ class GridShape(WorldShape):
             self.commands = LOOKING | one_per_patch.MOVING
             self.calls = {**steps.CALLS, **one_per_patch.CALLS}
 
+    @cached_property
+    def form(self) -> PatchForm:
+        """What the patches of all its worlds have in common."""
+        return PatchForm(self.patch)
+
     def kept_within(self, population: str, field: str) -> tuple[str, ...]:
         """Return what brings a place back over the border, or refuses one beyond a wall."""
         if field not in PLACES:
@@ -134,7 +141,7 @@ class GridShape(WorldShape):
             keep, low, side = self.kept_within("", axis)
             kept[f"KEEP_{axis.upper()}"] = f"{keep}({axis}, {low}, {side})"
         space = ", ".join(self.numbers[name] for name in SPACE)
-        before.append(one_per_patch.text(self.alone, {"SPACE": space, **kept}))
+        before.append(one_per_patch.text(self.alone, {"SPACE": space, **kept}, program.sought))
         return WorldText("\n\n\n".join(filter(None, before)), "", one_per_patch.TICK)
 
     def _around_text(self) -> str:

@@ -111,7 +111,8 @@ def _asked(table: Any, who: Any) -> tuple[Extent, NDArray[np.int64], float, floa
 
 def _checked(radius: Any) -> Any:
     """Return a radius, or a number of steps, or refuse it."""
-    if not isinstance(radius, Real) or is_truth(radius) or not radius >= 0:
+    real = isinstance(radius, Real) and not is_truth(radius)
+    if not real or not float(radius) >= 0:
         raise ValueRefusedError(
             f"a radius, or a number of steps, below 0: found {shown(radius)}; expected 0 or more"
         )

@@ -15,6 +15,7 @@ ARRAYS: dict[str, Any] = {
     "near_heads": np.int32,
     "near_spots": np.int32,
     "near_found": np.int64,
+    "near_marks": np.int64,
 }
 """The arrays of a population that rules look for, as `compiling.layout.SEEKING` names them."""
 MORE_CELLS = 64
@@ -35,5 +36,8 @@ def arrays(room: int, loops: int) -> dict[str, NDArray[Any]]:
         "near_heads": room + MORE_CELLS,
         "near_spots": room,
         "near_found": (loops + 1) * room + 1,
+        "near_marks": room // 64 + 1,
     }
-    return {name: np.zeros(size, ARRAYS[name]) for name, size in sizes.items()}
+    made = {name: np.zeros(size, ARRAYS[name]) for name, size in sizes.items()}
+    made["near_heads"][:] = -1
+    return made

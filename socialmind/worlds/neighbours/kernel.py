@@ -2,12 +2,19 @@
 
 An axis is cut into tiles, on patches each a patch, or a whole number of tiles to a patch where
 agents are many; a cell is a whole number of tiles, so that a cell never cuts a patch in two. Cells
-are sized for some two agents each, at the begin of each tick. What is found does not depend on
+are sized for some three agents each, at the begin of each tick. What is found does not depend on
 them: they only say where to look, the question is asked exactly, and what is found comes in order
 of birth. So nothing of the index is state.
 
 The entries of a cell lie side by side in memory at the begin of a tick. Then agents that move, are
-born or die are taken out of lists and put into others.
+born or die are taken out of lists and put into others. The arrays of an index, in what follows:
+
+- cells: how the world is cut; `low`, `size` and `wraps` of an axis are the world's.
+- entries: an agent's place, and the spots of those before and behind it in its cell.
+- heads: the spot of the first in each cell, −1 where there is none.
+- spots: where in the entries the agent of a slot is, −1 for the dead.
+- found: a stack of what was found, as places in the order of birth.
+- rows, counters, order, alive: the population's, as `agents.bookkeeping` has them.
 """
 
 from __future__ import annotations
@@ -19,12 +26,17 @@ import numpy as np
 from numba.extending import register_jitable
 
 from socialmind.agents.bookkeeping import ENTRIES
+from socialmind.compiling.memory import lowest_bit
 
-AGENTS_A_CELL = 2.0
-SLOT = 0xFFFFFFFF
-"""The lower half of a key is the agent's slot, the upper one its place in the order of birth."""
+AGENTS_A_CELL = 3.0
+FAR = 1e9
+FEW = 8
+"""So many are brought into order by comparing them, more by marking their places."""
+SPARSE = 4
+"""Up to so many times as many words of marks are looked through as there are marks."""
 
-ENTRY = np.dtype([("x", "f8"), ("y", "f8"), ("key", "i8"), ("next", "i4"), ("before", "i4")])
+ENTRY = np.dtype([("x", "f8"), ("y", "f8"), ("place", "i8"), ("next", "i4"), ("before", "i4")])
+"""An agent in its cell: where it stands, its place in the order of birth, and who is beside it."""
 _AXIS = [("low", "f8"), ("size", "f8"), ("half", "f8"), ("tiles_a_unit", "f8"), ("begin", "i8"),
          ("tiles", "i8"), ("cells_a_tile", "f8"), ("cells", "i8"), ("wraps", "i8")]  # fmt: skip
 CELLS = np.dtype([(f"{name}_{axis}", kind) for axis in "xy" for name, kind in _AXIS]
@@ -75,7 +87,7 @@ def span(
     if not reach < size:
         return 0, cells
     # Room for what differences of coordinates are rounded by.
-    reach = reach + 1e-12 * size
+    reach = reach + 1e-12 * size + 1e-15 * abs(value)
     first, last = value - reach, value + reach
     if not wraps:
         one = cell_at(first, tiles_a_unit, begin, tiles, cells_a_tile, wraps)
@@ -147,15 +159,9 @@ def cut(
     wraps_y: int,
     whole: int,
 ) -> None:
-    """Cut the world into cells for so many agents.
+    """Cut a rectangle, which most agents are in, into cells for the living.
 
-    Args:
-        cells: where the cut is noted.
-        living: how many agents there are.
-        room: how many cells there may be.
-        low_x, low_y, width, height: the rectangle that agents are in.
-        wraps_x, wraps_y: whether an end of it lies beside the other.
-        whole: whether the world has patches, which its ends do not cut.
+    There is room for so many cells; a world that is whole has patches, which its ends do not cut.
     """
     area = AGENTS_A_CELL * width * height / max(living, 1)
     side_y = min(math.sqrt(area), height)
@@ -183,6 +189,25 @@ def cut(
     cells.half_y = height / 2 if wraps_y else math.inf
 
 
+@register_jitable
+def bounds(rows: Any, counters: Any, order: Any, alive: Any) -> tuple[float, float, float, float]:
+    """Return the rectangle that all the living are in: its low ends, its width and its height.
+
+    Those further out than any world is large are in its last cells.
+    """
+    low_x = low_y = FAR
+    high_x = high_y = -FAR
+    for place in range(counters[ENTRIES]):
+        slot = order[place]
+        if alive[slot]:
+            x, y = rows[slot].x, rows[slot].y
+            if x > -FAR and x < FAR:
+                low_x, high_x = min(low_x, x), max(high_x, x)
+            if y > -FAR and y < FAR:
+                low_y, high_y = min(low_y, y), max(high_y, y)
+    return low_x, low_y, max(high_x - low_x, 1.0 / FAR), max(high_y - low_y, 1.0 / FAR)
+
+
 # Who is where -------------------------------------------------------------------------------------
 
 
@@ -191,16 +216,7 @@ def list_all(
     cells: Any, entries: Any, heads: Any, spots: Any, rows: Any, counters: Any, order: Any,
     alive: Any,
 ) -> None:  # fmt: skip
-    """List the living in their cells, in order of birth.
-
-    Args:
-        cells: how the world is cut.
-        entries: an agent's place, its key, and the spots of those before and behind it in its cell.
-        heads: the spot of the first in each cell, −1 where there is none.
-        spots: where in the entries the agent of a slot is, −1 for the dead.
-        rows: the agents, by slot.
-        counters, order, alive: the population's, as bookkeeping has them.
-    """
+    """List the living in their cells, in order of birth."""
     number = cells.cells_x * cells.cells_y
     for cell in range(number):
         heads[cell] = 0
@@ -224,7 +240,7 @@ def list_all(
             spots[slot] = spot
             entry = entries[spot]
             entry.x, entry.y = rows[slot].x, rows[slot].y
-            entry.key = (place << 32) | slot
+            entry.place = place
         else:
             spots[slot] = -1
     begin = 0
@@ -274,7 +290,7 @@ def born(
     spots[slot] = spot
     entry = entries[spot]
     entry.x, entry.y = x, y
-    entry.key = (place << 32) | slot
+    entry.place = place
     put(cells, entries, heads, spot)
 
 
@@ -300,8 +316,15 @@ def moved(cells: Any, entries: Any, heads: Any, spots: Any, slot: int, x: float,
         put(cells, entries, heads, spot)
 
 
+@register_jitable
+def cells_around(cells: Any, x: float, y: float, turn: int) -> int:
+    """Return one of three cells from west to east around a place, −1 where there is none."""
+    cell = cell_of(cells, x, y) + (turn - 1) * cells.cells_y
+    return cell if 0 <= cell < cells.cells_x * cells.cells_y else -1
+
+
 # Questions ----------------------------------------------------------------------------------------
-# What is found is pushed on a stack, as keys, above what loops around are going over.
+# What is found is pushed on a stack, above what the loops around go over.
 
 
 @register_jitable
@@ -318,12 +341,7 @@ def find_near(
 ) -> int:
     """Push all at most a radius from a place, in no order; return where they end on the stack.
 
-    Args:
-        cells, entries, heads: the index.
-        found: the stack.
-        x, y: the place.
-        radius: at most so far, the short way round where the world wraps.
-        spot: the entry of the agent that asks, which is not found; −1 for none.
+    The agent at `spot` asks, and is not found; it is −1 where no agent of the population asks.
     """
     limit = radius * radius
     column, columns = columns_near(cells, x, radius)
@@ -343,7 +361,7 @@ def find_near(
                 dx = dx - width if dx > half_x else (dx + width if dx < -half_x else dx)
                 dy = dy - height if dy > half_y else (dy + height if dy < -half_y else dy)
                 # Without a branch, which processors guess wrong every other time.
-                found[end] = entry.key
+                found[end] = entry.place
                 end += (dx * dx + dy * dy <= limit) & (one != spot)
                 one = entry.next
             row += 1
@@ -378,10 +396,8 @@ def find_on_patches(
 ) -> int:  # fmt: skip
     """Push all on the patches around a place; return where they end on the stack.
 
-    Args:
-        cells, entries, heads, found, x, y, spot: as `find_near` takes them.
-        steps: at most so many king's moves away.
-        kind: 0 with the patch of the place, 8 without it, 4 for those that share a side.
+    They are at most so many king's moves away. The kind is 0 with the patch of the place, 8 without
+    it, and 4 for the patches that share a side with it. `find_near` says what `spot` is.
     """
     low_x, width = math.floor(cells.low_x + 0.5), int(cells.size_x)
     low_y, height = math.floor(cells.low_y + 0.5), int(cells.size_y)
@@ -407,7 +423,7 @@ def find_on_patches(
                     wanted = dx + dy == 1
                 else:
                     wanted = (dx <= steps) & (dy <= steps) & ((kind == 0) | (dx + dy > 0))
-                found[end] = entry.key
+                found[end] = entry.place
                 end += wanted & (one != spot)
                 one = entry.next
             row += 1
@@ -423,7 +439,7 @@ def find_on_patches(
 def nearest(
     cells: Any, entries: Any, heads: Any, x: float, y: float, radius: float, spot: int
 ) -> int:
-    """Return the key of the nearest at most a radius away, of several the first born; or −1."""
+    """Return the place of the nearest at most a radius away, of several the first born; or −1."""
     cells_x, cells_y = cells.cells_x, cells.cells_y
     half_x, half_y, width, height = cells.half_x, cells.half_y, cells.size_x, cells.size_y
     reach = min(radius, 0.6 * max(width / cells_x, height / cells_y))
@@ -444,10 +460,10 @@ def nearest(
                     dx = dx - width if dx > half_x else (dx + width if dx < -half_x else dx)
                     dy = dy - height if dy > half_y else (dy + height if dy < -half_y else dy)
                     away = dx * dx + dy * dy
-                    if away <= limit and one != spot:
-                        if best < 0 or away < limit or entry.key < best:
-                            best = entry.key
-                            limit = away
+                    nearer = away < limit or (away == limit and (best < 0 or entry.place < best))
+                    if nearer and one != spot:
+                        best = entry.place
+                        limit = away
                     one = entry.next
                 row += 1
                 if row == cells_y:
@@ -462,18 +478,39 @@ def nearest(
 
 
 @register_jitable
-def in_order(found: Any, begin: int, end: int) -> None:
-    """Bring what was pushed into the order of birth."""
+def in_order(found: Any, begin: int, end: int, marks: Any) -> None:
+    """Bring what was pushed, from begin to end, into the order of birth.
+
+    The marks are a bit for each place in that order, all 0, and so they are left.
+    """
+    if end - begin > FEW:
+        first = last = found[begin] >> 6
+        for at in range(begin + 1, end):
+            word = found[at] >> 6
+            first = min(first, word)
+            last = max(last, word)
+        if last - first < SPARSE * (end - begin):
+            for at in range(begin, end):
+                marks[found[at] >> 6] |= 1 << (found[at] & 63)
+            at = begin
+            for word in range(first, last + 1):
+                bits = marks[word]
+                marks[word] = 0
+                while bits != 0:
+                    found[at] = (word << 6) | lowest_bit(bits)
+                    at += 1
+                    bits &= bits - 1
+            return
     gap = 1
-    if end - begin > 24:
+    if end - begin > 3 * FEW:
         while gap < end - begin:
             gap = 3 * gap + 1
     while gap > 0:
-        for place in range(begin + gap, end):
-            key = found[place]
-            other = place
-            while other - gap >= begin and found[other - gap] > key:
+        for at in range(begin + gap, end):
+            place = found[at]
+            other = at
+            while other - gap >= begin and found[other - gap] > place:
                 found[other] = found[other - gap]
                 other -= gap
-            found[other] = key
+            found[other] = place
         gap //= 3

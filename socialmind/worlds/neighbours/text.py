@@ -37,23 +37,25 @@ def _near_found_NAME(_model):
 
 
 @_inner
+def _near_marks_NAME(_model):
+    return carray(_as_pointer(_model._NAME_near_marks), (_model._NAME_near_marks_0,), np.int64)
+
+
+@_inner
 def _near_list_NAME(_model):
     counters = _counters_NAME(_model)
     cells = _near_cells_NAME(_model)
+    entries = _near_entries_NAME(_model)
     heads = _near_heads_NAME(_model)
+    spots = _near_spots_NAME(_model)
+    rows = _rows_NAME(_model)
+    order = _order_NAME(_model)
+    alive = _alive_NAME(_model)
+    low_x, low_y, width, height = RECTANGLE
     _neighbours.cut(
-        cells, counters[_bookkeeping.ALIVE], len(heads), EXTENT
+        cells, counters[_bookkeeping.ALIVE], len(heads), low_x, low_y, width, height, BORDERS
     )
-    _neighbours.list_all(
-        cells,
-        _near_entries_NAME(_model),
-        heads,
-        _near_spots_NAME(_model),
-        _rows_NAME(_model),
-        counters,
-        _order_NAME(_model),
-        _alive_NAME(_model),
-    )
+    _neighbours.list_all(cells, entries, heads, spots, rows, counters, order, alive)
 
 
 @_inner
@@ -95,19 +97,42 @@ def _near_died_NAME(_model, agent):
 
 
 @_inner
+def _near_ask_heads_NAME(_model, agent):
+    cells = _near_cells_NAME(_model)
+    heads = _near_heads_NAME(_model)
+    for turn in range(3):
+        cell = _neighbours.cells_around(cells, agent.x, agent.y, turn)
+        if cell >= 0:
+            _fetch_ahead(heads, cell)
+
+
+@_inner
+def _near_ask_entries_NAME(_model, agent):
+    cells = _near_cells_NAME(_model)
+    heads = _near_heads_NAME(_model)
+    entries = _near_entries_NAME(_model)
+    for turn in range(3):
+        cell = _neighbours.cells_around(cells, agent.x, agent.y, turn)
+        if cell >= 0 and heads[cell] >= 0:
+            for spot in range(heads[cell] - 2, heads[cell] + 5, 2):
+                _fetch_ahead(entries, spot)
+
+
+@_inner
 def _near_begin_NAME(_model):
     return _near_cells_NAME(_model).top
 
 
 @_inner
 def _near_keep_NAME(_model, begin, end):
-    _neighbours.in_order(_near_found_NAME(_model), begin, end)
+    _neighbours.in_order(_near_found_NAME(_model), begin, end, _near_marks_NAME(_model))
     _near_cells_NAME(_model).top = end
     if _counters_NAME(_model)[_bookkeeping.ALIVE] > CACHED:
         rows = _rows_NAME(_model)
         found = _near_found_NAME(_model)
+        order = _order_NAME(_model)
         for place in range(begin, end):
-            _fetch_ahead(rows, found[place] & _neighbours.SLOT)
+            _fetch_ahead(rows, order[found[place]])
 
 
 @_inner
@@ -117,7 +142,7 @@ def _near_leave_NAME(_model, begin):
 
 @_inner
 def _near_slot_NAME(_model, place):
-    return _near_found_NAME(_model)[place] & _neighbours.SLOT
+    return _order_NAME(_model)[_near_found_NAME(_model)[place]]
 
 
 @_inner
@@ -126,8 +151,8 @@ def _near_one_NAME(_model, end, rng):
     if end == begin:
         return -1
     found = _near_found_NAME(_model)
-    _neighbours.in_order(found, begin, end)
-    return found[begin + _rng_integers(rng, 0, end - begin)] & _neighbours.SLOT"""
+    _neighbours.in_order(found, begin, end, _near_marks_NAME(_model))
+    return _order_NAME(_model)[found[begin + _rng_integers(rng, 0, end - begin)]]"""
 
 _ASKED_BY = """@_inner
 def _near_NAME_ASKER(_model, who, radius):
@@ -144,8 +169,8 @@ def _near_NAME_ASKER(_model, who, radius):
 
 
 @_inner
-def _nearest_NAME_ASKER(_model, who, radius):
-    key = _neighbours.nearest(
+def _near_first_NAME_ASKER(_model, who, radius):
+    place = _neighbours.nearest(
         _near_cells_NAME(_model),
         _near_entries_NAME(_model),
         _near_heads_NAME(_model),
@@ -154,7 +179,7 @@ def _nearest_NAME_ASKER(_model, who, radius):
         _neighbours.checked(radius),
         SPOT,
     )
-    return key if key < 0 else key & _neighbours.SLOT
+    return place if place < 0 else _order_NAME(_model)[place]
 
 
 @_inner
@@ -182,9 +207,13 @@ def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
         shape: the model's.
         sought: the populations.
     """
-    if not sought:
-        return ""
-    extent = ", ".join(shape.world.extent)
+    *rectangle, wraps_x, wraps_y, whole = shape.world.extent
+    found = "_neighbours.bounds(rows, counters, order, alive)"
+    own = {
+        "RECTANGLE": ", ".join(rectangle) if int(whole) else found,
+        "BORDERS": f"{wraps_x}, {wraps_y}, {whole}",
+        "CACHED": str(CACHED),
+    }
     askers = {
         "own": ("who.x", "who.y", "_near_spots_NAME(_model)[who._slot]"),
         "other": ("who.x", "who.y", "-1"),
@@ -198,7 +227,10 @@ def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
         )
     parts = [HEAD]
     for name in sought:
-        parts.append(_INDEX.replace("EXTENT", extent).replace("CACHED", str(CACHED)))
+        index = _INDEX
+        for mark, fill in own.items():
+            index = index.replace(mark, fill)
+        parts.append(index)
         for asker, (x, y, spot) in askers.items():
             part = _ASKED_BY.replace("ASKER", asker).replace("SPOT", spot)
             parts.append(part.replace("WHO_X", x).replace("WHO_Y", y))

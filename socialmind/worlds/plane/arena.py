@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -14,7 +15,7 @@ from socialmind.agents.running import Running
 from socialmind.compiling.lowering import PLACES
 from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, nearest
 from socialmind.fields import place_of_field
-from socialmind.worlds.contract import Functions, Ground, address
+from socialmind.worlds.contract import Extent, Functions, Ground, address
 from socialmind.worlds.plane.devices.sensors import RangeFinder
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
@@ -92,17 +93,26 @@ class Arena(Ground):
         """Return the range finders of the populations that have some."""
         eyes = {}
         for name, robots in self.shape.robots.items():
+            rays = self._rays(name)
+            if len(rays):
+                fields: Any = self.society.tables[name].dtype.fields
+                readings = fields["readings"][1] - fields["x"][1]
+                eyes[name] = Eyes(robots.kind, rays, readings)
+        return eyes
+
+    def _rays(self, name: str) -> NDArray[Any]:
+        """Return the rays of a population's range finders, which are the same in all societies."""
+        made = self.society.program.made
+        if ("rays", name) not in made:
             radius = self.shape.bodies[name].radius
             rays = [
                 one.lines(radius, number)
-                for number, one in enumerate(robots.sensors.values())
+                for number, one in enumerate(self.shape.robots[name].sensors.values())
                 if isinstance(one, RangeFinder)
             ]
-            if rays:
-                fields: Any = self.society.tables[name].dtype.fields
-                readings = fields["readings"][1] - fields["x"][1]
-                eyes[name] = Eyes(robots.kind, np.concatenate(rays), readings)
-        return eyes
+            made["rays", name] = np.concatenate(rays) if rays else np.zeros(0)
+        found: NDArray[Any] = made["rays", name]
+        return found
 
     def _attached(self) -> list[tuple[int | None, Any]]:
         """Return the numbers and tables of the bodies, and of the obstacles."""
@@ -166,6 +176,11 @@ class Arena(Ground):
         if not 0 <= context["_over"] <= len(self.society.interruptions):
             return "context holds an interruption that the model lacks"
         return None
+
+    @property
+    def extent(self) -> Extent:
+        """A plane without ends that matter to who is near whom."""
+        return Extent(0.0, 0.0, math.inf, math.inf, False, False, False)
 
     def keeper(self, population: str, field: str) -> Callable[[float, str], float] | None:
         """Return what refuses a place outside the arena."""

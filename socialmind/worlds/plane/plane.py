@@ -90,6 +90,7 @@ class PlaneWorld(WorldShape):
         plane: what stands on it.
     """
 
+    extent = ("0.0", "0.0", "0.0", "0.0", "0", "0", "0")  # no ends: that which agents are in
     engines = ("compiled", "pymunk")
     has_episodes = True
 
@@ -129,4 +130,6 @@ class PlaneWorld(WorldShape):
         """Return the stages of a tick, and many worlds in lockstep."""
         deciding = [name for name, one in program.shape.populations.items() if one.minded]
         plane = program.world
-        return WorldText("", plane_text(plane), TICK, lockstep_text(plane, deciding))
+        return WorldText(
+            "", plane_text(plane, program.sought), TICK, lockstep_text(plane, deciding)
+        )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from socialmind.compiling.modules import compiled_module
@@ -34,6 +35,7 @@ def look(plane, eyes, _):
 '''
 
 
+@cache
 def kernel() -> Any:
     """Return the module of the compiled functions `build`, `move` and `look`.
 

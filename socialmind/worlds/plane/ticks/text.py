@@ -99,7 +99,7 @@ def _before_minds(_model, rng):
     if _model._outside == 0:
         if _call(_model._move, _model._plane, 0, 0) != 0:
             raise ValueError("the motion of a body is not finite")
-STAGES
+LISTINGSTAGES
 INFORM
     return
 
@@ -117,11 +117,12 @@ BUILD = """    if _call(_model._build, _model._plane, 0, 0) < 0:
 it, slowly."""
 
 
-def plane_text(plane: PlaneProgram) -> str:
+def plane_text(plane: PlaneProgram, looked_for: tuple[str, ...] = ()) -> str:
     """Return the functions of a plane's tick.
 
     Args:
         plane: the typed devices.
+        looked_for: the populations whose agents rules and devices look for.
 
     Returns:
         The text; PHASES stands for the calls of the phases of the schedule.
@@ -148,7 +149,8 @@ def plane_text(plane: PlaneProgram) -> str:
         lines += ["    if _model._over == 0:", f"        _actuators_{name}(_model, rng)"]
     lines += [f"    _sensors_{name}(_model, rng)" for name in names]
     lines += ["    if _model._over != 0:", "        return"]
-    tick = _TICK.replace("STAGES", "\n".join(lines))
+    listing = "".join(f"    _near_list_{name}(_model)\n" for name in looked_for)
+    tick = _TICK.replace("LISTING", listing).replace("STAGES", "\n".join(lines))
     tick = tick.replace("INFORM", _unsteered("inform", minded))
     tick = tick.replace("OBEY", _unsteered("obey", minded))
     parts.append(tick.replace("BUILD", BUILD if plane.shifting else ""))

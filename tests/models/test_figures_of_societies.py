@@ -1,0 +1,43 @@
+"""The figures of thresholds and of villages, drawn from short runs and from their beginning."""
+
+import io
+import warnings
+from types import SimpleNamespace
+
+import pandas as pd
+import pytest
+from matplotlib.text import Text
+
+from socialmind.catalogue import load_figures, load_model
+
+CASES = [
+    ("thresholds", {}, "thresholds", 3),
+    ("thresholds", {"n_tasks": 7, "n_workers": 1}, "thresholds", 5),
+    ("farmers_artisans_traders", {}, "villages", 9),
+    ("farmers_artisans_traders", {"n_villages": 1, "n_agents": 1}, "villages", 3),
+]
+
+
+@pytest.mark.filterwarnings("ignore:The behavior of DataFrame concatenation:FutureWarning")
+@pytest.mark.parametrize("ticks", [(0, 50, 100, 300), (0,)], ids=["run", "start"])
+@pytest.mark.parametrize(("name", "parameters", "figure", "panels"), CASES)
+def test_figures_are_drawn(name, parameters, figure, panels, ticks):
+    society = load_model(name)(1, **parameters)
+    series, agents = [], []
+    for tick in ticks:
+        society.advance(tick - society.tick)
+        series.append({"tick": tick, **society.series()})
+        agents.append(pd.DataFrame({"tick": tick, **society.agents()}))
+    run = SimpleNamespace(
+        series=pd.DataFrame(series),
+        agents=pd.concat(agents, ignore_index=True),
+        parameters=society.parameter_values(),
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        drawn = load_figures(load_model(name).folder()).draw(run)
+        drawn[figure].savefig(io.BytesIO(), format="pdf")
+    assert list(drawn) == [figure]
+    assert len(drawn[figure].axes) == panels
+    texts = [text for text in drawn[figure].findobj(Text) if text.get_text().strip()]
+    assert min(text.get_fontsize() for text in texts) >= 7
