@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from coglogo_py.border.errors import CogLogoError as CogLogoError
     from coglogo_py.border.errors import MindError as MindError
     from coglogo_py.border.errors import SchemeError as SchemeError
+    from coglogo_py.culture import Culture as Culture
     from coglogo_py.decision import BiasedWeightedStochastic as BiasedWeightedStochastic
     from coglogo_py.decision import DecisionMaker as DecisionMaker
     from coglogo_py.decision import MaximumWeight as MaximumWeight
@@ -28,6 +29,7 @@ else:
     __getattr__, __dir__, __all__ = on_demand(
         __name__,
         {
+            "coglogo_py.culture": "Culture",
             "coglogo_py.decision": "BiasedWeightedStochastic DecisionMaker"
             " MaximumWeight WeightedStochastic",
             "coglogo_py.border.errors": "CogLogoError MindError SchemeError",

@@ -601,3 +601,9 @@ def get_culturon_value(minds: MindArrays, slot: int, group: int, culturon: int) 
     minds = borrowed(minds)
     row = minds.group_slot[slot, group]
     return minds.culturons[row, culturon] if row >= 0 else 0.0
+
+
+# Attributes are culturons that no role holds: they stand in the same array.
+set_group_attribute = set_culturon_value
+add_to_group_attribute = add_to_culturon_value
+get_group_attribute = get_culturon_value

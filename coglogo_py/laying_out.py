@@ -2,14 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
 import numpy as np
 
 from coglogo_py import kernel
 from coglogo_py.arrays import Floats, MindArrays, SchemeArrays
+from coglogo_py.border.errors import SchemeError
 from coglogo_py.decision import BUILT_IN
-from coglogo_py.parts import Cogniton, Culturon, Group
+from coglogo_py.parts import Cogniton, Culturon, Group, Scheme
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.streams import LOW_32
+
+
+@dataclass(frozen=True)
+class GroupType:
+    """A type of group as all breeds of a culture see it.
+
+    A scheme says which culturons of a role act on its own plans. That a group has a role, and a
+    culturon with a value, holds for all breeds that share it: these are united. Links, colours and
+    which roles hold a culturon differ without harm; a value has one start wherever it is named.
+
+    Args:
+        name: the group's.
+        roles: in the order in which the schemes first name them.
+        culturons: their values in a group just created, in the same order.
+        attributes: likewise.
+    """
+
+    name: str
+    roles: list[str] = field(default_factory=list)
+    culturons: dict[str, float] = field(default_factory=dict)
+    attributes: dict[str, float] = field(default_factory=dict)
 
 
 def culturons_of(group: Group) -> tuple[Culturon, ...]:
@@ -21,57 +46,112 @@ def culturons_of(group: Group) -> tuple[Culturon, ...]:
     return tuple(by_name.values())
 
 
-def scheme_arrays(scheme: CognitiveScheme) -> SchemeArrays:
+def group_types(schemes: Iterable[Scheme]) -> tuple[GroupType, ...]:
+    """Return the groups that some schemes name, those of the same name as one.
+
+    Args:
+        schemes: of the breeds that share them; often one alone.
+
+    Raises:
+        SchemeError: a culturon or an attribute starts at different values in two of them.
+
+    >>> from coglogo_py import Role
+    >>> one = CognitiveScheme("cows", groups=(Group("herd", (Role("leader"),)),))
+    >>> two = CognitiveScheme("bulls", groups=(Group("herd", (Role("guard"),)),))
+    >>> group_types((one, two))
+    (GroupType(name='herd', roles=['leader', 'guard'], culturons={}, attributes={}),)
+    """
+    found: dict[str, GroupType] = {}
+    named_by: dict[tuple[str, str, str], str] = {}
+    for scheme in schemes:
+        for group in scheme.groups:
+            kind = found.setdefault(group.name, GroupType(group.name))
+            kind.roles.extend(one.name for one in group.roles if one.name not in kind.roles)
+            named = [("culturon", one.name, one.start_value) for one in culturons_of(group)]
+            named += [("attribute", name, start) for name, start in group.attributes]
+            for part, name, start in named:
+                known = kind.culturons if part == "culturon" else kind.attributes
+                first = named_by.setdefault((part, group.name, name), scheme.name)
+                if known.setdefault(name, start) != start:
+                    raise SchemeError(
+                        f"{part} {name!r} of group {group.name!r} starts at {start:g} in scheme "
+                        f"{scheme.name!r}",
+                        f"{known[name]:g}, as in scheme {first!r}, which shares the group",
+                        "it has one value for all: write the same start in both",
+                    )
+    return tuple(found.values())
+
+
+Within = tuple[tuple[GroupType, ...], int, int]
+"""The types of groups of a culture, the most cognitons of a breed, and which breed this is."""
+
+
+def scheme_arrays(scheme: CognitiveScheme, within: Within | None = None) -> SchemeArrays:
     """Return the arrays of a scheme.
 
     Args:
         scheme: the description.
+        within: the culture that its breed shares with others, and the breed's number there.
 
     Returns:
-        Read-only arrays; plans, cognitons, groups, roles and culturons in the scheme's order.
+        Read-only arrays; plans, cognitons, groups, roles and culturons in the scheme's order. In a
+        culture groups, roles and culturons come in its order, and behind the cognitons stand as
+        many without links as the breed with most of them has more, then the breed's own number.
     """
+    types, own, breed = within or (group_types((scheme,)), len(scheme.cognitons), None)
+    n_cognitons = own if breed is None else own + 1
     plans = {name: position for position, name in enumerate(scheme.plans)}
-    culturons = [culturon for group in scheme.groups for culturon in culturons_of(group)]
-    holders: list[Cogniton | Culturon] = [*scheme.cognitons, *culturons]
-    influence = np.zeros((len(holders), len(plans)))
-    conditional = np.zeros((len(holders), len(plans)), np.bool_)
-    reinforcement = np.zeros((len(holders), len(plans)))
-    for row, holder in enumerate(holders):
+    described = {group.name: group for group in scheme.groups}
+    rows: list[tuple[int, Cogniton | Culturon]] = list(enumerate(scheme.cognitons))
+    starts: list[float] = []
+    role_group: list[int] = []
+    group_culturons = np.zeros((len(types), 2), np.int64)
+    held: list[tuple[int, int]] = []
+    for position, kind in enumerate(types):
+        first, first_role = len(starts), len(role_group)
+        columns = {name: first + k for k, name in enumerate(kind.culturons)}
+        # Attributes are columns that no role holds and no link leads from.
+        starts += (*kind.culturons.values(), *kind.attributes.values())
+        role_group += [position] * len(kind.roles)
+        group_culturons[position] = first, len(starts)
+        if kind.name in described:
+            group = described[kind.name]
+            rows += [(n_cognitons + columns[one.name], one) for one in culturons_of(group)]
+            held += [
+                (first_role + kind.roles.index(role.name), columns[one.name])
+                for role in group.roles
+                for one in role.culturons
+            ]
+    role_culturons = np.zeros((len(role_group), len(starts)), np.bool_)
+    for place in held:
+        role_culturons[place] = True
+    size = n_cognitons + len(starts), len(plans)
+    influence, reinforcement = np.zeros(size), np.zeros(size)
+    conditional = np.zeros(size, np.bool_)
+    for row, holder in rows:
         for plan, weight in holder.influence.items():
             influence[row, plans[plan]] = weight
         for plan in holder.conditional:
             conditional[row, plans[plan]] = True
         for plan, weight in holder.reinforcement.items():
             reinforcement[row, plans[plan]] = weight
+    start = np.full(n_cognitons, np.nan)
+    start[: len(scheme.cognitons)] = [
+        one.start_value if one.starting else np.nan for one in scheme.cognitons
+    ]
+    if breed is not None:
+        start[own] = breed
 
-    role_group = np.array(
-        [position for position, group in enumerate(scheme.groups) for _ in group.roles], np.int64
-    )
-    role_culturons = np.zeros((len(role_group), len(culturons)), np.bool_)
-    group_culturons = np.zeros((len(scheme.groups), 2), np.int64)
-    first = role_row = 0
-    for position, group in enumerate(scheme.groups):
-        columns = {culturon.name: first + k for k, culturon in enumerate(culturons_of(group))}
-        group_culturons[position] = first, first + len(columns)
-        first += len(columns)
-        for role in group.roles:
-            for culturon in role.culturons:
-                role_culturons[role_row, columns[culturon.name]] = True
-            role_row += 1
-
-    own = len(scheme.cognitons)
-    linked = (influence[:own] != 0.0) | conditional[:own]
+    linked = (influence[:n_cognitons] != 0.0) | conditional[:n_cognitons]
     # Of the transposed array the places come plan by plan, cognitons in the scheme's order.
     plan_of, cogniton_of = np.nonzero(linked.T)
     arrays = SchemeArrays(
         influence=influence,
         conditional=conditional,
         reinforcement=reinforcement,
-        start=np.array(
-            [c.start_value if c.starting else np.nan for c in scheme.cognitons], np.float64
-        ),
-        culturon_start=np.array([c.start_value for c in culturons], np.float64),
-        role_group=role_group,
+        start=start,
+        culturon_start=np.array(starts, np.float64),
+        role_group=np.array(role_group, np.int64),
         role_culturons=role_culturons,
         group_culturons=group_culturons,
         link_begin=np.concatenate([[0], np.cumsum(linked.sum(axis=0))]).astype(np.int64),

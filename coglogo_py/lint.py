@@ -254,6 +254,7 @@ def _names(scheme: Scheme, holders: Holders) -> list[Finding]:
         "culturon": [culturon.name for culturon in culturons.values()],
         "group": [group.name for group in scheme.groups],
         "role": [role.name for group in scheme.groups for role in group.roles],
+        "attribute": [name for group in scheme.groups for name, _ in group.attributes],
         "plan": list(scheme.plans),
         "breed": list(scheme.breeds),
     }

@@ -115,9 +115,10 @@ class Mind:
     def cognitons(self) -> dict[str, float | None]:
         """Return the value of every cogniton in the scheme's order, None when inactive."""
         values = self.society.minds.values[self.slot].tolist()
+        # In a culture there may be further columns, which are not this breed's.
         return {
             name: None if value != value else value
-            for name, value in zip(self.society.names.cognitons, values, strict=True)
+            for name, value in zip(self.society.names.cognitons, values, strict=False)
         }
 
     def set_cogniton_value(self, cogniton: str, value: float) -> None:
@@ -324,3 +325,20 @@ class Mind:
         """Return a culturon of the group that the mind is in, of any role; 0.0 outside it."""
         positions = self.society.names.culturon(group, culturon)
         return float(self._try(kernel.get_culturon_value, *positions))
+
+    def set_group_attribute(self, group: str, attribute: str, value: float) -> None:
+        """Set an attribute of the group that the mind is in, for all its members."""
+        positions = self.society.names.attribute(group, attribute)
+        value = number(value, f"set_group_attribute of {attribute!r}", error=MindError)
+        self._try(kernel.set_group_attribute, *positions, value)
+
+    def add_to_group_attribute(self, group: str, attribute: str, value: float) -> None:
+        """Add to an attribute of the group that the mind is in, for all its members."""
+        positions = self.society.names.attribute(group, attribute)
+        value = number(value, f"add_to_group_attribute of {attribute!r}", error=MindError)
+        self._try(kernel.add_to_group_attribute, *positions, value)
+
+    def get_group_attribute(self, group: str, attribute: str) -> float:
+        """Return an attribute of the group that the mind is in; 0.0 outside it."""
+        positions = self.society.names.attribute(group, attribute)
+        return float(self._try(kernel.get_group_attribute, *positions))

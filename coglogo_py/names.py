@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from coglogo_py.arrays import SchemeArrays
 from coglogo_py.border.errors import MindError, nearest
-from coglogo_py.laying_out import culturons_of, scheme_arrays
+from coglogo_py.laying_out import GroupType, group_types, scheme_arrays
 from coglogo_py.parts import settle
 from coglogo_py.scheme import CognitiveScheme
 
@@ -18,6 +18,7 @@ class Names:
 
     Args:
         scheme: the description.
+        types: the groups of the culture that the scheme's breed shares; its own by default.
 
     >>> from coglogo_py import Cogniton
     >>> names = Names(CognitiveScheme("herd", (Cogniton("Hunger", influence={"eat": 1.0}),)))
@@ -28,20 +29,23 @@ class Names:
     coglogo_py.border.errors.MindError: no plan 'Eat' in scheme 'herd'; did you mean 'eat'? ...
     """
 
-    def __init__(self, scheme: CognitiveScheme) -> None:
+    def __init__(self, scheme: CognitiveScheme, types: tuple[GroupType, ...] | None = None) -> None:
+        types = group_types((scheme,)) if types is None else types
         self.scheme_name = scheme.name
         self.cognitons = {c.name: position for position, c in enumerate(scheme.cognitons)}
         self.plans = {plan: position for position, plan in enumerate(scheme.plans)}
-        self.groups = {g.name: position for position, g in enumerate(scheme.groups)}
+        self.groups = {kind.name: position for position, kind in enumerate(types)}
         self.roles: dict[str, dict[str, int]] = {}
         self.culturons: dict[str, dict[str, int]] = {}
+        self.attributes: dict[str, dict[str, int]] = {}
         roles = culturons = 0
-        for group in scheme.groups:
-            self.roles[group.name] = {r.name: roles + k for k, r in enumerate(group.roles)}
-            roles += len(group.roles)
-            distinct = culturons_of(group)
-            self.culturons[group.name] = {c.name: culturons + k for k, c in enumerate(distinct)}
-            culturons += len(distinct)
+        for kind in types:
+            self.roles[kind.name] = {name: roles + k for k, name in enumerate(kind.roles)}
+            roles += len(kind.roles)
+            self.culturons[kind.name] = {n: culturons + k for k, n in enumerate(kind.culturons)}
+            culturons += len(kind.culturons)
+            self.attributes[kind.name] = {n: culturons + k for k, n in enumerate(kind.attributes)}
+            culturons += len(kind.attributes)
 
     def cogniton(self, name: str) -> int:
         """Return the position of a cogniton; MindError when there is none of that name."""
@@ -64,6 +68,12 @@ class Names:
         """Return the positions of a group and of a culturon of any of its roles."""
         position = self.group(group)
         return position, self._position("culturon", name, self.culturons[group], f"group {group!r}")
+
+    def attribute(self, group: str, name: str) -> tuple[int, int]:
+        """Return the positions of a group and of one of its attributes, among the culturons."""
+        position = self.group(group)
+        known = self.attributes[group]
+        return position, self._position("attribute", name, known, f"group {group!r}")
 
     @staticmethod
     def _position(kind: str, name: object, known: Mapping[str, int], where: str) -> int:

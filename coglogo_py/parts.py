@@ -170,9 +170,11 @@ class Group:
         name: unique in the scheme.
         roles: each named once. Roles that name the same culturon hold the same description
             afterwards: links united, the last value and colour.
+        attributes: further numbers of an instance, which act on no plan: pairs of a name and the
+            value when it is created, or a mapping.
 
     Raises:
-        SchemeError: two roles have one name, or something is no role.
+        SchemeError: two roles have one name, or something is no role or no number.
 
     >>> chief = Role("chief", (Culturon("Peace", 1, influence={"talk": 1}),))
     >>> other = Role("villager", (Culturon("Peace", 5, influence={"trade": 2}),))
@@ -182,9 +184,14 @@ class Group:
 
     name: str
     roles: tuple[Role, ...] = ()
+    attributes: tuple[tuple[str, float], ...] = ()
 
     def __post_init__(self) -> None:
         checks.checked_name(self.name, "a group")
+        attributes = checks.checked_attributes(
+            self.attributes, f"attributes of group {self.name!r}"
+        )
+        settle(self, "attributes", attributes)
         roles = described_once(self.roles, Role, "role", f"group {self.name!r}")
         described: dict[str, list[Culturon]] = {}
         for role in roles:

@@ -12,9 +12,9 @@ from coglogo_py.border.closed import Closed
 from coglogo_py.border.errors import CogLogoError
 from coglogo_py.border.memory import check_memory
 from coglogo_py.border.numbers import whole_number
-from coglogo_py.laying_out import grown, mind_arrays
+from coglogo_py.laying_out import Within, grown, mind_arrays, scheme_arrays
 from coglogo_py.mind import Mind
-from coglogo_py.names import laid_out
+from coglogo_py.names import Names, laid_out
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.state_check import oddity
 
@@ -31,6 +31,7 @@ class Society(Closed):
         scheme: what the minds have in common.
         seed: 0 … 2⁶⁴ − 1.
         stream: 0 … 65535, to keep the societies of one model apart.
+        within: the culture that it shares with other breeds; `Culture` gives it.
 
     Raises:
         CogLogoError: `scheme` is no scheme, or seed or stream is no whole number in its range.
@@ -45,7 +46,9 @@ class Society(Closed):
     'eat'
     """
 
-    def __init__(self, scheme: CognitiveScheme, seed: int, stream: int = 0) -> None:
+    def __init__(
+        self, scheme: CognitiveScheme, seed: int, stream: int = 0, within: Within | None = None
+    ) -> None:
         if not isinstance(scheme, CognitiveScheme):
             raise CogLogoError(
                 f"a society needs a CognitiveScheme, found {scheme!r}; "
@@ -54,7 +57,12 @@ class Society(Closed):
         self.scheme = scheme
         self.seed = whole_number(seed, "seed of a society", 0, 2**64 - 1)
         self.stream = whole_number(stream, "stream of a society", 0, 2**16 - 1)
-        self.names, self.arrays = laid_out(scheme)
+        if within is None:
+            self.names, self.arrays = laid_out(scheme)
+        else:
+            self.names, self.arrays = Names(scheme, within[0]), scheme_arrays(scheme, within)
+        self.breed = None if within is None else within[2]
+        self.sharing: tuple[Society, ...] = ()
         self.weights_scratch = np.empty(len(scheme.plans))
         self.plans_scratch = np.empty(len(scheme.plans), np.int64)
         self.era = 0
@@ -63,18 +71,31 @@ class Society(Closed):
         self._closed = True
 
     def _clear(self) -> None:
-        self.minds = mind_arrays(self.arrays, FIRST_CAPACITY, self.seed, self.stream)
+        self._hold(mind_arrays(self.arrays, FIRST_CAPACITY, self.seed, self.stream))
+
+    def _hold(self, minds: MindArrays) -> None:
+        """Let all breeds that share groups hold these minds."""
+        for one in self.sharing or (self,):
+            one.minds = minds
+
+    def _living(self) -> np.ndarray:
+        """Return the slots of the living minds of this breed."""
+        alive = self.minds.mind_id >= 0
+        if self.breed is not None:
+            alive &= self.minds.values[:, -1] == self.breed
+        return np.flatnonzero(alive)
 
     def __repr__(self) -> str:
         return f"<Society of {len(self)} minds with scheme {self.scheme.name!r}, seed {self.seed}>"
 
     def __len__(self) -> int:
         """The number of living minds."""
-        return int(self.minds.counters[kernel.ALIVE])
+        shared = self.breed is not None
+        return len(self._living()) if shared else int(self.minds.counters[kernel.ALIVE])
 
     def __iter__(self) -> Iterator[Mind]:
         """The living minds, the eldest first."""
-        alive = np.flatnonzero(self.minds.mind_id >= 0)
+        alive = self._living()
         identities = self.minds.mind_id[alive]
         eldest_first = np.argsort(identities)
         for slot, identity in zip(
@@ -123,6 +144,8 @@ class Society(Closed):
         """
         if not 0 <= slot < len(self.minds.mind_id) or self.minds.mind_id[slot] < 0:
             raise CogLogoError(f"no mind lives in slot {slot} of the society")
+        if self.breed is not None and self.minds.values[slot, -1] != self.breed:
+            raise CogLogoError(f"the mind in slot {slot} of the society is of another breed")
         return Mind(self, slot)
 
     def reserve(self, count: int) -> None:
@@ -139,9 +162,9 @@ class Society(Closed):
             check_memory((capacity + missing) * one, minds)
             larger = max(2 * capacity, capacity + missing)
             if self._untouched:
-                self.minds = mind_arrays(self.arrays, larger, self.seed, self.stream)
+                self._hold(mind_arrays(self.arrays, larger, self.seed, self.stream))
             else:
-                self.minds = grown(self.arrays, self.minds, larger)
+                self._hold(grown(self.arrays, self.minds, larger))
 
     @property
     def _untouched(self) -> bool:
@@ -150,8 +173,12 @@ class Society(Closed):
         return not counters[kernel.NEXT_MIND] and not counters[kernel.NEXT_GROUP]
 
     def reset(self) -> None:
-        """Forget all minds, groups, identities and draws: as if just made, with the same seed."""
-        self.era += 1
+        """Forget all minds, groups, identities and draws: as if just made, with the same seed.
+
+        In a culture, those of all its breeds.
+        """
+        for one in self.sharing or (self,):
+            one.era += 1
         self._clear()
 
     def state(self) -> dict[str, np.ndarray]:
@@ -185,14 +212,15 @@ class Society(Closed):
         minds = MindArrays(
             **{name: np.array(state[name], order="C") for name in MindArrays._fields}
         )
-        roles = sum(len(group.roles) for group in self.scheme.groups)
-        odd = oddity(minds, len(self.scheme.groups), roles)
+        arrays = self.arrays
+        odd = oddity(minds, len(arrays.group_culturons), len(arrays.role_group))
         if odd is not None:
             raise CogLogoError(
                 f"{odd} in the state of a society with scheme {self.scheme.name!r}: found numbers "
                 "that no such society has; take what state() returned"
             )
-        self.minds = minds
+        self._hold(minds)
         low, high = self.minds.counters[[kernel.SEED_LOW, kernel.SEED_HIGH]].tolist()
-        self.seed = high << 32 | low
-        self.stream = int(self.minds.counters[kernel.STREAM])
+        for one in self.sharing or (self,):
+            one.seed = high << 32 | low
+            one.stream = int(self.minds.counters[kernel.STREAM])

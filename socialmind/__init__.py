@@ -9,11 +9,19 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from socialmind.agents.agent import Agent as Agent
+    from socialmind.agents.interaction import Interaction as Interaction
+    from socialmind.agents.message import Message as Message
     from socialmind.errors import IdleWarning as IdleWarning
     from socialmind.errors import ModelError as ModelError
     from socialmind.errors import RuleError as RuleError
     from socialmind.errors import SocialmindError as SocialmindError
+    from socialmind.language.plans import repeat as repeat
+    from socialmind.language.plans import sequence as sequence
+    from socialmind.language.plans import until as until
+    from socialmind.language.plans import when as when
     from socialmind.model import Model as Model
+    from socialmind.society.civilisations import Civilisation as Civilisation
+    from socialmind.society.messages import Messages as Messages
     from socialmind.society.parameter import Parameter as Parameter
     from socialmind.society.parameter import parameter as parameter
     from socialmind.society.phases import each as each
@@ -31,8 +39,13 @@ else:
         __name__,
         {
             "socialmind.agents.agent": "Agent",
+            "socialmind.agents.interaction": "Interaction",
+            "socialmind.agents.message": "Message",
             "socialmind.errors": "IdleWarning ModelError RuleError SocialmindError",
+            "socialmind.language.plans": "repeat sequence until when",
             "socialmind.model": "Model",
+            "socialmind.society.civilisations": "Civilisation",
+            "socialmind.society.messages": "Messages",
             "socialmind.society.parameter": "Parameter parameter",
             "socialmind.society.phases": "each once",
             "socialmind.society.population": "Population",

@@ -37,7 +37,8 @@ class Field:
         default: the value at birth; a tuple for an array; None for an optional field at none.
         size: the number of elements of an array, or None.
         optional: whether the value may be None.
-        choices: the texts among which a parameter is one; it is stored as its place among them.
+        choices: the texts among which a parameter, or an agent's civilisation, is one; it is stored
+            as its place among them.
     """
 
     name: str

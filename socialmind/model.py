@@ -57,6 +57,8 @@ class Model(metaclass=ModelKind):
     - parameters: `price: float = parameter(167.0, unit="wheat", low=0.0)`;
     - variables: `warmth: float = 0.0`;
     - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;
+    - messages between agents, `offers = Messages(Offer, to=humans)`, and what two of them may come
+      to, `theft = Interaction(…)`;
     - `world = Torus("world_size", Land)`;
     - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`.
 

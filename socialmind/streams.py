@@ -29,14 +29,20 @@ STREAM = np.dtype(
 LONGEST_PERMUTATION = 10_000_000
 """How many places `rng.permutation` puts in order at most: 80 MB."""
 ORDER_TAG = 0x4F00
+BIRTH_TAG = 0x5000
+FOUNDING_TAG = 0x7000
 SCHEDULE_TAG = 0x8000
 SETUP_TAG = 0xC000
-"""Tag of the streams that shuffle agents; first tags of the phases of a tick and of the setup."""
+"""Tag of the streams that shuffle agents; first tags of rules at birth, of where founders begin, of
+the phases of a tick and of the setup."""
 TAGS = 0x4000
-"""How many tags there are for the phases of a tick, and for those of the setup."""
+BIRTH_TAGS = 0x2000
+FOUNDING_TAGS = 0x1000
+"""How many tags there are for the phases of a tick and for those of the setup; for births; for
+where founders begin."""
 
 
-def phase_tags(first: int, rules: Sequence[str]) -> list[int]:
+def phase_tags(first: int, rules: Sequence[str], tags_there: int = TAGS) -> list[int]:
     """Return the tags of phases, by the names of their rules, wherever they stand.
 
     A phase keeps its tag when others come before it, unless two names give the same one (one time
@@ -45,6 +51,7 @@ def phase_tags(first: int, rules: Sequence[str]) -> list[int]:
     Args:
         first: the first tag, `SCHEDULE_TAG` or `SETUP_TAG`.
         rules: the names of the phases' rules, in the order of the schedule.
+        tags_there: how many tags there are.
 
     >>> one, other = phase_tags(SCHEDULE_TAG, ["live", "grow"])
     >>> phase_tags(SCHEDULE_TAG, ["watch", "live", "grow"])[1:] == [one, other]
@@ -52,9 +59,9 @@ def phase_tags(first: int, rules: Sequence[str]) -> list[int]:
     """
     tags: list[int] = []
     for rule in rules:
-        place = zlib.crc32(rule.encode()) % TAGS
+        place = zlib.crc32(rule.encode()) % tags_there
         while first + place in tags:
-            place = (place + 1) % TAGS
+            place = (place + 1) % tags_there
         tags.append(first + place)
     return tags
 

@@ -35,7 +35,7 @@ def fitted(field: Field, value: Any, what: str) -> Any:
     if value is None and field.optional:
         return None
     if _fits(field, value):
-        return field.kind(value)
+        return value if field.choices else field.kind(value)
     raise ValueRefusedError(f"{what}: found {shown(value)}; expected {_expected(field)}")
 
 
@@ -60,6 +60,8 @@ def fitted_column(
     """
     size = () if field.size is None else (field.size,)
     there = np.ones(count, np.bool_)
+    if field.choices:
+        return _choices(field, values, count, what, whose), there
     given = _array_of(values, what)
     if given.ndim == len(size):
         one = fitted(field, values, what)
@@ -81,6 +83,21 @@ def fitted_column(
             f"{what} of {whom}: found {shown(bad)}; expected {_expected(field)}"
         )
     return given.astype(field.storage), there
+
+
+def _choices(
+    field: Field, values: Any, count: int, what: str, whose: Callable[[int], str]
+) -> NDArray[Any]:
+    """Return the places of texts among the choices of a field."""
+    texts = [values] * count if isinstance(values, str) else list(values)
+    if len(texts) != count:
+        raise ValueRefusedError(f"{what}: found {len(texts)} values; expected {count}")
+    for place, text in enumerate(texts):
+        if text not in field.choices:
+            raise ValueRefusedError(
+                f"{what} of {whose(place)}: found {shown(text)}; expected {_expected(field)}"
+            )
+    return np.array([field.choices.index(text) for text in texts], field.storage)
 
 
 def _array_of(values: Any, what: str) -> NDArray[Any]:
@@ -126,6 +143,8 @@ def _fitting(field: Field, given: NDArray[Any]) -> NDArray[np.bool_]:
 
 
 def _fits(field: Field, value: Any) -> bool:
+    if field.choices:
+        return isinstance(value, str) and value in field.choices
     if field.kind is bool:
         return is_truth(value)
     if field.kind is float:
@@ -156,7 +175,9 @@ def _elements(field: Field, values: Any, what: str) -> list[Any]:
 
 
 def _expected(field: Field) -> str:
-    if field.kind is bool:
+    if field.choices:
+        expected = f"one of {', '.join(field.choices)}"
+    elif field.kind is bool:
         expected = "True or False"
     elif field.kind is float:
         expected = "a finite number" if _finite(field) else "a number"

@@ -68,3 +68,15 @@ def checked_weights(value: object, where: str) -> Mapping[str, float]:
             for plan, weight in value.items()
         }
     )
+
+
+def checked_attributes(value: object, where: str) -> tuple[tuple[str, float], ...]:
+    """Return the attributes of a group and their values, given by name or as such pairs."""
+    try:
+        pairs = dict(value)  # type: ignore[call-overload]  # refused if it is no such thing
+    except (TypeError, ValueError):
+        raise SchemeError(f"{value!r} as {where}", "attribute → value") from None
+    return tuple(
+        (checked_name(name, "an attribute"), checked_number(one, f"{name!r} among the {where}"))
+        for name, one in pairs.items()
+    )

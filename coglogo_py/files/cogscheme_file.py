@@ -296,6 +296,13 @@ def written(scheme: Scheme) -> str:
     ENDCS
     <BLANKLINE>
     """
+    for group in scheme.groups:
+        if group.attributes:
+            raise SchemeError(
+                f"attributes of the group {group.name!r}",
+                "none: a CogLogo file holds no attributes of groups",
+                "save it as .yaml",
+            )
     if scheme.plans != scheme.linked_plans:
         raise SchemeError(
             f"the plans' own order {list(scheme.plans)}",

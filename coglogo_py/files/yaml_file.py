@@ -20,12 +20,14 @@ from coglogo_py.parts import GREY, AScheme, Cogniton, Culturon, Group, Role, Sch
 
 TOP_FIELDS = (
     "name", "decision_maker", "breeds", "plans", "plan_positions", "cognitons", "groups",
+    "group_attributes",
 )  # fmt: skip
 LINK_FIELDS = ("influence", "conditional", "reinforcement")
 CULTURON_FIELDS = ("start", "colour", "position", *LINK_FIELDS)
 COGNITON_FIELDS = ("at_birth", *CULTURON_FIELDS)
 
 
+Attributes = tuple[tuple[str, float], ...]
 WIDTH = 100
 PLAIN = re.compile(r"[^\W\d][\w-]*( [\w-]+)*")
 """Names that need no quotes, but for the words that YAML takes for something else."""
@@ -102,7 +104,7 @@ def _described(
     }
 
 
-def _group(nodes: Nodes, name: str, node: yaml.Node) -> Group:
+def _group(nodes: Nodes, name: str, node: yaml.Node, attributes: Attributes) -> Group:
     where = f"group {name!r}"
     earlier: dict[str, Culturon] = {}
     roles = []
@@ -116,7 +118,18 @@ def _group(nodes: Nodes, name: str, node: yaml.Node) -> Group:
             earlier[culturon] = Culturon(culturon, **_described(nodes, given, here, first))
             culturons.append(earlier[culturon])
         roles.append(Role(role, tuple(culturons)))
-    return Group(name, tuple(roles))
+    return Group(name, tuple(roles), attributes)
+
+
+def _attributes(nodes: Nodes, node: yaml.Node, groups: list[str]) -> dict[str, Attributes]:
+    """Return the attributes of groups by the groups' names."""
+    found = {}
+    for group, at, values in nodes.entries(node, "group_attributes"):
+        if group not in groups:
+            known = f"a group of the scheme: {', '.join(groups) or 'there are none'}"
+            raise nodes.error(at, f"attributes of a group {group!r}", known)
+        found[group] = tuple(nodes.weights(values, f"attributes of group {group!r}").items())
+    return found
 
 
 def _scheme(
@@ -133,10 +146,12 @@ def _scheme(
     def entries(field: str) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
         return nodes.entries(given.get(field, NOTHING), field)
 
+    groups = [(name, node) for name, _, node in entries("groups")]
+    attributes = _attributes(nodes, given.get("group_attributes", NOTHING), [n for n, _ in groups])
     return kind(
         nodes.name(given["name"], "name of the scheme"),
         tuple(_cogniton(nodes, name, node) for name, _, node in entries("cognitons")),
-        tuple(_group(nodes, name, node) for name, _, node in entries("groups")),
+        tuple(_group(nodes, name, node, attributes.get(name, ())) for name, node in groups),
         MaximumWeight() if maker is None else _decision_maker(nodes, maker, decision_makers),
         nodes.names(given.get("breeds", NOTHING), "breeds"),
         {
@@ -204,6 +219,11 @@ def written(scheme: Scheme) -> str:
                 seen.append(culturon.name)
                 lines.append(f"      {_text(culturon.name)}:")
                 lines += _rest(culturon, "        ")
+    if any(group.attributes for group in scheme.groups):
+        lines.append("group_attributes:")
+    for group in scheme.groups:
+        values = {name: _number(value) for name, value in group.attributes}
+        lines += _mapping(_text(group.name), values, "  ")
     return HEADER + "\n".join(lines) + "\n"
 
 

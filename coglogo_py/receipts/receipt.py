@@ -176,17 +176,17 @@ def _influences(mind: Mind) -> tuple[Influence, ...]:
     rows: list[Influence] = []
 
     def add(
-        name: str, group: str | None, value: float | None, participation: float | None, acts: bool
+        row: int, name: str, group: str | None, value: Any, participation: Any, acts: bool
     ) -> None:
-        row = len(rows)
         contributions = np.zeros(len(plans))
         if acts:
             contributions = links[row] * (1.0 if participation is None else participation) * value
         acted, opens = tuple((contributions + 0.0).tolist()), tuple(plans[conditional[row]])
         rows.append(Influence(name, group, value, participation, acts, acted, opens))
 
-    for name, value in mind.cognitons().items():
-        add(name, None, value, None, value is not None)
+    for row, (name, value) in enumerate(mind.cognitons().items()):
+        add(row, name, None, value, None, value is not None)
+    culturons_from = len(society.arrays.start)
     for group, culturons in society.names.culturons.items():
         member = mind.get_group_id(group) >= 0
         participation = mind.get_participation(group) if member else None
@@ -194,7 +194,7 @@ def _influences(mind: Mind) -> tuple[Influence, ...]:
         for name, position in culturons.items():
             value = mind.get_culturon_value(group, name) if member else None
             acts = member and bool(society.arrays.role_culturons[role, position])
-            add(name, group, value, participation, acts)
+            add(culturons_from + position, name, group, value, participation, acts)
     return tuple(rows)
 
 

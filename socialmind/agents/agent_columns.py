@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from socialmind.agents.group_columns import PARTS, memberships
+
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
 
@@ -51,6 +53,9 @@ def agent_columns(model: Running) -> dict[str, Any]:
         part: dict[str, Any] = {"agent": table.id}
         if table.shape.minded:
             part["plan"] = model.plans(table)
+            part |= memberships(table, kinds)
+        if table.shape.steps is not None:
+            part["plan_step"] = table.plan_steps(table.slots)
         for field in table.shape.fields.values():
             if field.size is None and field.name != "heading":
                 alone = len(model.tables) == 1 or field.name not in OWN
@@ -101,6 +106,10 @@ def as_before(columns: Mapping[str, Any], known: Sequence[str], first: str | Non
         The known columns, where today's hold them: of the first population alone, where the run
         does not say which population an agent is of.
     """
+    # Runs made before memberships were recorded go on without them.
+    unknown = {name for name in columns if name not in known and name.startswith(PARTS)}
+    if unknown:
+        columns = {name: one for name, one in columns.items() if name not in unknown}
     today = [name for name in columns if name != "tick"]
     if today == list(known) or not set(known) <= set(today):
         return columns

@@ -81,6 +81,18 @@ def field_property(field: Field, place: Any) -> property:
 
         return property(read_optional, write_optional)
 
+    if field.choices:
+
+        def read_choice(row: Any) -> str:
+            columns, slot = place(row)
+            return field.choices[columns[name].item(slot)]
+
+        def write_choice(row: Any, value: str) -> None:
+            columns, slot = place(row)
+            columns[name][slot] = field.choices.index(value)
+
+        return property(read_choice, write_choice)
+
     def read(row: Any) -> Any:
         columns, slot = place(row)
         return columns[name].item(slot)

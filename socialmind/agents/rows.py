@@ -14,6 +14,7 @@ from coglogo_py.mind import Mind
 from coglogo_py.receipts.receipt import Receipt
 from socialmind.agents.attributes import field_property, held_array, unknown
 from socialmind.agents.idleness import count_idle
+from socialmind.agents.plan_steps import BEGUN, ENDED, outweighed
 from socialmind.errors import UnknownNameError
 from socialmind.language.shape import PopulationShape
 from socialmind.mind.kernel import weights
@@ -88,8 +89,7 @@ class AgentMind(Mind):
         """Choose the next plan; None, and counted as idle, when none is available."""
         row = self._row
         model = row._table.model
-        if model.watch is not None and model.watch == (row._table.shape.name, row.id):
-            model.watched = self.explain()
+        self._be_watched()
         weighed = row._table.weighing is not None
         plan = self._choose_weighed() if weighed else super().choose_next_plan()
         row._table.columns["_decided"][row._slot] = model.tick
@@ -97,8 +97,33 @@ class AgentMind(Mind):
             count_idle(model.context, row.id)
         return plan
 
+    def choose_over(self, plan: str, factor: float) -> str | None:
+        """Choose anew if some plan weighs more than factor times the one that goes on, else it."""
+        row, society = self._row, self.society
+        if row._table.weighing is not None:
+            self._weigh()
+        goes_on = society.scheme.plans.index(plan)
+        weights, plans = society.weights_scratch, society.plans_scratch
+        if not outweighed(weights, plans, self._count_available(), goes_on, factor):
+            return plan
+        self._be_watched()
+        row._table.columns["_decided"][row._slot] = row._table.model.tick
+        return self._choose_among(self._count_available())
+
+    def _be_watched(self) -> None:
+        """Leave a receipt of the decision, if somebody asked for it."""
+        row = self._row
+        model = row._table.model
+        if model.watch is not None and model.watch == (row._table.shape.name, row.id):
+            model.watched = self.explain()
+
     def _choose_weighed(self) -> str | None:
         """Let the hierarchy weigh the plans, and choose one."""
+        self._weigh()
+        return self._choose_among(self._count_available())
+
+    def _weigh(self) -> None:
+        """Let the hierarchy look at the cognitons, and command the plans' weights."""
         table, slot, society = self._row._table, self._row._slot, self.society
         places, steps = table.weighing, table.minds.stepping
         values = society.minds.values[self.slot].tolist()
@@ -107,7 +132,10 @@ class AgentMind(Mind):
                 read = weights.sensed(values[cogniton], places.weighing_reach.item(cogniton))
                 steps.module.set_sensor(steps.address, slot, sensor, read)
         steps.evaluate(slot)
-        count = self._count_available()
+
+    def _choose_among(self, count: int) -> str | None:
+        """Choose one of the available plans in scratch space."""
+        society = self.society
         position = self._position_of_choice(count)
         society.minds.draws[self.slot] += 1
         return None if position is None else society.scheme.plans[society.plans_scratch[position]]
@@ -150,13 +178,46 @@ def _set_plan(row: Row, plan: str | None) -> None:
     if plan is not None and plan not in plans:
         raise ValueError(f"no plan {plan!r}; there is {', '.join(plans)}")
     row._table.columns["_plan"][row._slot] = -1 if plan is None else plans.index(plan)
+    if row._table.shape.steps is not None:
+        row._table.columns["_step"][row._slot] = ENDED if plan is None else BEGUN
 
 
 def _run_plan(row: Row, model: Any, rng: Any) -> None:
-    """Carry out the agent's plan."""
-    plan = row._table.columns["_plan"].item(row._slot)
-    if plan >= 0:
+    """Carry out the agent's plan, or its next action where it goes on over ticks."""
+    plan = _plan(row)
+    if plan is not None:
         model.engine.run_plan(row._table.shape.name, plan, row, rng)
+
+
+def _plan_ended(row: Row) -> bool:
+    """Whether the agent's plan has ended, or it has none."""
+    return bool(row._table.columns["_step"].item(row._slot) < 0)
+
+
+def _plan_step(row: Row) -> str | None:
+    """The rule or condition at which the agent's plan goes on; None once it has ended."""
+    step: str | None = row._table.plan_steps([row._slot])[0]
+    return step
+
+
+def _reconsider_plan(row: Row, factor: float) -> bool:
+    """Choose a plan when the last has ended; else let one take over that weighs factor times it.
+
+    Returns:
+        Whether a plan begins.
+    """
+    if not factor >= 1.0:
+        raise ValueError("reconsider_plan() wants a factor of 1 or more")
+    mind, before = AgentMind.of(row), _plan(row)
+    ended = row._table.shape.steps is not None and _plan_ended(row)
+    if before is None or ended:
+        plan = mind.choose_next_plan()
+    else:
+        plan = mind.choose_over(before, factor)
+        if plan == before:
+            return False
+    _set_plan(row, plan)
+    return plan is not None
 
 
 def _hierarchy(row: Row) -> Any:
@@ -181,6 +242,10 @@ def row_class(shape: PopulationShape, kept: Collection[str]) -> type[Row]:
         members["mind"] = property(_mind)
         members["plan"] = property(_plan, _set_plan)
         members["run_plan"] = _run_plan
+        members["reconsider_plan"] = _reconsider_plan
+    if shape.steps is not None:
+        members["plan_ended"] = property(_plan_ended)
+        members["plan_step"] = property(_plan_step)
     if shape.hierarchy:
         members["hierarchy"] = property(_hierarchy)
     return type(shape.name, (Row,), members)

@@ -64,7 +64,7 @@ def _population(one: Population) -> tuple[str, ...]:
     if one.hierarchy is not None:
         minds.append(f"skills {_called(one.hierarchy)}")
     fields = [name for name in one.shape.fields if name not in ("x", "y", "heading")]
-    size = str(one.size)
+    size = " + ".join(map(str, one.sizes))
     if one.table is not None:
         size = one.table if isinstance(one.table, str) else "a table"
     return one.name, size, one.agent.__name__, ", ".join(minds), ", ".join(fields)

@@ -67,6 +67,11 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
         columns += [("_id", "i8"), ("_slot", "i8")]
         if population.minded:
             columns += [("_mind", "i8"), ("_plan", "i8"), ("_decided", "i8")]
+        if population.steps is not None:
+            columns += [("_step", "i8"), ("_rounds", "i8", (population.steps.depth,))]
+        if population.messages_to is not None:
+            columns.append(("_next", "i8"))
+        columns += [(f"_first_{messages}", "i8") for messages in population.mailboxes]
     for field in fields.values():
         columns += field.dtype
     # A patch may be a few bytes, and there are many: no padding between them.

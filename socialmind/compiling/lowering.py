@@ -130,9 +130,11 @@ class _Lowering(ast.NodeTransformer):
         if isinstance(place, ast.Subscript):
             target: Any = self.generic_visit(place)
             return [ast.Assign([target], value)]
-        if not isinstance(field, Field):  # a plan
-            target = ast.Attribute(self.visit(place.value), "_plan", ast.Store())
-            return [ast.Assign([target], value)]
+        if not isinstance(field, Field):  # a plan, which begins anew where it goes on over ticks
+            holder = self.visit(place.value)
+            if field is None:
+                return [ast.Assign([ast.Attribute(holder, "_plan", ast.Store())], value)]
+            return [ast.Expr(ast.Call(_name(f"_begin_plan_{field}"), [value, holder], []))]
         if place.mark[0] == "agent":
             value = self.kept_within(place.mark[1], field.name, value)
         holder = self.holder(place, place.mark)
@@ -229,6 +231,10 @@ class _Lowering(ast.NodeTransformer):
 
     lower_plan = lower_id
 
+    def lower_plan_ended(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
+        step = ast.Attribute(self.visit(node.value), "_step", ast.Load())
+        return ast.Compare(step, [ast.Lt()], [ast.Constant(0)])
+
     def lower_no_plan(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Constant(-1)
 
@@ -244,13 +250,14 @@ class _Lowering(ast.NodeTransformer):
     def lower_method(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower what an agent or a population does by a function of the same name."""
         arguments = [self.visit(argument) for argument in node.args]
-        owner = [] if mark[0] in ("create", "one_of", "contains") else [self.visit(node.func.value)]
+        alone = ("create", "one_of", "contains", "send")
+        owner = [] if mark[0] in alone else [self.visit(node.func.value)]
         if mark[0] == "run_plan":
             arguments = arguments[1:]  # the model goes first anyway
         return _call(f"_{mark[0]}_{mark[1]}", *owner, *arguments)
 
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
-    lower_run_plan = lower_method
+    lower_run_plan = lower_reconsider_plan = lower_send = lower_method
 
     def lower_aggregate(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         population, what, field = mark[1:]
@@ -272,6 +279,14 @@ class _Lowering(ast.NodeTransformer):
         return _call(f"_{kind}_{method}_{population}", self.visit(node.func.value), *arguments)
 
     lower_hierarchy = lower_mind
+
+    def lower_outcome(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        *sides, stream = (self.visit(argument) for argument in node.args)
+        records = [
+            ast.Subscript(_call("_patches"), side, ast.Load()) if patch else side
+            for side, patch in zip(sides, mark[2], strict=True)
+        ]
+        return _call(f"_outcome_{mark[1]}", *records, stream)
 
     def lower_draw(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]
@@ -432,6 +447,25 @@ class _Lowering(ast.NodeTransformer):
         head.body += node.body
         head.orelse = node.orelse
         return head
+
+    def lower_mailbox(self, node: Any, mark: tuple[Any, ...]) -> list[ast.stmt]:
+        population = mark[1]
+        self.loops += 1
+        ahead, slot = f"_ahead_{self.loops}", f"_message_{self.loops}"
+        first = ast.Attribute(self.visit(node.iter.args[0]), f"_first_{population}", ast.Load())
+        head: Any = parsed(
+            f"while {ahead} >= 0:\n"
+            f"    {slot} = {ahead}\n"
+            f"    {ahead} = _rows_{population}(_model)[{slot}]._next\n"
+            f"    if not _alive_{population}(_model)[{slot}]:\n"
+            f"        continue\n"
+            f"    {ast.unparse(node.target)} = _rows_{population}(_model)[{slot}]\n"
+        ).body[0]
+        node.iter = ast.Constant(0)
+        self.generic_visit(node)
+        head.body += node.body
+        head.orelse = node.orelse
+        return [ast.Assign([ast.Name(ahead, ast.Store())], first), head]
 
     def lower_patches(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
         self.generic_visit(node)

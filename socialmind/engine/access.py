@@ -11,6 +11,7 @@ from socialmind.compiling.layout import (
     view_function_text,
     view_text,
 )
+from socialmind.engine.plans_text import PLAN_STEPS, WEIGHED, reconsidering_text
 from socialmind.language.shape import PopulationShape
 from socialmind.language.typing.signatures import MIND, Named
 
@@ -134,6 +135,46 @@ def _die_NAME(_model, agent):
         _died(_counters_NAME(_model), alive, _slot_of_NAME(_model), agent._slot, agent._id)
         DEAD_MIND"""
 
+_MESSAGES = """from socialmind.agents import message as _messages
+
+
+@_inner
+def _send_NAME(_model, sender, recipient):
+    message = _create_NAME(_model)
+    message.sender = sender._id
+    message.recipient = recipient._id
+    return message
+
+
+@_inner
+def _vanish_NAME(_model):
+    rows = _rows_NAME(_model)
+    _messages.vanish(
+        _counters_NAME(_model),
+        _order_NAME(_model),
+        _alive_NAME(_model),
+        _slot_of_NAME(_model),
+        rows._id,
+        rows.recipient,
+        _slot_of_TO(_model),
+    )
+
+
+@_inner
+def _deliver_NAME(_model):
+    rows = _rows_NAME(_model)
+    _messages.deliver(
+        _counters_NAME(_model),
+        _order_NAME(_model),
+        _alive_NAME(_model),
+        rows._next,
+        rows.recipient,
+        _counters_TO(_model),
+        _order_TO(_model),
+        _slot_of_TO(_model),
+        _rows_TO(_model)._first_NAME,
+    )"""
+
 _MINDS = """@_inner
 def _mind_place_NAME(agent):
     if agent._mind < 0:
@@ -208,7 +249,11 @@ def _choose_NAME(scheme, minds, slot, weights, plans, count):
 
 
 def population_text(
-    population: PopulationShape, own_maker: bool, leaving: str = "", sought: bool = False
+    population: PopulationShape,
+    own_maker: bool,
+    leaving: str = "",
+    sought: bool = False,
+    reconsiders: bool = False,
 ) -> str:
     """Return the functions by which compiled rules reach a population.
 
@@ -217,6 +262,7 @@ def population_text(
         own_maker: whether its minds have a decision maker of the modeller's own.
         leaving: the line by which an agent that dies leaves the world, if there is any.
         sought: whether rules look for its agents.
+        reconsiders: whether its agents reconsider their plans.
     """
     name = population.name
     parts = []
@@ -255,12 +301,18 @@ def population_text(
         }
         parts += [text.replace("NAME", name) for text in _decision(own_maker, population.weighed)]
         parts.append(_MINDS.replace("NAME", name))
+        if population.steps is not None:
+            parts.append(PLAN_STEPS.replace("NAME", name))
+        if reconsiders:
+            parts.append(reconsidering_text(population, own_maker))
         parts += [_command_text(name, command) for command in MIND if command != "choose_next_plan"]
     if population.hierarchy:
         fills |= {
             "NEW_HIERARCHY": f"_begin_hierarchy_{name}(_model, slot)",
             "HATCHED_HIERARCHY": f"_copy_hierarchy_{name}(_model, parent._slot, slot)",
         }
+    if population.steps is not None:
+        fills["HATCHED_MIND"] += f"\n    _begin_plan_{name}(-1, agent)"
     if population.own:
         born = f"born = carray(_as_pointer(_model._{name}_default), (1,), {name}_ROW)[0]"
         lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
@@ -271,6 +323,8 @@ def population_text(
         fills["DEAD_MIND"] = f"_near_died_{name}(_model, agent)\n        {fills['DEAD_MIND']}"
         for mark in ("NEW_MIND", "HATCHED_MIND"):
             fills[mark] = f"_near_born_{name}(_model, agent)\n    {fills[mark]}"
+    if population.messages_to is not None:
+        parts.append(_MESSAGES.replace("NAME", name).replace("TO", population.messages_to))
     text = _POPULATION
     for mark, fill in fills.items():
         text = text.replace(mark, fill)
@@ -281,7 +335,7 @@ def _decision(own_maker: bool, weighed: bool) -> list[str]:
     """Return the functions that take a decision."""
     if not own_maker and not weighed:
         return [_DECIDE]
-    weigh = "_weigh_NAME(_model, agent, slot, minds, weights, plans, count)" if weighed else ""
+    weigh = WEIGHED if weighed else ""
     steps = _DECIDE_IN_STEPS.replace("    WEIGH\n", f"    {weigh}\n" if weigh else "")
     choose = _CHOOSE_BY_OWN_MAKER if own_maker else _CHOOSE_AMONG
     return [*([_WEIGH] if weighed else []), choose, steps]
@@ -300,24 +354,3 @@ def _command_text(population: str, command: str) -> str:
         f"    return _kernel.{command}({scheme}_minds_{population}(_model), "
         f"_mind_place_{population}(agent){arguments})"
     )
-
-
-def call_text(symbol: str, takes: tuple[str, ...]) -> str:
-    """Return the call of a rule with those of agent, model and stream that it takes."""
-    values = {"agent": "agent", "model": "_model", "rng": "rng"}
-    return f"{symbol}({', '.join(['_model', *(values[one] for one in takes)])})"
-
-
-def plans_text(population: str, entries: list[tuple[str, tuple[str, ...]]]) -> str:
-    """Return the dispatcher that carries out an agent's plan."""
-    lines = [
-        f"@_inner\ndef _run_plan_{population}(_model, agent, rng):",
-        "    plan = agent._plan",
-        "    if plan < 0:",
-        "        return",
-        f"    function = _functions_{population}(_model)[plan]",
-    ]
-    for place, (symbol, takes) in enumerate(entries):
-        word = "if" if place == 0 else "elif"
-        lines += [f"    {word} function == {place}:", f"        {call_text(symbol, takes)}"]
-    return "\n".join(lines)

@@ -11,6 +11,7 @@ from numba.core.errors import NumbaError
 
 from coglogo_py.compiled.own_maker import refusal_of
 from coglogo_py.decision import BUILT_IN
+from socialmind.agents.plan_steps import carry_on
 from socialmind.compiling.modules import compiled_module
 from socialmind.compiling.reached import fingerprint
 from socialmind.engine.module_text import module_text
@@ -162,11 +163,20 @@ class Engine:
         """Write into the society's record where its arrays are."""
         connect(self.model)
 
-    def run_plan(self, population: str, plan: int, agent: Any, rng: Any) -> None:
-        """Carry out a plan, by its number in the population's scheme, in an interpreted run."""
-        model = self.model
-        symbol, takes = model.program.plans[population][model.schemes[population].plans[plan]]
-        self.functions[symbol](*taken(takes, agent, model, rng).values())
+    def run_plan(self, population: str, plan: str, agent: Any, rng: Any) -> None:
+        """Carry out a plan, or go on in it, in an interpreted run."""
+        plans = self.model.program.plans[population]
+
+        def called(place: int) -> int:
+            call = plans.calls[place]
+            taking = taken(call.takes, agent, self.model, rng).values()
+            found = self.functions[call.symbol](*taking)
+            return 1 if found is None else int(found)
+
+        if plans.steps is None:
+            called(plans.names.index(plan))
+        else:
+            carry_on(plans.steps, plan, agent, called)
 
     def _make_room(self) -> None:
         for name in self.model.program.births:

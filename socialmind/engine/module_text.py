@@ -12,7 +12,9 @@ from socialmind.compiling.aggregates import aggregate_name, aggregate_text
 from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
-from socialmind.engine.access import AGENTS, call_text, plans_text, population_text
+from socialmind.engine import interactions_text
+from socialmind.engine.access import AGENTS, population_text
+from socialmind.engine.plans_text import call_text, plans_text
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
 from socialmind.streams import ORDER_TAG
@@ -33,9 +35,11 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
     for population in shape.populations.values():
-        leaving = shape.world.leaving(population.name)
-        own, sought = population.name in own_makers, population.name in program.sought
-        parts.append(population_text(population, own, leaving, sought))
+        name = population.name
+        leaving = shape.world.leaving(name)
+        sought, reconsiders = name in program.sought, name in program.reconsidered
+        own = name in own_makers
+        parts.append(population_text(population, own, leaving, sought, reconsiders))
     if program.sought:
         from socialmind.worlds.neighbours.text import text
 
@@ -50,15 +54,19 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             minds.HEAD,
             *(minds.population_text(one.name, one.evaluated_by_world) for one in minded),
         ]
+    if shape.interactions:
+        parts.append(interactions_text.HEAD)
+        parts += [interactions_text.interaction_text(*one) for one in shape.interactions.items()]
     for function in program.functions.values():
         parts.append(f"@_inner\n{lowered(function, shape, program.sought)}")
     for name, plans in program.plans.items():
-        parts.append(plans_text(name, list(plans.values())))
-    parts += [
-        _phase_text(shape, phase, program.sought) for phase in (*program.setup, *program.schedule)
-    ]
+        parts.append(plans_text(name, plans))
+    phases = (*program.setup, *program.schedule)
+    parts += [_phase_text(shape, phase, program.sought) for phase in phases]
+    parts += _births_text(program.at_birth)
     listing = "".join(f"    _near_list_{name}(_model)\n" for name in program.sought)
-    setup, schedule = listing + _calls(program.setup), listing + _calls(program.schedule)
+    setup = listing + _calls(program.setup) + _founders(program.at_birth)
+    schedule = listing + _calls(program.schedule)
     tick = world.tick.replace("PHASES", schedule)
     parts.append(world.stages.replace("PHASES", schedule))
     parts.append(_loops_text(shape, program, setup, tick))
@@ -146,16 +154,60 @@ def _phase_text(shape: ModelShape, phase: Phase, sought: tuple[str, ...]) -> str
     return "\n".join(lines)
 
 
+_BORN = """@_inner
+def _births_NAME(_model, rng):
+    counters = _counters_NAME(_model)
+    first = counters[_bookkeeping.COUNT]
+    place = first
+    while place < counters[_bookkeeping.ENTRIES]:
+        slot = _order_NAME(_model)[place]
+        place += 1
+        if _alive_NAME(_model)[slot]:
+            agent = _rows_NAME(_model)[slot]
+            _begin(rng, TAG, agent._id, _model._tick)
+            CALL
+    counters[_bookkeeping.COUNT] = place
+    return place > first"""
+
+
+def _births_text(phases: Sequence[Phase]) -> list[str]:
+    """Return what lets the newborn follow their rule: all between those who act and the last."""
+    if not phases:
+        return []
+    parts, calls = [], ""
+    for phase in phases:
+        text = _BORN.replace("TAG", str(phase.tag))
+        text = text.replace("CALL", call_text(phase.symbol, phase.takes))
+        name = str(phase.shape.population)
+        parts.append(text.replace("NAME", name))
+        calls += f"        again = _births_{name}(_model, rng) or again\n"
+    begin = "@_inner\ndef _births(_model, rng):\n    again = True\n    while again:\n"
+    return [*parts, f"{begin}        again = False\n{calls}"]
+
+
+def _founders(phases: Sequence[Phase]) -> str:
+    """Return what lets the founders follow the rule at birth."""
+    counts = "".join(
+        f"    _counters_{phase.shape.population}(_model)[_bookkeeping.COUNT] = 0\n"
+        for phase in phases
+    )
+    return f"{counts}    _births(_model, rng)\n" if phases else ""
+
+
 def _calls(phases: Sequence[Phase]) -> str:
     return "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in phases)
 
 
 def _loops_text(shape: ModelShape, program: Program, setup: str, tick: str) -> str:
-    settle = "".join(
+    settle = "    _births(_model, _stream(_model))\n" if program.at_birth else ""
+    messages = [name for name, one in shape.populations.items() if one.messages_to is not None]
+    settle += "".join(f"    _vanish_{name}(_model)\n" for name in messages)
+    settle += "".join(
         f"    _settle(_counters_{name}(_model), _order_{name}(_model), _alive_{name}(_model), "
         f"_free_{name}(_model))\n"
         for name in shape.populations
     )
+    settle += "".join(f"    _deliver_{name}(_model)\n" for name in messages)
     room = "".join(
         f"    if _short_of_room(_counters_{name}(_model), _slot_of_{name}(_model)):\n"
         "        return True\n"

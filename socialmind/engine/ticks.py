@@ -12,7 +12,9 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from coglogo_py.border.errors import ChoiceError
+from socialmind.agents.bookkeeping import COUNT, ENTRIES
 from socialmind.errors import RuleError, place_of
+from socialmind.society.messages import fill_mailboxes, let_vanish
 from socialmind.society.phases import Rule
 from socialmind.streams import ORDER_TAG, Stream, shuffle
 
@@ -44,6 +46,9 @@ def run_setup(model: Running, functions: dict[str, Rule]) -> None:
     with following_rules(model):
         for phase in model.program.setup:
             _run(model, functions, phase)
+        for phase in model.program.at_birth:
+            model.tables[str(phase.shape.population)].counters[COUNT] = 0
+        _bear(model, functions)
     _settle(model)
 
 
@@ -51,6 +56,7 @@ def run_tick(model: Running, functions: dict[str, Rule]) -> None:
     """Run one tick of a model in interpreted Python."""
     with following_rules(model):
         model.ground.run_tick(functions, lambda: _run_schedule(model, functions))
+        _bear(model, functions)
     _settle(model)
     model.context["_tick"] += 1
 
@@ -79,6 +85,24 @@ def _run(model: Running, functions: dict[str, Rule], phase: Phase) -> None:
             _follow(model, rule, phase, agent, stream)
 
 
+def _bear(model: Running, functions: dict[str, Rule]) -> None:
+    """Let all that came into being follow the rule at birth, and those that it brings."""
+    stream = Stream(model.seed)
+    again = True
+    while again:
+        again = False
+        for phase in model.program.at_birth:
+            table = model.tables[str(phase.shape.population)]
+            while table.counters[COUNT] < table.counters[ENTRIES]:
+                slot = int(table.order[table.counters[COUNT]])
+                table.counters[COUNT] += 1
+                again = True
+                if table.alive[slot]:
+                    agent = table.row_class(table, slot)
+                    stream.begin(phase.tag, agent.id, model.tick)
+                    _follow(model, functions[phase.symbol], phase, agent, stream)
+
+
 def _follow(model: Running, rule: Rule, phase: Phase, agent: Any, stream: Stream) -> None:
     """Let an agent, or the model, follow a rule; what fails is said with its place."""
     try:
@@ -104,5 +128,7 @@ def taken(takes: tuple[str, ...], agent: Any, model: Running, rng: Stream) -> di
 
 
 def _settle(model: Running) -> None:
+    let_vanish(model.tables)
     for table in model.tables.values():
         table.settle()
+    fill_mailboxes(model.tables)

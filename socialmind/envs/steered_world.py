@@ -223,8 +223,10 @@ def sizes_of(
     known |= parameters or {}
     sizes = {}
     for name in world.robots:
-        size = model_class.populations[name].size or 0
-        sizes[name] = int(known.get(size, 0) if isinstance(size, str) else size)
+        several = model_class.populations[name].sizes
+        sizes[name] = sum(
+            int(known.get(one, 0) if isinstance(one, str) else one) for one in several
+        )
     return sizes
 
 

@@ -77,6 +77,11 @@ AGENT = {
     "world": "write model.world",
     **{name: f"write {{agent}}.{name}()" for name in ("die", "hatch")},
     "run_plan": "write {agent}.run_plan(model, rng)",
+    **dict.fromkeys(
+        ("send", "receive", "inbox", "mailbox", "messages"),
+        "declare `offers = Messages(Offer, to={all})`; write model.offers.send({agent}, other) and "
+        "`for offer in model.offers.to({agent}):`",
+    ),
     "alive": "ask model.{all}.contains(identity); the dead act no more",
     "breed": "give each kind of agents a population of its own",
     "patch_here": _HERE,
@@ -207,7 +212,8 @@ def for_agents_method(typer: Typer, holder: str, name: str) -> str:
     if name in typer.shape.world.commands:
         return f"write model.world.{name}({holder}, …)"
     known = _filled(AGENT, name, typer, holder)
-    return known or f"{nearest(name, ('die', 'hatch', 'run_plan'))}; or call a function"
+    methods = ("die", "hatch", "run_plan", "reconsider_plan")
+    return known or f"{nearest(name, methods)}; or call a function"
 
 
 def for_model(typer: Typer, name: str) -> str:

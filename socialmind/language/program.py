@@ -11,12 +11,20 @@ from typing import Any
 from socialmind.errors import ModelError, close, nearest
 from socialmind.fields import Field
 from socialmind.language import arithmetic
+from socialmind.language.plan_calls import TypedPlans, typed_plans
 from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import Names, RuleSource, rule_source
 from socialmind.language.syntax import compiled
 from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TableType, TextType
 from socialmind.language.typing.statements import FunctionTyper
-from socialmind.streams import SCHEDULE_TAG, SETUP_TAG, phase_tags
+from socialmind.streams import (
+    BIRTH_TAG,
+    BIRTH_TAGS,
+    SCHEDULE_TAG,
+    SETUP_TAG,
+    TAGS,
+    phase_tags,
+)
 
 
 @dataclass(frozen=True)
@@ -88,7 +96,8 @@ class Program:
         self.patches_sought = False
         self.world_calls: list[tuple[str, ...]] = []
         self.aggregates: list[tuple[str, str, Field]] = []
-        self.plans: dict[str, dict[str, tuple[str, tuple[str, ...]]]] = {}
+        self.plans: dict[str, TypedPlans] = {}
+        self.reconsidered = set[str]()
         self.made: dict[Any, Any] = {}
         self._codes: dict[str, python_types.CodeType] | None = None
         self._sources: dict[Callable[..., Any], RuleSource] = {}
@@ -101,6 +110,12 @@ class Program:
         self._reached: dict[str, set[str]] = {}
         self.setup = self._phases(shape.setup, SETUP_TAG)
         self.schedule = self._phases(shape.schedule, SCHEDULE_TAG)
+        born = tuple(
+            PhaseShape(one.at_birth, one.name, shuffled=False)
+            for one in shape.populations.values()
+            if one.at_birth is not None
+        )
+        self.at_birth = self._phases(born, BIRTH_TAG, BIRTH_TAGS)
         self.world: Any = shape.world.typed(self)
 
     def source(self, function: Callable[..., Any]) -> RuleSource:
@@ -120,17 +135,36 @@ class Program:
             names.outdated for names in self._modules.values()
         )
 
-    def _phases(self, shapes: tuple[PhaseShape, ...], first_tag: int) -> tuple[Phase, ...]:
-        tags = phase_tags(first_tag, [self.source(shape.rule).name for shape in shapes])
+    def _phases(
+        self, shapes: tuple[PhaseShape, ...], first_tag: int, tags_there: int = TAGS
+    ) -> tuple[Phase, ...]:
+        names = [self.source(shape.rule).name for shape in shapes]
+        tags = phase_tags(first_tag, names, tags_there)
         return tuple(
-            Phase(shape, *self._entry(shape.rule, shape.population), tag)
+            Phase(shape, *self.entry(shape.rule, shape.population), tag)
             for shape, tag in zip(shapes, tags, strict=True)
         )
 
-    def _entry(
+    def entry(
         self, rule: Callable[..., Any], population: str | None
     ) -> tuple[str, tuple[str, ...]]:
-        """Type a function of the schedule or of a plan; return its symbol and what it takes."""
+        """Type a rule of the schedule or of a plan; return its symbol and what it takes."""
+        symbol, takes, result = self.called(rule, population)
+        if result != NONE:
+            source = self.source(rule)
+            raise ModelError(
+                f"the rule {source.name!r}, which returns {result}",
+                "a rule that returns nothing",
+                "write what it found into a field",
+                source.file,
+                source.line,
+            )
+        return symbol, takes
+
+    def called(
+        self, rule: Callable[..., Any], population: str | None
+    ) -> tuple[str, tuple[str, ...], AnyType]:
+        """Type a function that is no other's; return symbol, what it takes and what it returns."""
         source = self.source(rule)
         names = source.parameters
         known: dict[str, AnyType] = {"model": MODEL, "rng": RNG}
@@ -162,37 +196,16 @@ class Program:
                 f"write def {source.name}({population.rstrip('s')}, model, rng)",
             )
         symbol, result = self.specialised(source, tuple(kinds), None, source.tree)
-        if result != NONE:
-            raise source.error(
-                f"the rule {source.name!r}, which returns {result}",
-                "a rule that returns nothing",
-                "write what it found into a field",
-            )
-        return symbol, tuple(takes)
+        return symbol, tuple(takes), result
 
     def runs_plans(self, population: str, typer: Any, node: ast.AST) -> None:
         """Type the functions of a population's plans, once a rule runs them."""
         for calls in self._calls:
             calls.add(population)
-        if population in self.plans:
-            return
-        self.plans[population] = {}
-        for plan, function in self.shape.populations[population].plans.items():
-            symbol, takes = self._entry(function, population)
-            if population in self._reached[symbol]:
-                source = self.functions[symbol].source
-                raise source.error(
-                    f"the plan {plan!r}, in which an agent carries out its plan",
-                    "a plan that ends",
-                    "leave run_plan() to the rule that chooses the plan",
-                )
-            self.plans[population][plan] = symbol, takes
-        if not self.plans[population]:
-            typer.refuse(
-                node,
-                f"run_plan() of {population!r}, which has no plans",
-                "give the population plans: Population(…, plans={'GrowWheat': grow_wheat})",
-            )
+        if population not in self.plans:
+            # A plan may carry out plans, which is refused once it is typed.
+            self.plans[population] = TypedPlans((), (), None)
+            self.plans[population] = typed_plans(self, population, typer, node)
 
     @property
     def within_a_call(self) -> bool:
@@ -246,6 +259,10 @@ class Program:
         """Note that a function writes fields of a population, or brings births or deaths."""
         for calls in self._calls:
             calls.add(f"changes {population}")
+
+    def carries_out(self, symbol: str, population: str) -> bool:
+        """Return whether a function carries out plans of a population, or calls one that does."""
+        return population in self._reached[symbol]
 
     def changed_by(self, symbol: str, population: str) -> bool:
         """Return whether a function changes agents of a population, or calls one that does."""

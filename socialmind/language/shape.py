@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple
 
 from socialmind.fields import Field
+from socialmind.language.plans import PlanSteps, PlanTree, goes_on, steps_of
 from socialmind.language.types import AnyType
 
 
@@ -19,21 +21,32 @@ class PopulationShape:
         name: its name.
         fields: the fields of an agent.
         minded: whether its agents have cogniton minds.
-        plans: the function of each plan.
+        plans: the rule or the tree of each plan.
         hierarchy: whether its agents have hierarchies of skills.
         weighed: whether these weigh the plans of its cogniton minds.
         own: the fields that a hatched agent does not take from its parent: they are as at birth.
         evaluated_by_world: whether a tick of the world evaluates its hierarchies.
+        at_birth: the rule that each agent follows once, or None.
+        messages_to: of messages, the population of their recipients.
+        mailboxes: the messages that its agents get.
     """
 
     name: str
     fields: Mapping[str, Field]
     minded: bool = False
-    plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    plans: Mapping[str, Callable[..., Any] | PlanTree] = field(default_factory=dict)
     hierarchy: bool = False
     weighed: bool = False
     own: tuple[str, ...] = ()
     evaluated_by_world: bool = False
+    at_birth: Callable[..., Any] | None = None
+    messages_to: str | None = None
+    mailboxes: tuple[str, ...] = ()
+
+    @cached_property
+    def steps(self) -> PlanSteps | None:
+        """The steps of its plans, where some are trees: then an agent stands at one of them."""
+        return steps_of(self.plans) if goes_on(self.plans) else None
 
 
 @dataclass(frozen=True)
@@ -169,6 +182,7 @@ class ModelShape:
         world: what its rules know of its world.
         setup: the phases that run once, before the first tick.
         schedule: the phases of a tick.
+        interactions: by name, what two agents may come to (`agents.interaction.Interaction`).
     """
 
     name: str
@@ -178,3 +192,4 @@ class ModelShape:
     world: WorldShape
     setup: tuple[PhaseShape, ...]
     schedule: tuple[PhaseShape, ...]
+    interactions: Mapping[str, Any] = field(default_factory=dict)

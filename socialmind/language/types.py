@@ -109,6 +109,14 @@ class PopulationType(_OfPopulation):
 
 
 @dataclass(frozen=True)
+class InteractionType(_Called):
+    """An interaction, whose outcome is drawn."""
+
+    interaction: str
+    words = "the interaction {interaction!r}"
+
+
+@dataclass(frozen=True)
 class WorldType(_Called):
     """The world that the agents stand on."""
 
@@ -183,6 +191,7 @@ AnyType = (
     | MindType
     | HierarchyType
     | PopulationType
+    | InteractionType
     | WorldType
     | PatchType
     | PlanType

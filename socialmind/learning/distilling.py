@@ -51,7 +51,8 @@ def states_of(model: Any, population: str, ticks: Sequence[int]) -> Floats:
     for tick in ticks:
         model.advance(int(tick) - model.tick)
         table = model.tables[population]
-        seen.append(table.society.minds.values[table.columns["_mind"][table.slots]].copy())
+        values = table.society.minds.values[table.columns["_mind"][table.slots]]
+        seen.append(values[:, : len(table.society.scheme.cognitons)].copy())
     return np.concatenate(seen)
 
 

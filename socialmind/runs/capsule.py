@@ -16,7 +16,7 @@ from typing import Annotated, Any, ClassVar
 from socialmind.runs import folders
 from socialmind.runs import record as kinds
 from socialmind.runs.record import check_record, within
-from socialmind.runs.tables import TABLES
+from socialmind.runs.tables import FURTHER, TABLES
 
 IDLE = kinds.Fields(
     {},
@@ -30,7 +30,7 @@ _TABLE = kinds.Fields({"rows": kinds.whole(), "columns": kinds.TEXTS, "sha256": 
 _TIMINGS = kinds.Fields(
     {}, {"created": kinds.TEXT, "seconds": kinds.NUMBER, "loop_seconds": kinds.NUMBER}
 )
-_BOTH_TABLES = kinds.Fields(dict.fromkeys(TABLES, _TABLE))
+_ALL_TABLES = kinds.Fields(dict.fromkeys(TABLES, _TABLE), dict.fromkeys(FURTHER, _TABLE))
 
 
 def _copied(place: str) -> kinds.Fields:
@@ -99,7 +99,7 @@ class Manifest(folders.FolderManifest):
     def _check(cls, content: Mapping[str, Any], path: Path) -> None:
         check_record(content["ticks_done"], kinds.whole(0, content["ticks"]), f"{path}: ticks_done")
         if content["status"] == folders.FINISHED:
-            check_record(content.get("tables"), _BOTH_TABLES, f"{path}: tables of a finished run")
+            check_record(content.get("tables"), _ALL_TABLES, f"{path}: tables of a finished run")
 
     def identity(self) -> str:
         """Return a hash of what decides the result, apart from the model itself."""

@@ -15,7 +15,7 @@ from socialmind.runs import record as kinds
 from socialmind.runs.arrays_file import load_arrays, save_arrays
 from socialmind.runs.capsule import IDLE
 from socialmind.runs.record import check_record
-from socialmind.runs.tables import TABLES, check_part, part_name
+from socialmind.runs.tables import FURTHER, TABLES, check_part, part_name
 
 _RECORD = "checkpoint"
 _STATE = "state/"
@@ -96,11 +96,12 @@ class Checkpoint:
 
 
 _AT = kinds.whole(-1)
+_PARTS = kinds.Many(kinds.TEXT)
 _FIELDS = kinds.Fields(
     {
         "tick": kinds.whole(),
-        "recorded": kinds.Fields(dict.fromkeys(TABLES, _AT)),
-        "parts": kinds.Fields(dict.fromkeys(TABLES, kinds.Many(kinds.TEXT))),
+        "recorded": kinds.Fields(dict.fromkeys(TABLES, _AT), dict.fromkeys(FURTHER, _AT)),
+        "parts": kinds.Fields(dict.fromkeys(TABLES, _PARTS), dict.fromkeys(FURTHER, _PARTS)),
         "idle": IDLE,
         "loop_seconds": kinds.NUMBER,
         "seconds": kinds.NUMBER,

@@ -11,7 +11,7 @@ from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
-from socialmind.runs.tables import AGENTS, SERIES, TABLES, check_content, merge, part_name, seal
+from socialmind.runs.tables import FURTHER, SERIES, TABLES, check_content, merge, part_name, seal
 from socialmind.work.files import make_room, refuse_folder
 
 if TYPE_CHECKING:
@@ -34,10 +34,10 @@ def checked_checkpoint(capsule: Capsule) -> Checkpoint | None:
                 f"those that {capsule.checkpoint.name} was written with; put them back"
             )
     if manifest.status == folders.FINISHED:
-        for name in TABLES:
-            check_content(capsule.table(name), manifest.tables[name]["sha256"])
+        for name, table in manifest.tables.items():
+            check_content(capsule.table(name), table["sha256"])
         return checkpoint
-    for name in TABLES:
+    for name in (*TABLES, *FURTHER):
         refuse_folder(capsule.table(name))
     if checkpoint is not None:
         checkpoint.check_parts(capsule.parts)
@@ -67,8 +67,8 @@ def restore(model: Model, checkpoint: Checkpoint, path: Path) -> None:
 def finish(capsule: Capsule, checkpoint: Checkpoint) -> None:
     """Merge the parts and declare the run finished; killed anywhere in here, it can be repeated."""
     contents = {}
-    for name in TABLES:
-        parts = [capsule.parts / part for part in checkpoint.parts[name]]
+    for name, of in checkpoint.parts.items():
+        parts = [capsule.parts / part for part in of]
         contents[name] = asdict(merge(parts, capsule.table(name), name))
     capsule.update(
         status=folders.FINISHED, tables=contents, **progress_fields(capsule.manifest, checkpoint)
@@ -87,7 +87,8 @@ def reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Chec
             f"{capsule.folder}: {capsule.checkpoint.name} is missing or of another run, so the "
             f"run cannot be made longer; run anew with --ticks {length}"
         )
-    every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
+    every = dict.fromkeys(capsule.manifest.tables, capsule.manifest.agents_every)
+    every[SERIES] = capsule.manifest.every
     capsule.parts.mkdir(exist_ok=True)
     parts, recorded, sums = {}, {}, {}
     for name, step in every.items():
@@ -105,7 +106,7 @@ def reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Chec
     reopened = replace(checkpoint, parts=parts, recorded=recorded, sums=sums)
     reopened.save(capsule.checkpoint)
     capsule.update(status=folders.RUNNING, ticks=length, tables={})
-    for name in TABLES:
+    for name in every:
         capsule.table(name).unlink(missing_ok=True)
     return reopened
 

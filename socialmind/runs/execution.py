@@ -21,12 +21,13 @@ from typing import TYPE_CHECKING, Any
 
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents.agent_columns import as_before
+from socialmind.agents.group_columns import group_instances, has_groups
 from socialmind.errors import SocialmindError
 from socialmind.runs import continuing, folders, sources
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.record import LONGEST
-from socialmind.runs.tables import AGENTS, SERIES, TABLES, GrowingTable
+from socialmind.runs.tables import AGENTS, GROUPS, SERIES, GrowingTable
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
@@ -249,6 +250,9 @@ class _Execution:
         self._capsule = capsule
         self._model = model
         self._every = {SERIES: capsule.manifest.every, AGENTS: capsule.manifest.agents_every}
+        # A run that began without a table of groups goes on without.
+        if has_groups(model) if checkpoint is None else GROUPS in checkpoint.parts:
+            self._every[GROUPS] = capsule.manifest.agents_every
         parts = checkpoint.parts if checkpoint else {}
         self._tables = {
             name: GrowingTable(
@@ -258,11 +262,11 @@ class _Execution:
                 _source_of(model, name),
                 checkpoint.sums if checkpoint else None,
             )
-            for name in TABLES
+            for name in self._every
         }
         self._begun_with = self._tables[AGENTS].columns
         self._first = next(iter(getattr(model, "populations", {})), None)
-        self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(TABLES, -1)
+        self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(self._every, -1)
         self._loop_seconds = checkpoint.loop_seconds if checkpoint else 0.0
         self._started = started - (checkpoint.seconds if checkpoint else 0.0)
 
@@ -331,13 +335,21 @@ class _Execution:
         """Take down what is due at this tick and not in the tables yet."""
         for name, every in self._every.items():
             if tick > self._recorded[name] and (tick % every == 0 or tick == length):
-                columns: Any = self._model.series() if name == SERIES else self._model.agents()
+                columns: Any = self._columns(name)
                 if name == SERIES and hasattr(columns, "items"):
                     columns = {column: [value] for column, value in columns.items()}
-                elif self._begun_with is not None and isinstance(columns, Mapping):
+                elif (
+                    name == AGENTS and self._begun_with is not None and isinstance(columns, Mapping)
+                ):
                     columns = as_before(columns, self._begun_with, self._first)
                 self._tables[name].add(tick, columns)
                 self._recorded[name] = tick
+
+    def _columns(self, name: str) -> Any:
+        """Return what is recorded in a table now."""
+        if name == GROUPS:
+            return group_instances(self._model)
+        return self._model.series() if name == SERIES else self._model.agents()
 
     def _checkpoint(self, status: str = folders.RUNNING) -> Checkpoint:
         """Make everything up to now safe."""
@@ -384,7 +396,7 @@ class _Timer:
 
 def _source_of(model: Model, name: str) -> str:
     """The method that gives a table's rows, with the file and line where it is written."""
-    written = getattr(getattr(type(model), name), "__code__", None)
+    written = getattr(getattr(type(model), name, None), "__code__", None)
     place = "" if written is None else f"{written.co_filename}:{written.co_firstlineno}: "
     return f"{place}{name}()"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,7 +12,7 @@ from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.folders import FINISHED
 from socialmind.runs.sources import recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, SERIES, check_content, read
+from socialmind.runs.tables import AGENTS, GROUPS, SERIES, check_content, read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -82,6 +83,15 @@ class Run:
         return self._table(AGENTS)
 
     @cached_property
+    def groups(self) -> pd.DataFrame:
+        """One row a living group and recorded tick: its type, identity, members and culturons.
+
+        Raises:
+            SocialmindError: the run recorded none.
+        """
+        return self._table(GROUPS)
+
+    @cached_property
     def schemes(self) -> dict[str, CognitiveScheme]:
         """The cognitive schemes that the run used, by the population that has such minds."""
         from coglogo_py import CognitiveScheme, SchemeError
@@ -111,10 +121,12 @@ class Run:
 
     def _table(self, name: str) -> pd.DataFrame:
         if self.manifest.status == FINISHED:
+            self._check_recorded(name, self.manifest.tables)
             paths = [self._capsule.table(name)]
             check_content(paths[0], self.manifest.tables[name]["sha256"])
         elif self._capsule.checkpoint.is_file():
             checkpoint = Checkpoint.load(self._capsule.checkpoint)
+            self._check_recorded(name, checkpoint.parts)
             checkpoint.check_parts(self._capsule.parts)
             paths = [self._capsule.parts / part for part in checkpoint.parts[name]]
         else:
@@ -123,3 +135,10 @@ class Run:
                 "finish it with --resume"
             )
         return read(paths, name).to_pandas()
+
+    def _check_recorded(self, name: str, tables: Container[str]) -> None:
+        if name not in tables:
+            raise SocialmindError(
+                f"{self.folder}: has no table of {name}; only runs of models whose minds can form "
+                "groups record one, from their beginning"
+            )

@@ -31,7 +31,11 @@ if TYPE_CHECKING:
 
 SERIES = "series"
 AGENTS = "agents"
+GROUPS = "groups"
 TABLES = (SERIES, AGENTS)
+"""The tables that every run has."""
+FURTHER = (GROUPS,)
+"""Those that a run has from its beginning, or never: of models whose minds can form groups."""
 
 ROW_GROUP = 1 << 15
 """Rows in a row group of a merged table."""
@@ -46,7 +50,7 @@ class GrowingTable:
     """One table of a run while the run goes on.
 
     Args:
-        name: `SERIES` or `AGENTS`; begins the names of its parts.
+        name: `SERIES`, `AGENTS` or `GROUPS`; begins the names of its parts.
         folder: where the parts go; made when the first is written.
         parts: names of the parts that already count, for a run that goes on.
         source: what gives the rows, for errors.

@@ -12,13 +12,14 @@ import numpy as np
 
 from coglogo_py.border.errors import one_line
 from socialmind.agents.agent_columns import POPULATION
+from socialmind.agents.group_columns import PARTS
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.columns import from_arrow
 from socialmind.runs.execution import Progress, run
 from socialmind.runs.sources import changes_since, recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, TABLES, content_of, pieces
+from socialmind.runs.tables import AGENTS, content_of, pieces
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -122,7 +123,7 @@ def replay(
             on_progress=on_progress,
             engine=manifest.engine,
         )
-        for name in TABLES:
+        for name in stored.manifest.tables:
             found = compare(stored.table(name), Capsule(again).table(name), name, exact, first)
             differences += [found] if found else []
     return Replay(exact, tuple(differences), tuple(notes))
@@ -132,8 +133,8 @@ def _tampering(stored: Capsule) -> list[Difference]:
     """Tables that are not those the run wrote, by the hashes in its manifest."""
     return [
         Difference(name, f"{stored.table(name).name} is not the table that the run wrote")
-        for name in TABLES
-        if content_of(stored.table(name)).sha256 != stored.manifest.tables[name]["sha256"]
+        for name, table in stored.manifest.tables.items()
+        if content_of(stored.table(name)).sha256 != table["sha256"]
     ]
 
 
@@ -160,7 +161,8 @@ def compare(
     schema, found = pq.read_schema(again), pq.read_schema(stored)
     population = None
     if found.names != schema.names:
-        own, today = set(found.names), set(schema.names)
+        own = set(found.names)
+        today = {one for one in schema.names if one in own or not one.startswith(PARTS)}
         before = name == AGENTS and POPULATION in today - own and own < today
         if not before and own != today:
             return Difference(

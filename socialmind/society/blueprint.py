@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.files.reading import content_of, text_of
+from socialmind.agents.message import NEXT, first_message
+from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import HeldRow, Row, held_class, row_class
 from socialmind.compiling.layout import model_dtype, row_dtype
 from socialmind.fields import set_default
@@ -136,6 +138,12 @@ class TableForm:
             set_default(agent, field)
         if self._shape.minded:
             agent["_mind"] = agent["_plan"] = agent["_decided"] = -1
+        if self._shape.steps is not None:
+            agent["_step"] = ENDED
+        if self._shape.messages_to is not None:
+            agent[NEXT] = -1
+        for messages in self._shape.mailboxes:
+            agent[first_message(messages)] = -1
         agent["heading"] = turned(agent["heading"].item())
         agent.flags.writeable = False
         return agent

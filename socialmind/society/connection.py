@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import CognitiveScheme
 from coglogo_py.arrays import MindArrays, SchemeArrays
-from coglogo_py.laying_out import culturons_of
+from coglogo_py.names import Names
 from socialmind.compiling.layout import SEEKING
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
@@ -119,6 +119,7 @@ def names_of_minds(
     scheme: CognitiveScheme | None,
     assembly: Assembly | None = None,
     file: Path | None = None,
+    names: Names | None = None,
 ) -> list[int]:
     """Return where in a scheme and a hierarchy the names stand that a population's rules write.
 
@@ -128,6 +129,7 @@ def names_of_minds(
         scheme: that of its minds.
         assembly: its hierarchy of skills.
         file: where the scheme was read from, for errors.
+        names: where its parts stand, in a culture; by default where they stand in it alone.
 
     Raises:
         ModelError: a rule names what the minds do not have, or a plan has no function.
@@ -136,7 +138,7 @@ def names_of_minds(
     owners: dict[str, str] = {}
     if scheme is not None:
         _check_plans(program, population, scheme, file)
-        tables |= _parts_of_scheme(scheme)
+        tables |= _parts_of_scheme(names or Names(scheme))
         place = "" if file is None else f" ({file})"
         owners |= dict.fromkeys(tables, f"the scheme {scheme.name!r}{place}")
     if assembly is not None:
@@ -148,21 +150,21 @@ def names_of_minds(
     return program.placed(population, tables, owners)
 
 
-def _parts_of_scheme(scheme: CognitiveScheme) -> dict[str, dict[Any, int]]:
+def _parts_of_scheme(names: Names) -> dict[str, dict[Any, int]]:
     """Return the places of a scheme's parts by part and name."""
-    tables: dict[str, dict[Any, int]] = {
-        "plan": {name: place for place, name in enumerate(scheme.plans)},
-        "cogniton": {one.name: place for place, one in enumerate(scheme.cognitons)},
-        "group": {one.name: place for place, one in enumerate(scheme.groups)},
-        "role": {},
-        "culturon": {},
+    return {
+        "plan": dict(names.plans),
+        "cogniton": dict(names.cognitons),
+        "group": dict(names.groups),
+        **{
+            part: {(group, name): k for group, places in of.items() for name, k in places.items()}
+            for part, of in (
+                ("role", names.roles),
+                ("culturon", names.culturons),
+                ("attribute", names.attributes),
+            )
+        },
     }
-    for group in scheme.groups:
-        for role in group.roles:
-            tables["role"][group.name, role.name] = len(tables["role"])
-        for culturon in culturons_of(group):
-            tables["culturon"][group.name, culturon.name] = len(tables["culturon"])
-    return tables
 
 
 def _check_plans(
@@ -170,17 +172,19 @@ def _check_plans(
 ) -> None:
     """Refuse a plan of a scheme that has no function."""
     if population in program.plans:
+        known = program.plans[population].names
         for plan in scheme.plans:
-            if plan not in program.plans[population]:
+            if plan not in known:
                 raise ModelError(
                     f"the plan {plan!r} of the scheme {scheme.name!r}, which has no function",
                     "a function for each plan",
-                    f"the population {population!r} has {', '.join(program.plans[population])}",
+                    f"the population {population!r} has {', '.join(known)}",
                     file,
                 )
 
 
 def plan_functions(program: Program, population: str, scheme: CognitiveScheme) -> Any:
     """Return the number of each plan's function, in the scheme's order."""
-    known = {plan: place for place, plan in enumerate(program.plans.get(population, {}))}
+    plans = program.plans.get(population)
+    known = {plan: place for place, plan in enumerate(() if plans is None else plans.names)}
     return np.array([known.get(plan, -1) for plan in scheme.plans], np.int64)

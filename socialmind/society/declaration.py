@@ -10,9 +10,11 @@ from typing import Any, NamedTuple
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
 from socialmind.agents.attributes import ArrayField, HeldArray
+from socialmind.agents.interaction import Interaction
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, nearest
 from socialmind.fields import Field, declared, place_of_field, presence
+from socialmind.society.messages import Messages
 from socialmind.society.parameter import Parameter
 from socialmind.society.phases import PhaseDeclaration
 from socialmind.society.population import Population
@@ -67,6 +69,7 @@ class Declaration(NamedTuple):
     rewards: dict[str, Any]
     interruptions: dict[str, Any]
     measures: dict[str, Any]
+    interactions: dict[str, Interaction]
 
 
 def kept_names(model: type) -> frozenset[str]:
@@ -110,8 +113,10 @@ def declaration_of(cls: type, model: type) -> Declaration:
         dict(own.get("rewards", {})),
         dict(own.get("interruptions", {})),
         dict(own.get("measures", {})),
+        {name: value for name, value in own.items() if isinstance(value, Interaction)},
     )
     _check_sizes(cls, found)
+    _check_recipients(cls, found.populations)
     _check_devices(cls, model, found)
     for name in ("setup", "schedule"):
         _check_phases(cls, name, own.get(name, ()), found.populations)
@@ -120,7 +125,9 @@ def declaration_of(cls: type, model: type) -> Declaration:
 
 def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
     """Refuse an attribute of a class that is of a wrong kind or hides what models use."""
-    if isinstance(value, Parameter | Population | World):
+    if isinstance(value, Interaction):
+        _check_name(cls, model, name, "an interaction")
+    elif isinstance(value, Parameter | Population | World):
         if not isinstance(value, World):
             _check_name(cls, model, name, "a part of the model")
         elif name != "world":
@@ -183,7 +190,10 @@ def _check_kind(cls: type, parameter: Parameter, kind: Any) -> None:
 def _check_sizes(cls: type, found: Declaration) -> None:
     """Refuse a size that is neither a number nor a parameter of whole numbers."""
     sized: list[tuple[str, Any, int]] = [
-        (n, p.size, 0) for n, p in found.populations.items() if p.table is None
+        (name, size, 0)
+        for name, one in found.populations.items()
+        if one.table is None
+        for size in one.sizes
     ]
     sized += [("world", one, 1) for one in found.world.sizes]
     whole = [name for name, one in found.parameters.items() if one.kind is int]
@@ -194,6 +204,15 @@ def _check_sizes(cls: type, found: Declaration) -> None:
                 _refuse(cls, name, f"the size {size!r}", expected, nearest(size, whole))
         elif not is_whole(size) or size < least:
             _refuse(cls, name, f"the size {shown(size)}", f"a whole number, {least} or more")
+
+
+def _check_recipients(cls: type, populations: dict[str, Population]) -> None:
+    """Refuse messages to a population of another class."""
+    for name, one in populations.items():
+        if isinstance(one, Messages) and one.to.name not in populations:
+            found = f"messages {name!r} to a population that the class does not have"
+            several = [n for n, other in populations.items() if not isinstance(other, Messages)]
+            _refuse(cls, name, found, f"one of {', '.join(several)}" if several else None)
 
 
 def _check_devices(cls: type, model: type, found: Declaration) -> None:

@@ -17,6 +17,7 @@ from socialmind.language.shape import ModelShape
 from socialmind.language.source import hold_text
 from socialmind.society.blueprint import Blueprint
 from socialmind.society.declaration import declaration_of
+from socialmind.society.messages import with_mailboxes
 from socialmind.sources.provenance import note_definition
 from socialmind.work.packing import is_private, reference
 
@@ -50,17 +51,20 @@ class ModelKind(ABCMeta):
         note_definition(cls.__module__)
         found = declaration_of(cls, model)
         cls.parameters, cls.variables, cls.populations, cls.declared_world = found[:4]
-        cls.rewards, cls.interruptions, cls.measures = found[4:]
+        cls.rewards, cls.interruptions, cls.measures = found[4:7]
         cls.name = cls.__dict__.get("name") or _snake_case(cls.__name__)
         world = cls.declared_world.shape(cls, partial(place_of_field, cls))
         cls.shape = ModelShape(
             name=cls.name,
             parameters={name: one.field for name, one in cls.parameters.items()},
             variables=cls.variables,
-            populations={n: world.inhabited(one.shape) for n, one in cls.populations.items()},
+            populations=with_mailboxes(
+                {n: world.inhabited(one.shape) for n, one in cls.populations.items()}
+            ),
             world=world,
             setup=tuple(phase.shape for phase in cls.setup),
             schedule=tuple(phase.shape for phase in cls.schedule),
+            interactions=found.interactions,
         )
         cls._programs = dict[bool, Program]()
         cls._blueprint = Blueprint(cls.shape)

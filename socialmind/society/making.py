@@ -13,13 +13,16 @@ from numpy.typing import NDArray
 from coglogo_py import CognitiveScheme
 from coglogo_py.border.errors import shown
 from coglogo_py.border.memory import check_memory
+from coglogo_py.culture import Culture
 from coglogo_py.society import Society
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, presence
 from socialmind.society.beginning import Beginning, beginning_of, is_table
 from socialmind.society.blueprint import Blueprint, SchemeFiles
+from socialmind.society.civilisations import found
 from socialmind.society.connection import names_of_minds
+from socialmind.society.messages import MessageTable
 from socialmind.society.parameter import Parameter
 from socialmind.society.population import Population
 from socialmind.society.table import Table
@@ -121,7 +124,9 @@ def names_in_minds(society: Running, files: Mapping[str, Path]) -> dict[str, NDA
     found = {}
     for name in society.populations:
         scheme, assembly = society.schemes.get(name), society.assemblies.get(name)
-        places = names_of_minds(society.program, name, scheme, assembly, files.get(name))
+        minds = society.tables[name].society
+        parts = None if minds is None else minds.names
+        places = names_of_minds(society.program, name, scheme, assembly, files.get(name), parts)
         found[name] = np.array(places, np.int64)
     return found
 
@@ -190,6 +195,15 @@ def _check_plans(
 ) -> None:
     """Refuse functions of plans, and bounds of cognitons, that a model's own scheme has not."""
     cognitons = [one.name for one in scheme.cognitons]
+    for civilisation in population.civilisations:
+        for cogniton in civilisation.cognitons:
+            if cogniton not in cognitons:
+                raise civilisation.error(
+                    f"the cogniton {cogniton!r} of {civilisation.name!r}, which the scheme "
+                    f"{scheme.name!r} does not have",
+                    None,
+                    nearest(cogniton, cognitons),
+                )
     for cogniton in population.bounds:
         if cogniton not in cognitons:
             raise ModelError(
@@ -266,32 +280,58 @@ def tables_of(
         SocialmindError: a table holds what a field cannot, or more agents than there is memory for.
     """
     sizes = {}
+    peoples = {}
     for name, population in society.populations.items():
-        sizes[name] = (
-            beginnings[name].count
-            if name in beginnings
-            else size_of(society.context, population.size, 0)
-        )
+        peoples[name] = [size_of(society.context, one, 0) for one in population.sizes]
+        sizes[name] = sum(peoples[name])
+        if name in beginnings:
+            sizes[name] = beginnings[name].count
         # Beside its row an agent has a place in five more arrays, and its mind.
         row = blueprint.tables[name].dtype.itemsize + 5 * 8
         what = f"{shown(sizes[name])} agents of {name!r} in {society.name}"
         check_memory(sizes[name] * row, what, SocialmindError)
     tables: dict[str, Table] = {}
-    schemes = society.schemes
-    for place, name in enumerate(society.populations):
-        minds = None
-        if name in schemes:
-            # Breeds that share a scheme share its groups.
-            same = [n for n in tables if n in schemes and schemes[n] == schemes[name]]
-            minds = tables[same[0]].society if same else Society(schemes[name], society.seed, place)
+    minds = minds_of(society.populations, society.schemes, society.seed)
+    for name in society.populations:
         skills = None
         if name in society.assemblies:
             skills = partial(_skills, society, name, steerings[name].drive)
         shape = society.shape.populations[name]
-        tables[name] = Table(society, shape, blueprint.tables[name], sizes[name], minds, skills)
+        kind = Table if shape.messages_to is None else MessageTable
+        form = blueprint.tables[name]
+        tables[name] = kind(society, shape, form, sizes[name], minds.get(name), skills)
         if name in beginnings:
             tables[name].begin_with(beginnings[name])
+        civilisations = society.populations[name].civilisations
+        if civilisations:
+            found(tables[name], civilisations, peoples[name], society.seed)
     return tables
+
+
+def minds_of(
+    populations: Mapping[str, Population], schemes: Mapping[str, CognitiveScheme], seed: int
+) -> dict[str, Society]:
+    """Return the minds of each population that has some.
+
+    Populations with an equal scheme share its groups; those of a culture share theirs, whatever
+    their schemes.
+
+    Raises:
+        SchemeError: the schemes of a culture disagree on a group.
+    """
+    found: dict[str, Society] = {}
+    for place, name in enumerate(populations):
+        if name not in schemes or name in found:
+            continue
+        culture = populations[name].culture
+        sharing = [one for one in schemes if populations[one].culture == culture]
+        if culture is not None:
+            breeds = Culture([schemes[one] for one in sharing], seed, place).breeds
+            found |= zip(sharing, breeds, strict=True)
+            continue
+        same = [one for one in sharing if one in found and schemes[one] == schemes[name]]
+        found[name] = found[same[0]] if same else Society(schemes[name], seed, place)
+    return found
 
 
 def _skills(society: Running, name: str, drive: Any, capacity: int) -> PopulationMinds:

@@ -17,8 +17,10 @@ from coglogo_py.border.numbers import is_truth, is_whole
 from socialmind.agents.agent import Agent
 from socialmind.errors import ModelError
 from socialmind.fields import class_fields, place_of_field
+from socialmind.language.plans import PlanTree
 from socialmind.language.shape import PopulationShape
 from socialmind.society.beginning import is_table
+from socialmind.society.civilisations import FIELD, Civilisation, civilisation_field
 from socialmind.society.table import KEPT_BY_TABLES, Table
 
 if TYPE_CHECKING:
@@ -30,7 +32,10 @@ if TYPE_CHECKING:
     from socialmind.worlds.plane.devices.sensors import RangeFinder
 
 
-_OF_AGENTS = ("id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy")
+_OF_AGENTS = (
+    *("id", "mind", "plan", "run_plan", "die", "hatch", "hierarchy"),
+    *("plan_ended", "plan_step", "reconsider_plan"),
+)
 TAKEN_NAMES = KEPT_BY_TABLES.union(_OF_AGENTS)
 """What an agent, and a population's table, keep under these names beside its methods."""
 
@@ -42,9 +47,10 @@ class Population:
     Args:
         agent: the annotated class of its agents, which inherits from `Agent`.
         size: how many there are at the start: a number, or the name of a parameter; left out where
-            a table says it.
+            a table or civilisations say it.
         mind: the scheme of their minds: a file beside the model, or a `CognitiveScheme`.
-        plans: the function of each plan, by the plan's name in the scheme.
+        plans: the rule of each plan, or a tree of rules (`sequence`, `repeat`, `until`, `when`),
+            by the plan's name in the scheme.
         decision_makers: decision makers of the modeller's own that the scheme's file may name.
         hierarchy: the hierarchy of skills of its agents (MIND): a folder or YAML file beside the
             model, or a `MindDescription`. An agent may have both kinds of mind.
@@ -58,16 +64,23 @@ class Population:
         body: what its bodies are made of, where the world is a plane and they move on it.
         sensors: the sensors of each body, by name.
         actuators: the actuators of each body, by name.
+        at_birth: a rule that each agent follows once, founders too: at the end of the setup or of
+            the tick in which it came into being, when what made it has set its fields, in order of
+            birth, before it is recorded and before it acts.
+        civilisations: the peoples of which its agents are, each with its founders.
         bounds: the smallest and largest value that the model's rules let cognitons take, by name
             (`{"Fear": (0.0, 10.0)}`); `explain` proposes no change beyond them.
         table: what they begin with, a row an agent, a column a field: a CSV or Parquet file beside
             the model, a data frame, an Arrow table, or columns by their names.
+        culture: a name that several populations give: they form groups together, whatever their
+            schemes, and groups of the same name are one type of group. None: populations share
+            groups only if their schemes are equal.
     """
 
     agent: type
     size: int | str | None = None
     mind: str | Path | CognitiveScheme | None = None
-    plans: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    plans: Mapping[str, Callable[..., Any] | PlanTree] = field(default_factory=dict)
     decision_makers: tuple[Any, ...] = ()
     hierarchy: str | Path | MindDescription | None = None
     master: str | None = None
@@ -80,11 +93,16 @@ class Population:
     actuators: Mapping[str, Act] = field(default_factory=dict)
     bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     table: Any = None
+    culture: str | None = None
+    at_birth: Callable[..., Any] | None = None
+    civilisations: tuple[Civilisation, ...] = ()
     name: str = field(default="", init=False)
 
     def __post_init__(self) -> None:
         for name in ("plans", "sensors", "actuators", "bounds"):
             setattr(self, name, dict(getattr(self, name) or {}))
+        if isinstance(self.civilisations, list):
+            self.civilisations = tuple(self.civilisations)
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -108,8 +126,24 @@ class Population:
                 None,
                 "name its scheme: mind='scheme.yaml'",
             )
+        if self.culture is not None and not (isinstance(self.culture, str) and self.mind):
+            raise ModelError(
+                f"culture={shown(self.culture)} for {name!r}",
+                "a name, of a population that has a mind",
+                "write mind='scheme.yaml', culture='village'",
+            )
+        for plan, tree in self.plans.items():
+            if not callable(tree) and not isinstance(tree, PlanTree):
+                raise ModelError(
+                    f"{shown(tree)} as the plan {plan!r} of {name!r}",
+                    "a rule, or a tree of rules",
+                    "write sequence(…) of the rules",
+                )
+        if self.at_birth is not None and not callable(self.at_birth):
+            raise ModelError(f"at_birth={shown(self.at_birth)} of {name!r}", "a rule, or None")
         self._check_size()
         self._check_hierarchy()
+        self._check_civilisations()
         for cogniton, ends in self.bounds.items():
             pair = isinstance(ends, tuple | list) and len(ends) == 2
             real = pair and all(isinstance(end, Real) and not is_truth(end) for end in ends)
@@ -129,11 +163,17 @@ class Population:
                 raise ModelError(found, "a float, as in every agent", None, file, line)
 
     def _check_size(self) -> None:
-        """Refuse a population of which neither or both of size and table say how many there are."""
-        if (self.size is None) == (self.table is None):
-            both = "both a size and a table" if self.size is not None else "neither size nor table"
+        """Refuse a population of which not just one thing says how many there are."""
+        parts = {
+            "a size": self.size is not None,
+            "a table": self.table is not None,
+            "civilisations": bool(self.civilisations),
+        }
+        given = [name for name, there in parts.items() if there]
+        if len(given) != 1:
             raise ModelError(
-                f"{both} for {self.name!r}",
+                f"{' and '.join(given) or 'neither size nor table nor civilisations'} of "
+                f"{self.name!r}",
                 "one of them",
                 "write Population(Human, 10), or Population(Human, table='people.csv')",
             )
@@ -143,6 +183,30 @@ class Population:
                 "a CSV or Parquet file, a data frame, or columns by their names",
                 "write table='people.csv'",
             )
+
+    @property
+    def sizes(self) -> tuple[int | str, ...]:
+        """How many there are at the start: of each civilisation, or of all."""
+        if self.civilisations:
+            return tuple(one.agents for one in self.civilisations)
+        return () if self.size is None else (self.size,)
+
+    def _check_civilisations(self) -> None:
+        """Refuse civilisations that are none."""
+        several = self.civilisations
+        if not isinstance(several, tuple) or not all(isinstance(o, Civilisation) for o in several):
+            found = f"civilisations={shown(several)} of {self.name!r}"
+            raise ModelError(found, "a tuple of Civilisation(…)")
+        names = [one.name for one in several]
+        fields = class_fields(self.agent)
+        for place, one in enumerate(several):
+            if one.name in names[:place]:
+                raise one.error(f"two civilisations called {one.name!r}", "names of their own")
+            one.check(fields, self.mind is not None)
+        if several and FIELD in fields:
+            file, line = place_of_field(self.agent, FIELD)
+            found = f"a field called {FIELD!r} in {self.name!r}, which has civilisations"
+            raise ModelError(found, None, "leave it out: agents have it", file, line)
 
     def _check_hierarchy(self) -> None:
         """Refuse what belongs to a hierarchy where there is none, and wrong instances."""
@@ -180,6 +244,8 @@ class Population:
     def shape(self) -> PopulationShape:
         """What rules may know of the population."""
         fields = class_fields(self.agent)
+        if self.civilisations:
+            fields[FIELD] = civilisation_field(self.civilisations)
         return PopulationShape(
             self.name,
             fields,
@@ -187,4 +253,5 @@ class Population:
             self.plans,
             self.hierarchy is not None,
             self.weighing is not None,
+            at_birth=self.at_birth,
         )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from socialmind.society.connection import words_of
+from socialmind.society.messages import fill_mailboxes
 from socialmind.society.state_check import check_state
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ def restore(model: Running, state: Mapping[str, NDArray[Any]]) -> None:
             table.society.restore(_part(own, "minds"))
         if table.minds is not None:
             table.minds.restore(_part(own, "hierarchy"))
+    fill_mailboxes(model.tables)
     model.ground.build()
 
 

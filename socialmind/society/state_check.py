@@ -75,6 +75,11 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
         known[ids] = slots
     if not np.array_equal(known, slot_of):
         raise _refused(model, f"{name}.slot_of", "identities that are not those of its agents")
+    for field in table.shape.fields.values():
+        if field.choices and len(slots):
+            chosen = rows[field.name][slots]
+            if not 0 <= chosen.min() <= chosen.max() < len(field.choices):
+                raise _refused(model, f"{name}.rows", f"no {field.name} of the model's")
     if table.society is not None:
         for part in MindArrays._fields:
             _check(state, f"{name}.minds.{part}", None, None, model)
@@ -86,6 +91,10 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
             raise _refused(model, f"{name}.rows", "minds that are nobody's")
         if len(plans) and not -1 <= plans.min() <= plans.max() < len(table.society.scheme.plans):
             raise _refused(model, f"{name}.rows", "plans that its scheme lacks")
+    if table.shape.steps is not None and len(slots):
+        steps = rows["_step"][slots]
+        if not -1 <= steps.min() <= steps.max() < len(table.shape.steps.steps):
+            raise _refused(model, f"{name}.rows", "steps that its plans lack")
     if table.minds is not None:
         from socialmind.mind.kernel.layout import State
 

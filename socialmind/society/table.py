@@ -13,6 +13,7 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
 from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
+from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import Row
 from socialmind.columns import check_fields, column, columns_of
 from socialmind.errors import SocialmindError, UnknownNameError, ValueRefusedError, nearest
@@ -166,6 +167,8 @@ class Table:
         if field is not None and field.optional:
             values = values.astype(object)
             values[~self.holds(name)] = None
+        if field is not None and field.choices:
+            values = np.array(field.choices, object)[values]
         return column(values, f"society.{shape.name}.{name}")
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -364,6 +367,8 @@ class Table:
         self.rows[slot] = self.rows[parent._slot]
         for name in self.shape.own:
             self.columns[name][slot] = self.default[name][0]
+        if self.shape.steps is not None:
+            self.columns["_plan"][slot] = self.columns["_step"][slot] = ENDED
         agent = self._named(slot)
         if self.society is not None:
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
@@ -436,9 +441,31 @@ class Table:
         self.counters[bookkeeping.FREE] = count + added
         self._see_columns()
         if self.society is not None:
-            self.society.reserve(slots - len(self))  # a mind for each slot
+            # A mind for each slot, and for those of the others who share these minds.
+            others = [
+                one
+                for one in self.model.tables.values()
+                if one is not self
+                and one.society is not None
+                and one.society.minds is self.society.minds
+            ]
+            vacant = sum(len(one.rows) - len(one) for one in others)
+            self.society.reserve(slots - len(self) + vacant)
         if self.minds is not None:
             self.minds.grow(slots)
+
+    def plan_steps(self, slots: Any) -> list[str | None]:
+        """Return the rule or condition at which the plans of agents in slots go on, or None."""
+        steps = self.shape.steps
+        if steps is None or self.society is None:
+            return [None] * len(slots)
+        plans = self.society.scheme.plans
+        found: list[str | None] = []
+        standing = (self.columns[name][slots].tolist() for name in ("_plan", "_step"))
+        for plan, step in zip(*standing, strict=True):
+            ended = plan < 0 or step < 0 or plans[plan] not in steps.entries
+            found.append(None if ended else steps.name(step or steps.entries[plans[plan]]))
+        return found
 
     # State ------------------------------------------------------------------------------------
 

@@ -172,8 +172,8 @@ def test_what_is_no_table_is_refused(tmp_path):
 @pytest.mark.parametrize(
     ("declared", "expected"),
     [
-        ({"size": 3, "table": "people.csv"}, "both a size and a table for 'people'"),
-        ({}, "neither size nor table for 'people'; .*table='people.csv'"),
+        ({"size": 3, "table": "people.csv"}, "a size and a table of 'people'"),
+        ({}, "neither size nor table nor civilisations of 'people'; .*table='people.csv'"),
         ({"table": "people"}, "the table 'people' for 'people'; expected a CSV"),
     ],
 )

@@ -22,6 +22,7 @@ from socialmind.language.typing.built_in import (
 )
 from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.draws import typed_draw
+from socialmind.language.typing.interactions import interaction_call
 from socialmind.language.typing.minds import hierarchy_call, method_call, mind_call
 from socialmind.language.typing.signatures import Signature
 from socialmind.language.typing.world_calls import population_aggregate, world_call
@@ -195,6 +196,8 @@ def _method(typer: Typer, node: ast.Call, func: ast.Attribute) -> Typed:
         return _population(typer, node, base, kind, name)
     if isinstance(kind, types.WorldType):
         return _world(typer, node, base, kind, name)
+    if isinstance(kind, types.InteractionType):
+        return interaction_call(typer, node, base, kind, name)
     if name in METHODS:
         typer.refuse(node, f".{name}() in a rule", METHODS[name])
     if kind == types.MODEL:
@@ -238,6 +241,13 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, na
         return method_call(
             node, base, name, [value for value, _ in kinds], ("run_plan", population)
         ), types.NONE
+    if name == "reconsider_plan":
+        if not typer.shape.populations[population].minded:
+            typer.refuse(node, f"reconsider_plan() of {kind}", "give the population a mind")
+        without_keywords(typer, node, "agent.reconsider_plan")
+        factor = fitted(typer, node, "agent.reconsider_plan", Signature((types.FLOAT,), types.BOOL))
+        typer.program.reconsidered.add(population)
+        return method_call(node, base, name, factor, (name, population)), types.BOOL
     if name in typer.shape.populations[population].fields:
         typer.refuse(node, f"a call of the field {name!r}", "read it without ()")
     return typer.refuse(
@@ -265,6 +275,9 @@ def _population(
     typer: Typer, node: ast.Call, base: ast.expr, kind: types.PopulationType, name: str
 ) -> Typed:
     row = types.RowType(kind.population)
+    to = typer.shape.populations[kind.population].messages_to
+    if to is not None and name in ("send", "to", "create"):
+        return _message(typer, node, base, kind.population, name, to)
     if name == "create":
         _alone(typer, node, "create", f"new = model.{kind.population}.create()")
         typer.program.bears(kind.population)
@@ -294,6 +307,28 @@ def _population(
         f"{name}() of {kind}",
         advice or hints.for_population(typer, kind.population, name),
     )
+
+
+def _message(
+    typer: Typer, node: ast.Call, base: ast.expr, messages: str, name: str, to: str
+) -> Typed:
+    """Return the sending of a message; reading is a loop."""
+    written = [typer.expression(argument) for argument in node.args]
+    kinds = [kind for _, kind in written]
+    if name == "to":
+        typer.refuse(node, "to() as a value", f"write `for message in model.{messages}.to(agent):`")
+    wrong = len(kinds) != 2 or node.keywords or not isinstance(kinds[0], types.RowType)
+    if name == "create" or wrong or kinds[1] != types.RowType(to):
+        typer.refuse(
+            node,
+            f"{name}() of the messages {messages!r} like this",
+            f"write message = model.{messages}.send(sender, recipient)",
+            f"an agent that sends, and an agent of {to!r}",
+        )
+    typer.program.bears(messages)
+    typer.program.changes(messages)
+    values = [value for value, _ in written]
+    return method_call(node, base, name, values, ("send", messages)), types.RowType(messages)
 
 
 def _world(typer: Typer, node: ast.Call, base: ast.expr, kind: types.WorldType, name: str) -> Typed:

@@ -138,6 +138,12 @@ class ExpressionTyper:
         if target == types.FLOAT and kind in types.NUMBERS:
             value, kind = self.as_number(value, kind, near)
             return self.to_float(value, kind)
+        if isinstance(target, types.ChoiceType) and isinstance(kind, types.TextType):
+            if kind.value not in target.texts:
+                advice = nearest(kind.value, target.texts)
+                self.refuse(near, f"{kind} for {what}", advice, str(target))
+            place = target.texts.index(kind.value)
+            return marked(constant(kind.value, near), ("choice", place))
         if target == types.INT and kind == types.BOOL:
             return call("_as_int", [value], near)
         if target == types.INT and kind == types.FLOAT:
@@ -361,6 +367,8 @@ class ExpressionTyper:
             return marked(node, ("tick",)), types.INT
         if name in self.shape.populations:
             return marked(node, ("population", name)), types.PopulationType(name)
+        if name in self.shape.interactions:
+            return marked(node, ("interaction", name)), types.InteractionType(name)
         if name == "world" and self.shape.world.commands:
             return marked(node, ("world",)), types.WorldType()
         fields = {**self.shape.parameters, **self.shape.variables}
@@ -376,7 +384,16 @@ class ExpressionTyper:
         if node.attr == "mind" and shape.minded:
             return marked(node, ("mind", shape.name)), types.MindType(shape.name)
         if node.attr == "plan" and shape.minded:
-            return marked(node, ("plan",)), types.PlanType(shape.name)
+            steps = None if shape.steps is None else shape.name
+            return marked(node, ("plan", steps)), types.PlanType(shape.name)
+        if node.attr == "plan_ended" and shape.minded:
+            if shape.steps is None:
+                self.refuse(
+                    node,
+                    f"plan_ended of {kind}, whose plans are rules of one tick",
+                    "leave it out, or make a plan of several parts: sequence(sow, reap)",
+                )
+            return marked(node, ("plan_ended",)), types.BOOL
         if node.attr == "hierarchy" and shape.hierarchy:
             return marked(node, ("hierarchy", shape.name)), types.HierarchyType(shape.name)
         if node.attr == "hierarchy":

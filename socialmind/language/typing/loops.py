@@ -112,6 +112,10 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
         if "range" not in typer.variables and "range" not in typer.source.names:
             return _range(function, node)
     elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        if node.func.attr == "to":
+            mailbox = _mailbox(function, node, node.func)
+            if mailbox is not None:
+                return mailbox
         if node.func.attr == "in_radius" and _is(function, node.func.value, types.WorldType()):
             return _in_radius(function, node, node.func.value)
         if node.func.attr == "permutation" and _is(function, node.func.value, types.RNG):
@@ -158,6 +162,24 @@ def _is(function: FunctionTyper, node: ast.expr, kind: types.AnyType) -> bool:
     if isinstance(node, ast.Name) and node.id not in function.kinds:
         return False
     return function.typer.expression(node)[1] == kind
+
+
+def _mailbox(function: FunctionTyper, node: ast.Call, func: ast.Attribute) -> Iterated | None:
+    """Return the messages that have arrived for an agent; None of what has no messages."""
+    typer = function.typer
+    base, kind = typer.expression(func.value)
+    if not isinstance(kind, types.PopulationType):
+        return None
+    to = typer.shape.populations[kind.population].messages_to
+    if to is None:
+        return None
+    kinds = [typer.expression(argument) for argument in node.args]
+    if [one for _, one in kinds] != [types.RowType(to)] or node.keywords:
+        advice = f"write `for message in model.{kind.population}.to({to.rstrip('s')}):`"
+        typer.refuse(node, "to() like this", advice, f"an agent of {to!r}")
+    made = ast.Call(ast.Attribute(base, "to", ast.Load()), [kinds[0][0]], [])
+    made = ast.fix_missing_locations(ast.copy_location(made, node))
+    return [], made, types.RowType(kind.population), ("mailbox", kind.population)
 
 
 def _in_radius(function: FunctionTyper, node: ast.Call, world: ast.expr) -> Iterated:

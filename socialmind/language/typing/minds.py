@@ -103,7 +103,11 @@ def _named(
                 f"write the {one.part}'s name as a text",
             )
         group = found.value if one.part == "group" else group
-        keys = (group, found.value) if one.part in ("role", "culturon") else (found.value,)
+        keys = (
+            (group, found.value)
+            if one.part in ("role", "culturon", "attribute")
+            else (found.value,)
+        )
         arguments.append(constant(found.value, argument))
         places.append(typer.name(argument, population, one.part, keys))
     return arguments, tuple(places)

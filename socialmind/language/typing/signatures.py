@@ -28,6 +28,7 @@ COGNITON, GROUP, ROLE, CULTURON = (
     Named("role"),
     Named("culturon"),
 )
+ATTRIBUTE = Named("attribute")
 PLAN = Named("plan")
 CHOSEN = Type("the plan that was chosen")
 
@@ -51,6 +52,9 @@ MIND: dict[str, Signature] = {
     "set_culturon_value": Signature((GROUP, CULTURON, FLOAT), NONE),
     "add_to_culturon_value": Signature((GROUP, CULTURON, FLOAT), NONE),
     "get_culturon_value": Signature((GROUP, CULTURON), FLOAT),
+    "set_group_attribute": Signature((GROUP, ATTRIBUTE, FLOAT), NONE),
+    "add_to_group_attribute": Signature((GROUP, ATTRIBUTE, FLOAT), NONE),
+    "get_group_attribute": Signature((GROUP, ATTRIBUTE), FLOAT),
 }
 """The commands of a mind, as `coglogo_py.Mind` spells them."""
 
@@ -97,6 +101,7 @@ OF_SEVERAL = ("choice", "permutation", "shuffle")
 """Draws among several values, which `draws` types."""
 
 WRITTEN = {
+    "agent.reconsider_plan": "factor",
     "rng.random": "",
     "rng.uniform": "low, high",
     "rng.integers": "low, high",

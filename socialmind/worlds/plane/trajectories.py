@@ -35,6 +35,8 @@ def trajectories(model: Running) -> dict[str, Any]:
         part: dict[str, Any] = {"agent": table.id}
         if table.shape.minded:
             part["plan"] = model.plans(table)
+        if table.shape.steps is not None:
+            part["plan_step"] = table.plan_steps(table.slots)
         for column in RECORDED:
             part[column] = (
                 np.hypot(table.vx, table.vy) if column == "speed" else getattr(table, column)

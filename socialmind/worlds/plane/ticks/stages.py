@@ -172,7 +172,7 @@ def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
                 calls.append(Call(name, number, device, symbol, place, first, memory, tag))
             stages[robots][stage] = Stage(one, stage, tuple(seeks.values()), tuple(calls))
     symbols = [phase.symbol for phase in program.schedule]
-    symbols += [symbol for plans in program.plans.values() for symbol, _ in plans.values()]
+    symbols += [call.symbol for plans in program.plans.values() for call in plans.calls]
     symbols += [c.symbol for one in stages.values() for s in one.values() for c in s.calls]
     obstacles = shape.obstacles
     shifting = obstacles is not None and any(
