@@ -346,7 +346,7 @@ class _Lowering(ast.NodeTransformer):
         lines = parsed(
             f"{begin} = _near_begin_{population}(_model)\n"
             f"{end} = FOUND\n"
-            f"_near_keep_{population}(_model, {begin}, {end})\n"
+            f"_near_keep_{population}(_model, {begin}, {end}, {mark[2]})\n"
             f"for {place} in _range({begin}, {end}):\n"
             f"    _found_{self.loops} = _near_slot_{population}(_model, {place})\n"
             f"    if not _alive_{population}(_model)[_found_{self.loops}]:\n"

@@ -6,6 +6,7 @@ import ast
 import types as python_types
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from socialmind.errors import ModelError, close, nearest
@@ -237,7 +238,7 @@ class Program:
         """The populations whose agents rules look for."""
         return tuple(self._sought)
 
-    @property
+    @cached_property
     def loops_over_found(self) -> int:
         """How many loops of the rules go over agents that were found."""
         marks = (

@@ -210,11 +210,23 @@ def _written_out(
     title = f"{name}_in_{typer.source.name}"
     tree = ast.FunctionDef(title, arguments, body, [], None, None)
     ast.fix_missing_locations(ast.copy_location(tree, node))
+    if _counts(name, value, generators):
+        tree.in_any_order = frozenset(one.iter for one in generators)  # type: ignore[attr-defined]
     around = typer.source
     # What tells functions of a program apart is the expression itself: it has no function of its
     # own, and two of them in one rule are two.
     key: Any = node.args[0]
     return RuleSource(key, title, around.file, node.lineno, tree, around.names, around.state)
+
+
+def _counts(name: str, value: ast.expr, generators: list[ast.comprehension]) -> bool:
+    """Say whether what comes out cannot depend on the order, in which whoever is near is met."""
+    if name not in ("any", "all") and not (
+        name == "sum" and isinstance(value, ast.Constant | ast.Compare)
+    ):
+        return False
+    parts = [value, *(condition for one in generators for condition in one.ifs)]
+    return not any(isinstance(node, ast.Call) for part in parts for node in ast.walk(part))
 
 
 def _parts(written: ast.expr) -> tuple[ast.expr, list[ast.comprehension]]:

@@ -138,7 +138,8 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
         return [], value, types.RowType(kind.population), ("agents", kind.population)
     if isinstance(kind, types.FoundType):
         found = call("_still_living", [value], node)
-        return [], found, types.RowType(kind.population), ("found_loop", kind.population)
+        mark = ("found_loop", kind.population, node not in function.in_any_order)
+        return [], found, types.RowType(kind.population), mark
     if isinstance(kind, types.PatchesType):
         return [], value, types.PatchType(), ("patches_loop",)
     if isinstance(kind, types.ArrayType):

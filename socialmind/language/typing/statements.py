@@ -32,6 +32,7 @@ class FunctionTyper:
         self.parameters = dict(zip(source.parameters, kinds, strict=True))
         self.kinds: dict[str, types.AnyType] = dict(self.parameters)
         self.result: types.AnyType | None = None
+        self.in_any_order: frozenset[ast.AST] = getattr(source.tree, "in_any_order", frozenset())
 
     def typed(self) -> tuple[list[ast.stmt], types.AnyType]:
         """Return the body as both speeds run it, and the type of what it returns."""

@@ -124,8 +124,9 @@ def _near_begin_NAME(_model):
 
 
 @_inner
-def _near_keep_NAME(_model, begin, end):
-    _neighbours.in_order(_near_found_NAME(_model), begin, end, _near_marks_NAME(_model))
+def _near_keep_NAME(_model, begin, end, ordered):
+    if ordered:
+        _neighbours.in_order(_near_found_NAME(_model), begin, end, _near_marks_NAME(_model))
     _near_cells_NAME(_model).top = end
     if _counters_NAME(_model)[_bookkeeping.ALIVE] > CACHED:
         rows = _rows_NAME(_model)
