@@ -56,7 +56,7 @@ class Flocking(Model):
 
     ticks = 100
 
-    n_birds: int = parameter(200, unit="birds", low=0, doc="birds")
+    n_birds: int = parameter(200, unit="birds", low=1, doc="birds")
     world_size: int = parameter(100, unit="patches", low=1, high=20_000, doc="side of the world")
     sight: float = parameter(5.0, unit="patches", low=0.0, doc="how far a bird sees")
     speed: float = parameter(1.0, unit="patches a tick", low=0.0, doc="speed of a bird")
@@ -73,4 +73,5 @@ class Flocking(Model):
     def series(self):
         """Return how much the birds fly one way: 1 if all do, near 0 if all differ."""
         birds = self.birds
-        return {"birds": len(birds), "polarisation": np.hypot(birds.east.mean(), birds.north.mean())}
+        polarisation = float(np.hypot(birds.east.mean(), birds.north.mean()))
+        return {"birds": len(birds), "polarisation": polarisation}

@@ -22,8 +22,9 @@ def arrive(person, model, rng):
 
 def settle(person, model, rng):
     """Stay among enough neighbours of one's kind, or move to any free place."""
-    near = model.people.neighbours(person, model.radius)
-    alike = sum(1 for other in near if other.kind == person.kind)
+    alike = sum(
+        1 for other in model.people.neighbours(person, model.radius) if other.kind == person.kind
+    )
     person.happy = alike >= model.minimum
     if not person.happy:
         move(person, model, rng)
