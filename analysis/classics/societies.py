@@ -56,7 +56,7 @@ def largest_flock(places: np.ndarray, size: float) -> float:
     tree = cKDTree(np.mod(places, size), boxsize=size)
     links = tree.sparse_distance_matrix(tree, LINK)
     # Birds on the same place are linked as well, but by a 0, which a sparse matrix leaves out.
-    links.update({pair: 1.0 for pair in tree.query_pairs(LINK)})
+    links.update(dict.fromkeys(tree.query_pairs(LINK), 1.0))
     return float(np.bincount(connected_components(links)[1]).max() / len(places))
 
 

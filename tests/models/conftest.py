@@ -50,6 +50,7 @@ def different(one, other):
         if population in roomier:
             if rest.removeprefix("minds.") in ("free", "free_minds", "counters"):
                 continue
+        if population in roomier or rest == "slot_of":
             room = min(len(a), len(b))
             a, b = a[:room], b[:room]
         if not np.array_equal(a, b, equal_nan=a.dtype.kind == "f"):
