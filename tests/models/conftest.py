@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from socialmind.agents.bookkeeping import FREE, NEXT_ID
 from socialmind.catalogue import load_model
 from socialmind.sources.folders import model_folder
 from socialmind.streams import SCHEDULE_TAG, Stream, phase_tags
@@ -14,13 +15,20 @@ LIVE = phase_tags(SCHEDULE_TAG, ["live"])[
 ]  # the phase in which the agents of the farmer-artisan society act
 
 
+USED = {"free": FREE, "slot_of": NEXT_ID}  # lists, and what counts how much of them is in use
+
+
 def parts(state):
     """Yield the arrays of a state with their names, of records each field apart.
 
-    Padding between the fields of a record, and columns of addresses, are nobody's.
+    Padding between the fields of a record, columns of addresses, and what lies beyond the free
+    slots and the identities of a population, are nobody's.
     """
     kept = ("_tick", "_idle", "_idle_agent", "_idle_tick")
     for name, array in state.items():
+        population, _, rest = name.partition(".")
+        if rest in USED:
+            array = array[: state[f"{population}.counters"][USED[rest]]]
         if array.dtype.names is None:
             yield name, array
             continue
@@ -50,7 +58,6 @@ def different(one, other):
         if population in roomier:
             if rest.removeprefix("minds.") in ("free", "free_minds", "counters"):
                 continue
-        if population in roomier or rest == "slot_of":
             room = min(len(a), len(b))
             a, b = a[:room], b[:room]
         if not np.array_equal(a, b, equal_nan=a.dtype.kind == "f"):

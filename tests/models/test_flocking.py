@@ -63,9 +63,7 @@ def test_the_first_to_fly_by_numbers(make):
     society.advance(1)
     length = math.hypot(0.12, 0.95)
     first = (0.12 / length, 0.95 / length)
-    assert any(
-        (abs(bird.east), abs(bird.north)) == pytest.approx(first) for bird in society.birds
-    )
+    assert any((abs(bird.east), abs(bird.north)) == pytest.approx(first) for bird in society.birds)
 
 
 def test_who_is_too_near_is_fled(make):
