@@ -1,4 +1,4 @@
-"""The benchmark of the classics measures, counts lines and writes tables; Mesa plays by the rules."""
+"""The benchmark of the classics measures, counts lines and writes tables; Mesa keeps the rules."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The figures of thresholds, villages and classics, drawn from short runs and from their beginning."""
+"""Figures of thresholds, villages and classics, drawn from short runs and from the beginning."""
 
 import io
 import warnings

@@ -174,10 +174,7 @@ def people(*civilisations, **settings):
 @pytest.mark.parametrize(
     ("make", "found"),
     [
-        (
-            lambda: people(),
-            "neither size nor table nor civilisations of 'humans'; expected one of them",
-        ),
+        (lambda: people(), "neither size nor table nor civilisations of 'humans'; expected one of them"),
         (lambda: people(*PEOPLES[1:], size=3), "a size and civilisations of 'humans'"),
         (lambda: people(PEOPLES[1], PEOPLES[1]), "two civilisations called 'South'"),
         (lambda: people(PEOPLES[1], mind=None), "cognitons of 'South', whose agents have no minds"),
