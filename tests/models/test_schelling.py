@@ -30,7 +30,7 @@ def places(society):
     return list(zip(society.people.x.tolist(), society.people.y.tolist(), strict=True))
 
 
-# Kinds 0 at the corners of a square round the middle, one of kind 1 in it.
+# Three of kind 0 about one of kind 1, and another of kind 1 alone.
 SQUARE = ((0, 0), (1, 0), (0, 1), (3, -3), (1, 1))
 
 
