@@ -1,4 +1,4 @@
-"""The figures of thresholds and of villages, drawn from short runs and from their beginning."""
+"""Figures of thresholds, villages and classics, drawn from short runs and from the beginning."""
 
 import io
 import warnings
@@ -15,6 +15,12 @@ CASES = [
     ("thresholds", {"n_tasks": 7, "n_workers": 1}, "thresholds", 5),
     ("farmers_artisans_traders", {}, "villages", 9),
     ("farmers_artisans_traders", {"n_villages": 1, "n_agents": 1}, "villages", 3),
+    ("flocking", {}, "flocking", 3),
+    ("flocking", {"n_birds": 1, "world_size": 1}, "flocking", 3),
+    ("schelling", {}, "segregation", 3),
+    ("schelling", {"n_agents": 0}, "segregation", 3),
+    ("wolves_sheep", {}, "numbers", 2),
+    ("wolves_sheep", {"n_sheep": 0, "n_wolves": 0}, "numbers", 2),
 ]
 
 
