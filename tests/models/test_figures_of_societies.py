@@ -1,4 +1,4 @@
-"""The figures of thresholds and of villages, drawn from short runs and from their beginning."""
+"""The figures of thresholds, villages, herds and wolves, drawn from short runs and from their beginning."""
 
 import io
 import warnings
@@ -15,6 +15,8 @@ CASES = [
     ("thresholds", {"n_tasks": 7, "n_workers": 1}, "thresholds", 5),
     ("farmers_artisans_traders", {}, "villages", 9),
     ("farmers_artisans_traders", {"n_villages": 1, "n_agents": 1}, "villages", 3),
+    ("herds", {}, "herds", 4),
+    ("herds", {"n_cows": 1}, "herds", 4),
 ]
 
 
