@@ -107,7 +107,7 @@ def eat(cow, model, rng):
 
 
 def look_for_group(cow, model, rng):
-    """Join the herd of the nearest leader in sight, leaving one's own; stray where there is none."""
+    """Join the herd of the nearest leader in sight and leave one's own; stray if there is none."""
     leader = min(
         (other for other in model.cows.near(cow, model.sight) if is_leader(other)),
         key=lambda other: model.world.distance(cow, other.x, other.y),

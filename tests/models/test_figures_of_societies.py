@@ -1,4 +1,4 @@
-"""The figures of thresholds, villages, herds and wolves, drawn from short runs and from their beginning."""
+"""The figures of thresholds, villages, herds and wolves, from short runs and their beginning."""
 
 import io
 import warnings
@@ -17,6 +17,8 @@ CASES = [
     ("farmers_artisans_traders", {"n_villages": 1, "n_agents": 1}, "villages", 3),
     ("herds", {}, "herds", 4),
     ("herds", {"n_cows": 1}, "herds", 4),
+    ("wolf_cow", {}, "wolf_cow", 3),
+    ("wolf_cow", {"n_bulls": 0, "n_wolves": 0}, "wolf_cow", 3),
 ]
 
 
