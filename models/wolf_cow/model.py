@@ -110,6 +110,7 @@ def reproduce(cow, model):
         cow.energy /= 2
         calf = cow.hatch()
         calf.generation += 1
+        calf.plan = None
         model.born += 1
 
 
