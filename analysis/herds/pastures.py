@@ -20,7 +20,7 @@ SETTINGS: dict[str, dict[str, Any]] = {
 BEGIN = 500
 """Ticks that levels leave out: the first herds form."""
 EVERY = 10
-"""Ticks between two looks at places and numbers; lives of herds are of single ticks."""
+"""Ticks between two looks: a herd that passes within them goes unseen."""
 
 
 def lived(
@@ -42,27 +42,26 @@ def lived(
     seen: dict[int, int] = {}
     largest: dict[int, int] = {}
     looks, apart, to_leader = [], [], []
-    for tick in range(1, ticks + 1):
-        model.advance(1)
+    for tick in range(EVERY, ticks + 1, EVERY):
+        model.advance(EVERY)
         herds, leading = model.cows.herd, model.cows.leading
         for herd in herds[leading].tolist():
             begun.setdefault(herd, tick)
             seen[herd] = tick
             largest[herd] = max(largest.get(herd, 0), int((herds == herd).sum()))
-        if tick % EVERY == 0:
-            looks.append(
-                {
-                    **key, "tick": tick, "herds": model.herds, "in_herds": model.in_herds,
-                    "largest": model.largest,
-                }
-            )  # fmt: skip
-            if tick > BEGIN:
-                distances = between(model.cows.x, model.cows.y, model.world.size)
-                apart.append(distances[np.triu_indices(len(herds), 1)].mean())
-                to_leader += follower_distances(distances, herds, leading)
+        looks.append(
+            {
+                **key, "tick": tick, "herds": model.herds, "in_herds": model.in_herds,
+                "largest": model.largest,
+            }
+        )  # fmt: skip
+        if tick > BEGIN:
+            distances = between(model.cows.x, model.cows.y, model.world.size)
+            apart.append(distances[np.triu_indices(len(herds), 1)].mean())
+            to_leader += follower_distances(distances, herds, leading)
     rows = [
         {
-            **key, "herd": herd, "founded": tick, "life": seen[herd] - tick + 1,
+            **key, "herd": herd, "founded": tick, "life": seen[herd] - tick + EVERY,
             "ended": seen[herd] < ticks, "largest": largest[herd],
         }
         for herd, tick in begun.items()

@@ -65,7 +65,7 @@ def _sizes(axes: Axes, looks: pd.DataFrame) -> None:
     axes.set_ylim(0, 17)
     axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
     axes.set_ylabel("cows; herds (number)")
-    axes.legend(loc="center right", bbox_to_anchor=(1, 0.36))
+    axes.legend(loc="center right", bbox_to_anchor=(1, 0.3), ncols=3)
     paper.panel_title(axes, "b", "Mean over seeds; bands: 10 to 90 % of them")
 
 

@@ -21,7 +21,7 @@ from socialmind.experiments.measures.effects import compared
 from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.work.side_by_side import side_by_side
 
-from .pastures import BEGIN, SETTINGS, lived
+from .pastures import BEGIN, EVERY, SETTINGS, lived
 from .plots import draw
 
 HERE = Path(__file__).parent / "results"
@@ -127,8 +127,8 @@ def main() -> None:
     parser.add_argument("--workers", type=int, help="processes at a time")
     parser.add_argument("--out", type=Path, default=HERE, help="folder for what is written")
     arguments = parser.parse_args()
-    if arguments.seeds < 2 or arguments.ticks <= 2 * BEGIN:
-        parser.error(f"at least two seeds and more than {2 * BEGIN:,} ticks")
+    if arguments.seeds < 2 or arguments.ticks <= 2 * BEGIN or arguments.ticks % EVERY:
+        parser.error(f"at least two seeds, more than {2 * BEGIN:,} ticks, a multiple of {EVERY}")
     calls = [
         (setting, seed, arguments.ticks) for setting in SETTINGS for seed in range(arguments.seeds)
     ]

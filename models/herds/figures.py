@@ -65,7 +65,7 @@ def herds(series: pd.DataFrame, agents: pd.DataFrame) -> Figure:
     axes.set_ylim(bottom=0)
     axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
     axes.set_ylabel("number")
-    axes.legend(loc="center right")
+    axes.legend(loc="center right", bbox_to_anchor=(1, 0.3), ncols=3)
     paper.panel_title(axes, "d", "Herds and their sizes")
     return figure
 
