@@ -1,4 +1,4 @@
-"""Figures of thresholds, villages and classics, drawn from short runs and from the beginning."""
+"""The figures of models of societies, drawn from short runs and from the beginning."""
 
 import io
 import warnings
@@ -21,6 +21,10 @@ CASES = [
     ("schelling", {"n_agents": 0}, "segregation", 3),
     ("wolves_sheep", {}, "numbers", 2),
     ("wolves_sheep", {"n_sheep": 0, "n_wolves": 0}, "numbers", 2),
+    ("herds", {}, "herds", 4),
+    ("herds", {"n_cows": 1}, "herds", 4),
+    ("wolf_cow", {}, "wolf_cow", 3),
+    ("wolf_cow", {"n_bulls": 0, "n_wolves": 0}, "wolf_cow", 3),
 ]
 
 
