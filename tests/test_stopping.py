@@ -116,7 +116,7 @@ def test_short_advances_do_not_make_the_next_stretch_long():
     society = Bazaar(enough=1e9)
     for _ in range(100):
         society.advance(1)
-    assert society.engine._ticks_per_chunk <= 2  # Ctrl-C is heard between two stretches
+    assert society.engine._ticks_per_chunk <= 16  # Ctrl-C is heard between two stretches
 
 
 def test_a_plane_has_interruptions():

@@ -35,7 +35,7 @@ LARGEST_KEPT = 10 * 2**20
 KEPT = "source"
 """The folder within a run's that holds the copies."""
 
-_HOME = Path(__file__).resolve().parent
+_HOME = Path(__file__).resolve().parents[1]
 _OURS = (f"{_HOME}{os.sep}", f"{_HOME.parent / 'coglogo_py'}{os.sep}")
 _loaded: dict[str, tuple[ModuleType, str]] = {}
 """Each module of the user's, and the hash of its file when the module was first seen."""

@@ -11,6 +11,7 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, replay, resume, run
+from socialmind.sources import provenance
 from socialmind.sources.provenance import difference, sources_of
 
 MODEL = """
@@ -91,6 +92,25 @@ def test_code_is_found_through_its_imports_and_data_as_it_is_read(wood):
         "modules/town/rules.py",
         "modules/town/numbers.py",
     }
+
+
+def test_what_a_society_reads_when_asked_counts_and_what_others_read_does_not(wood, tmp_path):
+    model = tmp_path / "wood" / "model.py"
+    model.write_text(MODEL.replace('"rate.txt"', '"".join(("ra", "te.txt"))'))  # named nowhere
+    kind = wood()
+    (tmp_path / "mine.txt").write_text("1")
+    (tmp_path / "mine.txt").read_text()
+    assert "model/rate.txt" not in sources_of(kind).files
+    run(kind, ticks=1, out=tmp_path / "run", compiled=False)
+    found = sources_of(kind).files
+    assert "model/rate.txt" in found
+    assert not any(path.name == "mine.txt" for path in found.values())
+    assert socialmind_files() == []
+
+
+def socialmind_files():
+    """Return the modules of the library that count as readers of files."""
+    return [name for name in provenance._read_by if name.startswith(("socialmind.", "coglogo_py."))]
 
 
 EDITS = {

@@ -33,7 +33,7 @@ def test_one_worker_is_this_process(study):
 
 
 def test_a_failure_is_raised_here(study):
-    with pytest.raises(ValueError, match="5"):
+    with pytest.raises(ValueError, match=r"5|6"):  # whichever fails first
         list(side_by_side(study.refused, [(5,), (6,)], workers=2))
 
 
