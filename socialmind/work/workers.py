@@ -68,9 +68,6 @@ def never() -> bool:
 class Workers(ABC):
     """Workers who share out jobs. They are let go at the end of a `with`."""
 
-    lost: tuple[type[BaseException], ...] = ()
-    """The errors that say that a worker was lost."""
-
     def __enter__(self) -> Self:
         return self
 
@@ -104,6 +101,19 @@ class Workers(ABC):
     def finished(self, task: Task, jobs: Iterable[Any], stop: Stop = never) -> Iterator[Job]:
         """Yield the number of each job, from 0, and what came of it, as they are done."""
         return self._done(task, jobs, stop, in_order=False)
+
+    @abstractmethod
+    def _done(
+        self, task: Task, jobs: Iterable[Any], stop: Stop, in_order: bool
+    ) -> Iterator[tuple[int, Any]]:
+        """Yield the number of each job and what came of it."""
+
+
+class _Pool(Workers):
+    """Workers who are given jobs ahead, and may be lost."""
+
+    lost: tuple[type[BaseException], ...] = ()
+    """The errors that say that a worker was lost."""
 
     def _done(
         self, task: Task, jobs: Iterable[Any], stop: Stop, in_order: bool
@@ -170,7 +180,7 @@ class Workers(ABC):
     def _take_on(self, task: Task) -> None:
         """Make ready for a task's jobs."""
 
-    def _replace(self) -> None:  # noqa: B027  # most are not lost
+    def _replace(self) -> None:  # most are not lost
         """Have others in the place of lost workers."""
 
     def _drop(self, given: Iterable[futures.Future[Any]]) -> None:
@@ -204,17 +214,11 @@ class Alone(Workers):
                 raise Stopped
             yield number, worker.do(job)
 
-    def _submit(self, task: Task, job: Any) -> futures.Future[Any]:
-        raise NotImplementedError
-
-    def _take_on(self, task: Task) -> None:
-        raise NotImplementedError
-
     def close(self) -> None:
         """Nobody is to be let go."""
 
 
-class Threads(Workers):
+class Threads(_Pool):
     """Threads of this process, for what runs in compiled code.
 
     Args:
@@ -270,7 +274,7 @@ class Threads(Workers):
         self._executor.shutdown(cancel_futures=True)
 
 
-class _Elsewhere(Workers):
+class _Elsewhere(_Pool):
     """Workers outside this process, who are told a task as bytes."""
 
     _executor: futures.Executor
