@@ -52,7 +52,7 @@ def _cows(axes: Axes, looks: pd.DataFrame) -> None:
         axes.plot(
             seeds.index / scale, seeds.mean(axis=1), color=colour, linewidth=0.9, label=setting
         )
-    axes.set_ylim(bottom=0)
+    axes.set_ylim(0, 1.4 * axes.get_ylim()[1])  # room for the legend
     axes.set_ylabel("cows")
     axes.legend(loc="upper right")
     paper.panel_title(axes, "a", f"{SHOWN} bulls; bands: 10 to 90 % of seeds")
