@@ -68,7 +68,7 @@ def _held(model: Running) -> list[Any]:
     """Return what holds the arrays of a model: while it is the same, so are they."""
     held: list[Any] = [*model.ground.arrays().values()]
     for name in model.program.sought:
-        held += model.tables[name].index(model.program.loops_over_found).values()
+        held += model.tables[name].index(model.program).values()
     for table in model.tables.values():
         held += _OF_TABLES(table)
         held += table.link_arrays().values()
@@ -96,7 +96,7 @@ def _all_arrays(model: Running) -> dict[str, Any]:
     """Return the arrays of a model by the names that the record gives their addresses."""
     arrays: dict[str, Any] = dict(model.ground.arrays())
     for name in model.program.sought:
-        for part, array in model.tables[name].index(model.program.loops_over_found).items():
+        for part, array in model.tables[name].index(model.program).items():
             arrays[f"{name}_{part}"] = array
     for name, table in model.tables.items():
         for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
