@@ -29,6 +29,8 @@ State = dict[str, Any]
 
 CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
+SMALL = 5_000
+"""Up to so many agents and patches a first stretch is of several ticks."""
 INTERPRETED_SETUP = 20_000
 """Up to so many agents and patches the first society's setup runs interpreted: faster than loading
 its code."""
@@ -53,7 +55,7 @@ class Engine:
         self.compiled = compiled
         self._functions: dict[str, Callable[..., Any]] | None = None
         self._module: ModuleType | None = None
-        self._ticks_per_chunk = 1
+        self._ticks_per_chunk = 0  # not yet known
         self._record: Any = None
         self._sized: list[Any] | None = None
         self._size = 0
@@ -127,15 +129,16 @@ class Engine:
         if self.model.physics != "compiled":
             self._advance_outside(ticks)
             return
+        if not self._ticks_per_chunk:
+            self._ticks_per_chunk = 16 if self._entities() <= SMALL else 1
         left = ticks
         while left > 0:
             begin = time.perf_counter()
             wanted = min(left, self._ticks_per_chunk)
+            self._make_room()
             connect(self.model)
             loop = functools.partial(self.module.advance, self._record, wanted)
             done = self._guarded(loop, run_tick)
-            if done < wanted:
-                self._make_room()
             left -= done
             took = time.perf_counter() - begin
             # Many short advances say nothing of how long a stretch may be.

@@ -359,8 +359,8 @@ class Table:
         slots, identities = self.room
         # The dead leave their slots to others, and keep their identity alone.
         self.reserve(
-            max(2 * slots, 256) if bookkeeping.short_of_slots(self.counters) else slots,
-            max(2 * identities, 256)
+            max(2 * slots, 512) if bookkeeping.short_of_slots(self.counters) else slots,
+            max(2 * identities, min(16 * identities, 8192), 512)
             if bookkeeping.short_of_identities(self.counters, self.slot_of)
             else identities,
         )

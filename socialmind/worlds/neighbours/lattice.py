@@ -65,13 +65,15 @@ def find_on_taken(
             at_y = first_y + j
             at_y = at_y + height if at_y < 0 else (at_y - height if at_y >= height else at_y)
             who = taken[line + at_y]
-            if who < 0 or who % populations != number:
-                continue
             middle = (i == own_x) + (j == own_y)
-            if (kind == 4 and middle != 1) or (kind == 8 and middle == 2):
-                continue
+            asked = middle == 1 if kind == 4 else (kind == 0) | (middle < 2)
             slot = who // populations
-            if slot != own:
-                found[end] = entries[spots[slot]].place if as_places else slot
-                end += 1
+            wanted = asked & (who >= 0) & (who % populations == number) & (slot != own)
+            if as_places:
+                if wanted:
+                    found[end] = entries[spots[slot]].place
+                    end += 1
+            else:  # without a branch, which processors guess wrong every fifth time
+                found[end] = slot
+                end += wanted
     return end
