@@ -127,6 +127,11 @@ class CognitiveScheme:
         """
         return tuple(dict.fromkeys((*(self.plan_order or ()), *self.linked_plans)))
 
+    @cached_property
+    def has_conditions(self) -> bool:
+        """Whether some cogniton has conditions."""
+        return any(one.conditions for one in self.cognitons)
+
     @classmethod
     def load(
         cls, path: str | Path, decision_makers: Iterable[type[DecisionMaker]] = ()

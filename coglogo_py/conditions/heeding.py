@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba.extending import register_jitable
 
+from coglogo_py.compiled.machine_code import kept, key_of_file
 from coglogo_py.conditions.condition import OPERATORS, Condition
 
 if TYPE_CHECKING:
@@ -23,12 +24,10 @@ COGNITON = 0
 KIND = 1
 OPERATOR = 2
 LAST = 3
-LEFT = 4
-RIGHT = 5
-WIDTH = 6
+FIELD = 4
+WIDTH = 5
 """Columns of the conditions: the cogniton, what they do, the operator's code, whether it is the
-last of those that must all hold, and for whoever fills what is compared where it stands: the left
-side, and the right one, −1 for a number."""
+last of those that must all hold, and for whoever knows the agent which field it asks for."""
 
 WHILE = 0
 ACTIVATES = 1
@@ -81,11 +80,30 @@ def heed(conditions: Ints, sides: Floats, values: Floats, mind: int) -> None:
             all_hold = True
 
 
+@kept(key_of_file("heeding", __file__))
+def heed_each(
+    conditions: Ints, sides: Floats, compared: Floats, values: Floats, minds: Ints
+) -> None:
+    """Let several minds heed conditions.
+
+    Args:
+        conditions: as of `heed`.
+        sides: likewise; its left column is overwritten.
+        compared: (Q, n) the left sides for each mind.
+        values: as of `heed`.
+        minds: (n,) which minds.
+    """
+    for k in range(minds.shape[0]):
+        for row in range(conditions.shape[0]):
+            sides[row, 0] = compared[row, k]
+        heed(conditions, sides, values, minds[k])
+
+
 def laid_out_conditions(scheme: Scheme) -> tuple[Ints, Floats, tuple[Condition, ...]]:
     """Return the conditions of a scheme as rows, what they compare as far as it is a number.
 
     Returns:
-        (Q, WIDTH) rows, LEFT and RIGHT −1; (Q, 3) sides, NaN where another knows; the conditions.
+        (Q, WIDTH) rows, FIELD −1; (Q, 3) sides, NaN where another knows; the conditions.
     """
     rows: list[tuple[int, ...]] = []
     found: list[Condition] = []
@@ -95,7 +113,7 @@ def laid_out_conditions(scheme: Scheme) -> tuple[Ints, Floats, tuple[Condition, 
             several: tuple[Condition, ...] = getattr(one, name)
             for place, condition in enumerate(several, 1):
                 operator = OPERATORS.index(condition.operator)
-                rows.append((cogniton, kind, operator, place == len(several), -1, -1))
+                rows.append((cogniton, kind, operator, place == len(several), -1))
                 found.append(condition)
                 starts.append(one.start_value)
     sides = np.full((len(found), 3), np.nan)

@@ -40,6 +40,7 @@ MIND: dict[str, Signature] = {
     "get_cogniton_value": Signature((COGNITON,), FLOAT),
     "activate_cogniton": Signature((COGNITON,), NONE),
     "deactivate_cogniton": Signature((COGNITON,), NONE),
+    "is_active": Signature((COGNITON,), BOOL),
     "create_and_join_group": Signature((GROUP, ROLE), BOOL),
     "join_group": Signature((GROUP, ROLE, INT), BOOL),
     "set_participation": Signature((GROUP, FLOAT), NONE),
