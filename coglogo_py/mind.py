@@ -202,8 +202,10 @@ class Mind:
         """
         if not isinstance(other, Mind):
             raise MindError(f"imitate_memes: found {shown(other)}; expected a mind")
-        names = memes_of(other.society.scheme, self.society.scheme)
-        return sum(self.imitate(name, other) for name in names)
+        # Both minds are asked once, before anything is taken over.
+        minds, whose, slot = self.society.minds, (other.society.minds, other.slot), self.slot
+        places = memes_of(other.society.scheme, self.society.scheme)
+        return sum(kernel.imitate(minds, slot, mine, *whose, theirs) for mine, theirs in places)
 
     # ------------------------------------------------------------------- decisions
 

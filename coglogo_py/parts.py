@@ -288,10 +288,19 @@ def links_of(holder: Cogniton | Culturon) -> tuple[str, ...]:
     return (*holder.influence, *holder.conditional, *holder.reinforcement)
 
 
-def memes_of(scheme: Scheme, learner: Scheme) -> tuple[str, ...]:
-    """Return the memes of a scheme that another has as cognitons too, in the first one's order."""
-    known = {one.name for one in learner.cognitons}
-    return tuple(one.name for one in scheme.cognitons if one.type == "meme" and one.name in known)
+def memes_of(scheme: Scheme, learner: Scheme) -> list[tuple[int, int]]:
+    """Return the memes of a scheme that another has as cognitons too: places in that, in the first.
+
+    Args:
+        scheme: that of the mind which is imitated.
+        learner: that of the mind which imitates.
+    """
+    known = {one.name: place for place, one in enumerate(learner.cognitons)}
+    return [
+        (known[one.name], place)
+        for place, one in enumerate(scheme.cognitons)
+        if one.type == "meme" and one.name in known
+    ]
 
 
 def settle(described: object, name: str, value: object) -> None:

@@ -21,7 +21,7 @@ from coglogo_py import CognitiveScheme
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents import idleness
 from socialmind.agents.agent_columns import agent_columns, default_series
-from socialmind.compiling.layout import arrays_of_conditions
+from socialmind.compiling.layout import further_arrays
 from socialmind.engine.engine import Engine
 from socialmind.engine.explaining import explained
 from socialmind.errors import SocialmindError
@@ -142,7 +142,9 @@ class Model(metaclass=ModelKind):
             self.populations, kind.folder, scheme, kind.name, shared.schemes
         )
         self.conditioned = making.conditioned(self, files)
-        self.record = shared.record_of(self.program, arrays_of_conditions(self.conditioned))
+        self.record = shared.record_of(
+            self.program, further_arrays(self.conditioned, self.program.imitations)
+        )
         self.contexts: NDArray[Any] = self.record.new()
         self.context: Any = self.contexts[0]
         tables = {name: parameters.pop(name) for name in kind.populations if name in parameters}

@@ -96,9 +96,20 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
     return np.dtype(columns or [("_empty", "i1")], align=population is not None)
 
 
-def arrays_of_conditions(conditioned: Iterable[str]) -> Further:
-    """Return the further arrays of populations whose schemes have conditions."""
-    return tuple((name, array, *kind) for name in conditioned for array, kind in CONDITIONS.items())
+def further_arrays(
+    conditioned: Iterable[str], imitations: Iterable[tuple[str, str, str]]
+) -> Further:
+    """Return the further arrays of a society.
+
+    Args:
+        conditioned: the populations whose schemes have conditions.
+        imitations: how rules let minds imitate, as `Program.imitations` has it.
+    """
+    found = [(name, one, *kind) for name in conditioned for one, kind in CONDITIONS.items()]
+    for command, learner, other in imitations:
+        if command == "imitate_memes":
+            found.append((learner, f"memes_{other}", "int64", 2))
+    return tuple(found)
 
 
 def model_dtype(

@@ -293,7 +293,7 @@ def population_text(
                 f"agent._mind = _kernel.new_mind(_scheme_{name}(_model), _minds_{name}(_model))"
             ),
             "HATCHED_MIND": (
-                f"agent._mind = _kernel.hatch("
+                f"agent._decided = -1\n    agent._mind = _kernel.hatch("
                 f"_scheme_{name}(_model), _minds_{name}(_model), _asked_{name}(_model, parent), "
                 f"keep_groups)"
             ),

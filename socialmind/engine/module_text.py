@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from socialmind.compiling.aggregates import aggregate_name, aggregate_text
-from socialmind.compiling.layout import arrays_of_conditions, dtype_text, model_dtype
+from socialmind.compiling.layout import dtype_text, further_arrays, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
 from socialmind.engine import interactions_text
 from socialmind.engine.access import AGENTS, THERE, population_text
 from socialmind.engine.conditions_text import ASKED, heeding_text
+from socialmind.engine.imitation_text import imitation_text
 from socialmind.engine.plans_text import call_text, plans_text
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
@@ -33,7 +34,7 @@ def module_text(
         conditioned: populations whose scheme has conditions.
     """
     shape = program.shape
-    further = arrays_of_conditions(conditioned)
+    further = further_arrays(conditioned, program.imitations)
     record = dtype_text(model_dtype(shape, program.world_columns, program.sought, further))
     parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
@@ -58,6 +59,7 @@ def module_text(
             plain = ASKED.replace("NAME", name)
             heeds = name in conditioned
             parts.append(heeding_text(population) if heeds else plain)
+    parts += [imitation_text(*one) for one in program.imitations]
     if program.sought:
         from socialmind.worlds.neighbours.text import text
 

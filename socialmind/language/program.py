@@ -99,6 +99,7 @@ class Program:
         self.aggregates: list[tuple[str, str, Field]] = []
         self.plans: dict[str, TypedPlans] = {}
         self.reconsidered = set[str]()
+        self.imitations: list[tuple[str, str, str]] = []
         self.made: dict[Any, Any] = {}
         self._codes: dict[str, python_types.CodeType] | None = None
         self._sources: dict[Callable[..., Any], RuleSource] = {}
@@ -222,6 +223,11 @@ class Program:
         """Note that rules sum up a field of a population."""
         if (population, what, field) not in self.aggregates:
             self.aggregates.append((population, what, field))
+
+    def imitates(self, command: str, learner: str, other: str) -> None:
+        """Note that minds of a population take something over from those of one."""
+        if (command, learner, other) not in self.imitations:
+            self.imitations.append((command, learner, other))
 
     def calls_world(self, *call: str) -> None:
         """Note that rules call something of the world: its name, then populations and fields."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.parts import memes_of
 from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
 from socialmind.agents.heeding import Heeding
@@ -318,6 +319,7 @@ class Table:
             self.columns["_plan"][slot] = self.columns["_step"][slot] = ENDED
         agent = self._named(slot)
         if self.society is not None:
+            self.columns["_decided"][slot] = -1  # its plan is its parent's, as a field is
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
         if self.minds is not None:
             self.minds.copy(parent._slot, slot)
@@ -463,6 +465,10 @@ class Table:
                 self._scratch |= vars(self.weighing)
             if self._heeding is not None:
                 self._scratch |= self._heeding.arrays
+            for command, learner, other in program.imitations:
+                if command == "imitate_memes" and learner == self.shape.name:
+                    places = memes_of(self.model.tables[other].society.scheme, scheme)
+                    self._scratch[f"memes_{other}"] = np.array(places, np.int64).reshape(-1, 2)
         return self._scratch
 
     def index(self, loops: int) -> dict[str, NDArray[Any]]:

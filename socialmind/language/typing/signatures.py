@@ -59,6 +59,12 @@ MIND: dict[str, Signature] = {
 }
 """The commands of a mind, as `coglogo_py.Mind` spells them."""
 
+IMITATION: dict[str, Signature] = {
+    "imitate": Signature((COGNITON,), BOOL),
+    "imitate_memes": Signature((), INT),
+}
+"""Those that take another mind last; its scheme has to have what they name, too."""
+
 SENSOR, ACTUATOR, VARIABLE, SKILL, SHARED = (
     Named("sensor"),
     Named("actuator"),

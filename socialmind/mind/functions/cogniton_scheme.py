@@ -86,11 +86,11 @@ class CognitonScheme(InternalFunction):
                     nearest(output.name, self.scheme.plans),
                     output.line,
                 )
-        for cogniton in self.scheme.cognitons:
-            if cogniton.conditions or cogniton.chance < 1.0 or cogniton.inherited < 1.0:
+        for held in self.scheme.cognitons:
+            if held.conditions or held.chance < 1.0 or held.inherited < 1.0:
                 raise ModelError(
-                    f"the cogniton {cogniton.name!r} of {self.scheme.name!r} in the skill "
-                    f"{skill.name!r}, with {'conditions' if cogniton.conditions else 'chances'}",
+                    f"the cogniton {held.name!r} of {self.scheme.name!r} in the skill "
+                    f"{skill.name!r}, with {'conditions' if held.conditions else 'chances'}",
                     "none: a skill's scheme reads inputs, and has no fields and no births",
                     "write an input for the cogniton",
                     skill.file,
