@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from coglogo_py import CognitiveScheme, Cogniton, Culturon, Group, Role
-from socialmind import Agent, Model, ModelError, Population, each, parameter
+from socialmind import Agent, Civilisation, Model, ModelError, Population, Torus, each, parameter
 from socialmind.observation import mind_columns
 
 STEPS = 12
@@ -221,6 +221,43 @@ def test_looking_changes_no_run():
     alone.advance(4)
     for name, array in alone.state().items():
         np.testing.assert_array_equal(array, looked.state()[name], err_msg=name)
+
+
+def eat_up(human):
+    human.energy = 9.0 - human.energy  # 3 in the first tick, 6 in the second
+    human.plan = human.mind.choose_next_plan()
+
+
+class Meals(Scripted):
+    schedule = (each(Scripted.humans, eat_up),)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_receipts_and_later_explanations_show_what_was_heeded(compiled):
+    society = Meals(compiled=compiled)
+    assert society.humans[5].mind.explain().influences[0].value is None
+    society.advance(2)
+    for tick in (1, 2):
+        receipt = society.explain(5, tick)
+        assert receipt.choice == "eat" and receipt.influences[0].value == 2.0
+    assert society.humans[5].mind.explain().choice == "eat"
+
+
+def test_founders_of_civilisations_begin_with_what_their_conditions_leave_them():
+    people = tuple(
+        Civilisation(name, 2, cognitons={"Hunger": 6.0, "Cold": 3.0}, values={"energy": energy})
+        for name, energy in (("fed", 9.0), ("content", 6.0), ("hungry", 4.0))
+    )
+
+    class Peoples(Scripted):
+        world = Torus(5)
+        humans = Population(Human, mind=SCHEME, civilisations=people)
+        schedule = ()
+
+    society = Peoples(compiled=False)
+    found = society.humans.cogniton("Hunger")
+    assert np.isnan(found[:2]).all() and found[2:].tolist() == [6.0] * 4
+    assert np.isnan(society.humans.cogniton("Cold")).all()
 
 
 # Births, cultures, resumed runs -------------------------------------------------------------
