@@ -4,7 +4,8 @@
 - `MindArrays`: what each mind and each group instance holds.
 
 Sizes: C cognitons, P plans, G groups, R roles over all groups, K culturons over all groups,
-N minds, M = max(1, N·G) group instances: room for each mind to be alone in a group of every type.
+B cognitons that chance decides on, N minds, M = max(1, N·G) group instances: room for each mind to
+be alone in a group of every type.
 """
 
 from __future__ import annotations
@@ -47,6 +48,9 @@ class SchemeArrays(NamedTuple):
     """(L,) weight of its influence, 0 where it is conditional only."""
     link_opens: Bools
     """(L,) whether it makes the plan available."""
+    chances: Floats
+    """(B, 4) the cognitons that chance decides on: which, how likely a mind has it at birth, how
+    likely it is inherited, and the key of its name."""
     maker: Floats
     """(2,) code of the decision maker, and its bias."""
 

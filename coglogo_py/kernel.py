@@ -18,7 +18,7 @@ import numpy as np
 
 from coglogo_py.compiled.borrow import borrowed
 from coglogo_py.compiled.machine_code import kept, key_of_file
-from coglogo_py.streams import LOW_32, MIND_STREAMS, uniforms
+from coglogo_py.streams import LOW_32, MIND_BIRTH_STREAMS, MIND_STREAMS, uniforms
 
 if TYPE_CHECKING:
     from coglogo_py.arrays import Bools, Floats, Ints, MindArrays, SchemeArrays
@@ -67,15 +67,47 @@ def new_mind(scheme: SchemeArrays, minds: MindArrays) -> int:
     counters[ALIVE] += 1
     for cogniton in range(scheme.start.shape[0]):
         minds.values[slot, cogniton] = scheme.start[cogniton]
+    draw_at_birth(scheme, minds, slot, -1)
     return slot
+
+
+@_operation
+def draw_at_birth(scheme: SchemeArrays, minds: MindArrays, slot: int, parent: int) -> None:
+    """Let chance decide on cognitons of a mind that is new, or has its parent's values.
+
+    The draws are of the mind and of the cogniton's name: they disturb no others.
+
+    Args:
+        scheme: the scheme's arrays.
+        minds: the society's arrays.
+        slot: the mind.
+        parent: the slot of the mind that it was hatched from, -1 for a new mind.
+    """
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    chances = scheme.chances
+    counters = minds.counters
+    for row in range(chances.shape[0]):
+        first, second = uniforms(
+            int(chances[row, 3]),
+            int(minds.mind_id[slot]) & LOW_32,
+            0,
+            MIND_BIRTH_STREAMS | int(counters[STREAM]),
+            int(counters[SEED_LOW]),
+            int(counters[SEED_HIGH]),
+        )
+        if parent < 0 or second >= chances[row, 2]:
+            cogniton = int(chances[row, 0])
+            has_it = first < chances[row, 1]
+            minds.values[slot, cogniton] = scheme.start[cogniton] if has_it else np.nan
 
 
 @_operation
 def hatch(scheme: SchemeArrays, minds: MindArrays, slot: int, keep_groups: bool) -> int:
     """Make a mind with the cogniton values of the one in `slot`; return its slot, or -1.
 
-    With `keep_groups` the child is a true member of its parent's group instances, with the
-    parent's roles and participation; otherwise it is in no group.
+    Chance decides on those that are not always inherited. With `keep_groups` the child is a true
+    member of its parent's group instances, with the parent's roles and participation; otherwise it
+    is in no group.
     """
     scheme, minds = borrowed(scheme), borrowed(minds)
     child = new_mind(scheme, minds)
@@ -83,6 +115,7 @@ def hatch(scheme: SchemeArrays, minds: MindArrays, slot: int, keep_groups: bool)
         return child
     for cogniton in range(minds.values.shape[1]):
         minds.values[child, cogniton] = minds.values[slot, cogniton]
+    draw_at_birth(scheme, minds, child, slot)
     if keep_groups:
         for group in range(minds.group_slot.shape[1]):
             row = minds.group_slot[slot, group]
@@ -156,6 +189,35 @@ def deactivate_cogniton(minds: MindArrays, slot: int, cogniton: int) -> None:
     """Make a cogniton inactive; its value is forgotten."""
     minds = borrowed(minds)
     minds.values[slot, cogniton] = np.nan
+
+
+@_operation
+def is_active(minds: MindArrays, slot: int, cogniton: int) -> bool:
+    """Say whether a cogniton is active."""
+    minds = borrowed(minds)
+    return not math.isnan(minds.values[slot, cogniton])
+
+
+@_operation
+def imitate(
+    minds: MindArrays, slot: int, cogniton: int, others: MindArrays, other: int, theirs: int
+) -> bool:
+    """Take over a cogniton of another mind, active with its value; False where it is inactive.
+
+    Args:
+        minds: the arrays of the mind that imitates.
+        slot: that mind.
+        cogniton: which of its cognitons.
+        others: the arrays of the mind that is imitated, perhaps the same.
+        other: that mind.
+        theirs: which of its cognitons.
+    """
+    minds, others = borrowed(minds), borrowed(others)
+    value = others.values[other, theirs]
+    if math.isnan(value):
+        return False
+    minds.values[slot, cogniton] = value
+    return True
 
 
 # --------------------------------------------------------------------------- decisions

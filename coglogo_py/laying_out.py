@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
@@ -158,11 +159,22 @@ def scheme_arrays(scheme: CognitiveScheme, within: Within | None = None) -> Sche
         link_cogniton=cogniton_of.astype(np.uint64),
         link_weight=influence[cogniton_of, plan_of],
         link_opens=conditional[cogniton_of, plan_of],
+        chances=_chances(scheme),
         maker=maker_code(scheme),
     )
     for array in arrays:
         array.flags.writeable = False
     return arrays
+
+
+def _chances(scheme: CognitiveScheme) -> Floats:
+    """Return the cognitons that chance decides on at birth; names are keys, wherever they stand."""
+    rows = [
+        (place, one.chance, one.inherited, zlib.crc32(one.name.encode()))
+        for place, one in enumerate(scheme.cognitons)
+        if one.chance < 1.0 or one.inherited < 1.0
+    ]
+    return np.array(rows, np.float64).reshape(len(rows), 4)
 
 
 def maker_code(scheme: CognitiveScheme) -> Floats:

@@ -14,6 +14,10 @@ What it reports, by kind:
   while no value and no participation is below 0, and what makes the plan available above 0.
 - *link to unknown plan*: of the plans that are written out (those of the model, the scheme's order
   of plans, or else its plan positions), none is the link's.
+- *condition without effect*: it could make active what is active at birth, and no other condition
+  makes inactive.
+- *not as its type*: a percept or a trait that feed-back changes, or a percept that no rule of the
+  model and no condition sets.
 - *duplicate name*: written twice in the file, or shared by a cogniton and a culturon.
 - *names alike*: names that differ in capitals or blanks only.
 - *odd name*: empty, or with blanks at its ends or control characters.
@@ -53,12 +57,15 @@ class Finding:
         return f"{self.kind}: {self.where}: {self.message}"
 
 
-def findings(scheme: Scheme, plans: Iterable[str] | None = None) -> list[Finding]:
+def findings(
+    scheme: Scheme, plans: Iterable[str] | None = None, written: Iterable[str] | None = None
+) -> list[Finding]:
     r"""Return what is odd in a scheme, kind by kind, each in the scheme's order.
 
     Args:
         scheme: the scheme to look through.
         plans: the plans that the model carries out, if they are known.
+        written: the cognitons that the model's rules set, if they are known.
 
     >>> from coglogo_py import CognitiveScheme
     >>> cow = CognitiveScheme("cow", (Cogniton("Hunger", influence={"eat": 1}),))
@@ -80,6 +87,7 @@ def findings(scheme: Scheme, plans: Iterable[str] | None = None) -> list[Finding
             what = "too many to look for plans that always lose"
             found.append(Finding("not looked at", f"{len(scheme.plans):,} plans", what))
     found += _unknown_plans(scheme, holders, model_plans)
+    found += _conditions(scheme) + _types(scheme, written)
     return found + _names(scheme, holders)
 
 
@@ -233,6 +241,32 @@ def _unknown_plans(
                             f"{advice}",
                         )
                     )
+    return found
+
+
+def _conditions(scheme: Scheme) -> list[Finding]:
+    message = "active at birth and made inactive by no condition; write at_birth: false"
+    return [
+        Finding("condition without effect", f"activated_when of cogniton {one.name!r}", message)
+        for one in scheme.cognitons
+        if one.activated_when and not one.deactivated_when and one.starting and one.chance == 1.0
+    ]
+
+
+def _types(scheme: Scheme, written: Iterable[str] | None) -> list[Finding]:
+    found = []
+    set_by_rules = None if written is None else set(written)
+    for one in scheme.cognitons:
+        where = f"{one.type} {one.name!r}"
+        changing = [plan for plan, weight in one.reinforcement.items() if weight]
+        if one.type in ("percept", "trait") and changing:
+            kept = "what is perceived" if one.type == "percept" else "what stays for life"
+            message = f"feed-back from {_listed([tuple(changing)])} changes {kept}"
+            found.append(Finding("not as its type", where, f"{message}; drop the link or the type"))
+        unset = set_by_rules is not None and one.name not in set_by_rules and not one.conditions
+        if one.type == "percept" and unset:
+            message = "no rule and no condition sets it; perceive something, or drop the type"
+            found.append(Finding("not as its type", where, message))
     return found
 
 

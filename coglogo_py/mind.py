@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.border.errors import MindError
+from coglogo_py.border.errors import MindError, shown
 from coglogo_py.border.numbers import number, whole_number
 from coglogo_py.compiled.own_maker import checked_choice, checked_probabilities
+from coglogo_py.conditions.heeding import heed, laid_out_conditions
+from coglogo_py.parts import memes_of
 from coglogo_py.receipts.receipt import Receipt, receipt_of
 
 if TYPE_CHECKING:  # a circle for types alone: a mind knows its society, which makes minds
@@ -112,6 +114,28 @@ class Mind:
 
     # ------------------------------------------------------------------- cognitons
 
+    def update(self, values: Mapping[str, float]) -> None:
+        """Let the conditions of the scheme make cognitons active and inactive.
+
+        The minds of a model's agents are brought up to date whenever they are asked; one without
+        an agent knows no fields, and stays as it is until it is told their values.
+
+        Args:
+            values: those of the fields, and of the parameters, that conditions name.
+
+        Raises:
+            MindError: a value is missing, or is no finite number.
+        """
+        conditions, sides, written = laid_out_conditions(self.society.scheme)
+        for row, one in enumerate(written):
+            for side, name in enumerate((one.field, one.bound)):
+                if isinstance(name, str):
+                    if name not in values:
+                        raise MindError(f"update: no value for {name!r}, of the condition {one}")
+                    what = f"update, {name!r}"
+                    sides[row, side] = number(values[name], what, error=MindError)
+        heed(conditions, sides, self.society.minds.values, self.slot)
+
     def cognitons(self) -> dict[str, float | None]:
         """Return the value of every cogniton in the scheme's order, None when inactive."""
         values = self.society.minds.values[self.slot].tolist()
@@ -145,6 +169,43 @@ class Mind:
     def deactivate_cogniton(self, cogniton: str) -> None:
         """Make a cogniton inactive; its value is forgotten."""
         self._try(kernel.deactivate_cogniton, self.society.names.cogniton(cogniton))
+
+    def is_active(self, cogniton: str) -> bool:
+        """Return whether a cogniton is active."""
+        return bool(self._try(kernel.is_active, self.society.names.cogniton(cogniton)))
+
+    def imitate(self, cogniton: str, other: Mind) -> bool:
+        """Take over a cogniton of another mind, active with its value.
+
+        Args:
+            cogniton: its name, in the schemes of both.
+            other: the mind that is imitated, of any society.
+
+        Returns:
+            Whether it took effect: not where the other's is inactive.
+        """
+        mine = self.society.names.cogniton(cogniton)
+        if not isinstance(other, Mind):
+            raise MindError(f"imitate {cogniton!r}: found {shown(other)}; expected a mind")
+        theirs = other.society.names.cogniton(cogniton)
+        whose = other.society.minds, other.slot
+        return bool(self._try(kernel.imitate, mine, *whose, theirs))
+
+    def imitate_memes(self, other: Mind) -> int:
+        """Take over all memes that another mind has active and that this one's scheme has too.
+
+        Args:
+            other: the mind that is imitated, of any society; its scheme says what is a meme.
+
+        Returns:
+            How many were taken over.
+        """
+        if not isinstance(other, Mind):
+            raise MindError(f"imitate_memes: found {shown(other)}; expected a mind")
+        # Both minds are asked once, before anything is taken over.
+        minds, whose, slot = self.society.minds, (other.society.minds, other.slot), self.slot
+        places = memes_of(other.society.scheme, self.society.scheme)
+        return sum(kernel.imitate(minds, slot, mine, *whose, theirs) for mine, theirs in places)
 
     # ------------------------------------------------------------------- decisions
 

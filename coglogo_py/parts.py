@@ -7,8 +7,9 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from coglogo_py.border.errors import SchemeError, shown
+from coglogo_py.border.errors import SchemeError, nearest, shown
 from coglogo_py.border.numbers import is_truth
+from coglogo_py.conditions.condition import Conditions, conditions_in
 from coglogo_py.decision import DecisionMaker
 from coglogo_py.files import checks
 
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
     from _typeshed import DataclassInstance
 
 GREY = (128, 128, 128)
+
+TYPES = ("belief", "need", "percept", "skill", "trait", "meme")
+"""What a cogniton may be said to be."""
 
 Described = TypeVar("Described")
 
@@ -33,6 +37,15 @@ class Cogniton:
         influence: plan → weight of the influence link.
         conditional: the plans that it makes available while active.
         reinforcement: plan → weight of the reinforcement link.
+        active_while: a comparison of a field of the agent with a number or a parameter of the
+            model, as "energy < 5", or several, which must all hold: it is active exactly while
+            they do, and begins with the start value each time.
+        activated_when: likewise; it becomes active, with the start value, when they hold.
+        deactivated_when: likewise; it is inactive when they hold, whatever else does.
+        type: what it is, one of `TYPES`; None where it is not said.
+        chance: how likely a mind has it at birth, 0 … 1.
+        inherited: how likely a hatched mind has of it what its parent has, active with its value
+            or inactive, 0 … 1; else it has what a new mind has.
 
     Raises:
         SchemeError: a field holds something else.
@@ -50,6 +63,12 @@ class Cogniton:
     influence: Mapping[str, float] = field(default_factory=dict)
     conditional: tuple[str, ...] = ()
     reinforcement: Mapping[str, float] = field(default_factory=dict)
+    active_while: Conditions = ()
+    activated_when: Conditions = ()
+    deactivated_when: Conditions = ()
+    type: str | None = None
+    chance: float = 1.0
+    inherited: float = 1.0
 
     def __post_init__(self) -> None:
         where = f"cogniton {self.name!r}"
@@ -57,11 +76,26 @@ class Cogniton:
             raise SchemeError(f"starting {shown(self.starting)} of {where}", "True or False")
         settle(self, "starting", bool(self.starting))
         _check_links(self, where)
+        for name in ("active_while", "activated_when", "deactivated_when"):
+            settle(self, name, conditions_in(getattr(self, name), f"{name} of {where}"))
+        if self.type is not None and self.type not in TYPES:
+            hint = nearest(self.type, TYPES) if isinstance(self.type, str) else None
+            raise SchemeError(
+                f"{shown(self.type)} as the type of {where}", f"one of {', '.join(TYPES)}", hint
+            )
+        for name in ("chance", "inherited"):
+            settle(self, name, checks.checked_share(getattr(self, name), f"{name} of {where}"))
+        _check_becoming(self, where)
+
+    @property
+    def conditions(self) -> Conditions:
+        """All its conditions."""
+        return (*self.active_while, *self.activated_when, *self.deactivated_when)
 
     def __hash__(self) -> int:
         return hash(self.name)
 
-    def __reduce__(self) -> tuple[type[Cogniton], tuple[object, ...]]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), plain_fields(self)
 
 
@@ -254,6 +288,21 @@ def links_of(holder: Cogniton | Culturon) -> tuple[str, ...]:
     return (*holder.influence, *holder.conditional, *holder.reinforcement)
 
 
+def memes_of(scheme: Scheme, learner: Scheme) -> list[tuple[int, int]]:
+    """Return the memes of a scheme that another has as cognitons too: places in that, in the first.
+
+    Args:
+        scheme: that of the mind which is imitated.
+        learner: that of the mind which imitates.
+    """
+    known = {one.name: place for place, one in enumerate(learner.cognitons)}
+    return [
+        (known[one.name], place)
+        for place, one in enumerate(scheme.cognitons)
+        if one.type == "meme" and one.name in known
+    ]
+
+
 def settle(described: object, name: str, value: object) -> None:
     """Set a field of a description that is otherwise frozen."""
     object.__setattr__(described, name, value)
@@ -279,6 +328,20 @@ def _check_links(holder: Cogniton | Culturon, where: str) -> None:
         settle(holder, links, weights)
     plans = checks.checked_names(holder.conditional, f"conditional links of {where}")
     settle(holder, "conditional", tuple(dict.fromkeys(plans)))
+
+
+def _check_becoming(one: Cogniton, where: str) -> None:
+    """Refuse what says twice, and not alike, when a cogniton is active."""
+    if one.active_while and (one.activated_when or one.deactivated_when):
+        other = "activated_when" if one.activated_when else "deactivated_when"
+        found = f"active_while and {other} of {where}"
+        raise SchemeError(found, None, "active_while says all: leave the other out")
+    if one.chance < 1.0 and one.active_while:
+        found = f"chance and active_while of {where}"
+        raise SchemeError(found, None, "its conditions say when it is active: leave chance out")
+    if one.chance < 1.0 and not one.starting:
+        found = f"chance of {where}, which no mind has at birth"
+        raise SchemeError(found, None, "leave chance out, or let it be active at birth")
 
 
 def described_once(

@@ -127,6 +127,11 @@ class CognitiveScheme:
         """
         return tuple(dict.fromkeys((*(self.plan_order or ()), *self.linked_plans)))
 
+    @cached_property
+    def has_conditions(self) -> bool:
+        """Whether some cogniton has conditions."""
+        return any(one.conditions for one in self.cognitons)
+
     @classmethod
     def load(
         cls, path: str | Path, decision_makers: Iterable[type[DecisionMaker]] = ()
@@ -184,18 +189,21 @@ class CognitiveScheme:
             found = f"the file cannot be written ({error.strerror or type(error).__name__})"
             raise SchemeError(found, remedy="check the path", file=path) from None
 
-    def check(self, plans: Iterable[str] | None = None) -> list[Finding]:
+    def check(
+        self, plans: Iterable[str] | None = None, written: Iterable[str] | None = None
+    ) -> list[Finding]:
         """Return what the linter finds odd in the scheme; see `coglogo_py.lint`.
 
         Args:
             plans: the plans that the model carries out; None: those of `plan_order`, if written.
+            written: the cognitons that the model's rules set; None: that is not known.
 
         >>> CognitiveScheme("cows", (Cogniton("Mood"),)).check()[0].kind
         'cogniton without effect'
         """
         from coglogo_py.lint import findings
 
-        return findings(self, plans)
+        return findings(self, plans, written)
 
     def _holders(self) -> Iterator[Cogniton | Culturon]:
         yield from self.cognitons

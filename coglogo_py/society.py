@@ -127,6 +127,9 @@ class Society(Closed):
         first = int(minds.counters[kernel.NEXT_MIND])
         minds.mind_id[slots] = np.arange(first, first + count)
         minds.values[slots] = self.arrays.start
+        if len(self.arrays.chances):
+            for slot in slots.tolist():
+                kernel.draw_at_birth(self.arrays, minds, slot, -1)
         minds.draws[slots] = 0
         minds.group_slot[slots] = -1
         minds.role[slots] = -1

@@ -13,6 +13,8 @@ from numba.extending import register_jitable
 LOW_32 = 0xFFFFFFFF
 MIND_STREAMS = 0x4D490000
 """Tag of the streams that decisions draw from; the model's other streams have other tags."""
+MIND_BIRTH_STREAMS = 0x4D420000
+"""Tag of those that say what a mind has at birth, by mind and name of the cogniton."""
 
 
 @register_jitable

@@ -21,6 +21,7 @@ from coglogo_py import CognitiveScheme
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents import idleness
 from socialmind.agents.agent_columns import agent_columns, default_series
+from socialmind.compiling.layout import further_arrays
 from socialmind.engine.engine import Engine
 from socialmind.engine.explaining import explained
 from socialmind.errors import SocialmindError
@@ -136,7 +137,14 @@ class Model(metaclass=ModelKind):
         self._steerings = kind.steerings(hierarchy)
         self.assemblies = {name: one.assembly for name, one in self._steerings.items()}
         self.program = kind.typed(compiled)
-        self.record = kind._blueprint.record_of(self.program)
+        shared = kind._blueprint
+        self.schemes, files = making.schemes_of(
+            self.populations, kind.folder, scheme, kind.name, shared.schemes
+        )
+        self.conditioned = making.conditioned(self, files)
+        self.record = shared.record_of(
+            self.program, further_arrays(self.conditioned, self.program.imitations)
+        )
         self.contexts: NDArray[Any] = self.record.new()
         self.context: Any = self.contexts[0]
         tables = {name: parameters.pop(name) for name in kind.populations if name in parameters}
@@ -144,10 +152,6 @@ class Model(metaclass=ModelKind):
         making.set_values(self.context, kind.parameters, kind.variables, parameters, kind.name)
         making.ignore(self.context, kind.interruptions, self.without, kind.name)
         self.ground = making.ground_of(self, kind.declared_world)
-        shared = kind._blueprint
-        self.schemes, files = making.schemes_of(
-            self.populations, kind.folder, scheme, kind.name, shared.schemes
-        )
         beginnings = making.beginnings_of(self, tables, parameters, kind.folder)
         self.tables: dict[str, Table] = making.tables_of(self, self._steerings, beginnings, shared)
         self.ground.settle_in()

@@ -25,6 +25,7 @@ def mind_columns(table: Table) -> dict[str, NDArray[Any]]:
     society = table.society
     if society is None:
         return {}
+    table.heed_conditions()
     scheme, arrays, minds = society.scheme, society.arrays, society.minds
     slots = table.columns["_mind"][table.slots]
     values = minds.values[slots]

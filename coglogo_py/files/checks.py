@@ -34,6 +34,13 @@ def checked_number(value: object, where: str) -> float:
     raise SchemeError(f"{shown(value)} as {where}", "a finite number")
 
 
+def checked_share(value: object, where: str) -> float:
+    """Return a probability, 0 … 1."""
+    if is_number(value) and 0 <= value <= 1:  # type: ignore[operator]  # a Real
+        return float(value)  # type: ignore[arg-type]  # likewise
+    raise SchemeError(f"{shown(value)} as {where}", "a number, 0 … 1")
+
+
 def checked_colour(value: object, where: str) -> tuple[int, int, int]:
     """Return red, green and blue, each 0 … 255."""
     if (

@@ -27,6 +27,11 @@ from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_cal
 from coglogo_py.parts import AScheme, Cogniton, Culturon, Group, Role, Scheme
 
 SECTIONS = ("INFLUENCE", "DEPENDENCY", "REINFORCEMENT")
+OF_YAML_ALONE = (
+    *("active_while", "activated_when", "deactivated_when"),
+    *("type", "chance", "inherited"),
+)
+"""What of a cogniton such a file does not hold."""
 KEYWORDS = frozenset(("STARTCS", "PLANPOS", "BREEDS", "COG", "GRP", "ROL", *SECTIONS, "ENDCS"))
 
 # What Java's parseDouble takes, less hexadecimal, NaN and Infinity.
@@ -303,6 +308,15 @@ def written(scheme: Scheme) -> str:
                 "none: a CogLogo file holds no attributes of groups",
                 "save it as .yaml",
             )
+    for one in scheme.cognitons:
+        plain = Cogniton(one.name, one.starting, one.start_value)
+        for name in OF_YAML_ALONE:
+            if getattr(one, name) != getattr(plain, name):
+                raise SchemeError(
+                    f"{name} of the cogniton {one.name!r}",
+                    "none: a CogLogo file does not hold it",
+                    "save it as .yaml",
+                )
     if scheme.plans != scheme.linked_plans:
         raise SchemeError(
             f"the plans' own order {list(scheme.plans)}",

@@ -14,6 +14,7 @@ from typing import Any
 import yaml
 
 from coglogo_py.border.errors import SchemeError
+from coglogo_py.conditions.condition import Condition, Conditions
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
 from coglogo_py.files.yaml_nodes import NOTHING, TRUTH, Nodes, composed
 from coglogo_py.parts import GREY, AScheme, Cogniton, Culturon, Group, Role, Scheme
@@ -24,7 +25,10 @@ TOP_FIELDS = (
 )  # fmt: skip
 LINK_FIELDS = ("influence", "conditional", "reinforcement")
 CULTURON_FIELDS = ("start", "colour", "position", *LINK_FIELDS)
-COGNITON_FIELDS = ("at_birth", *CULTURON_FIELDS)
+CONDITION_FIELDS = ("active_while", "activated_when", "deactivated_when")
+COGNITON_FIELDS = (
+    "at_birth", *CULTURON_FIELDS, *CONDITION_FIELDS, "type", "chance", "inherited",
+)  # fmt: skip
 
 
 Attributes = tuple[tuple[str, float], ...]
@@ -83,7 +87,34 @@ def _cogniton(nodes: Nodes, name: str, node: yaml.Node) -> Cogniton:
     given = nodes.fields(node, where, COGNITON_FIELDS)
     birth = given.get("at_birth")
     starting = True if birth is None else nodes.truth(birth, f"at_birth of {where}")
-    return Cogniton(name, starting, **_described(nodes, given, where, Culturon(name)))
+    described = _described(nodes, given, where, Culturon(name))
+    for one in CONDITION_FIELDS:
+        if one in given:
+            described[one] = _conditions(nodes, given[one], f"{one} of {where}")
+    for one in ("chance", "inherited"):
+        if one in given:
+            described[one] = nodes.number(given[one], f"{one} of {where}")
+    if "type" in given:
+        described["type"] = nodes.name(given["type"], f"type of {where}")
+    try:
+        return Cogniton(name, starting, **described)
+    except SchemeError as error:  # a share beyond 1, an unknown type, or what excludes another
+        said = next((one for field, one in given.items() if field in error.found), node)
+        raise error.at(nodes.file, said.start_mark.line + 1) from None
+
+
+def _conditions(nodes: Nodes, node: yaml.Node, where: str) -> Conditions:
+    """Return the conditions that a text, or a list of texts, writes."""
+    several = nodes.items(node, where) if isinstance(node, yaml.SequenceNode) else [node]
+    found = []
+    for one in several:
+        text = nodes.name(one, where)
+        line = one.start_mark.line + 1
+        try:
+            found.append(Condition.parsed(text, where, line))
+        except SchemeError as error:
+            raise error.at(nodes.file, line) from None
+    return tuple(found)
 
 
 def _described(
@@ -204,7 +235,7 @@ def written(scheme: Scheme) -> str:
     for cogniton in scheme.cognitons:
         lines.append(f"  {_text(cogniton.name)}:")
         lines.append(f"    at_birth: {'true' if cogniton.starting else 'false'}")
-        lines += _rest(cogniton, "    ")
+        lines += _rest(cogniton, "    ") + _becoming(cogniton, "    ")
     if scheme.groups:
         lines.append("groups:")
     for group in scheme.groups:
@@ -240,6 +271,24 @@ def _rest(holder: Cogniton | Culturon, indent: str) -> list[str]:
     if holder.conditional:
         lines += _list("conditional", holder.conditional, indent)
     return lines + _mapping("reinforcement", reinforcement, indent)
+
+
+def _becoming(cogniton: Cogniton, indent: str) -> list[str]:
+    """Return the lines that say when a cogniton is active, what it is and how it is passed on."""
+    lines = []
+    for name in CONDITION_FIELDS:
+        texts = [f'"{one}"' for one in getattr(cogniton, name)]
+        if texts:
+            lines.append(f"{indent}{name}: {texts[0] if len(texts) == 1 else _flow(texts)}")
+    if cogniton.type is not None:
+        lines.append(f"{indent}type: {cogniton.type}")
+    shares = {"chance": cogniton.chance, "inherited": cogniton.inherited}
+    lines += [f"{indent}{name}: {_number(one)}" for name, one in shares.items() if one != 1.0]
+    return lines
+
+
+def _flow(texts: list[str]) -> str:
+    return f"[{', '.join(texts)}]"
 
 
 def _mapping(field: str, values: dict[str, str], indent: str) -> list[str]:

@@ -78,6 +78,15 @@ class AgentMind(Mind):
     def __reduce__(self) -> tuple[Any, ...]:
         return _mind, (self._row,)
 
+    @property
+    def slot(self) -> int:
+        """Where the society holds the mind, which heeds its conditions, as it is asked."""
+        slot = super().slot
+        heeding = self._row._table._heeding
+        if heeding is not None:
+            heeding.heed(self._row._slot, slot)
+        return slot
+
     def explain(self, within: Mapping[str, tuple[float, float]] | None = None) -> Receipt:
         """Return the receipt of the next decision; changes stay within the population's bounds."""
         table = self._row._table

@@ -21,6 +21,7 @@ class Running(Protocol):
         context: the record itself.
         tables: its populations and networks, by name.
         schemes: the schemes of those with cogniton minds.
+        conditioned: the populations whose schemes have conditions.
         assemblies: the hierarchies of those with skills, laid out.
         names: where in them the names stand that rules write, by population.
         program: its typed rules.
@@ -39,6 +40,7 @@ class Running(Protocol):
     context: Any
     tables: dict[str, Any]
     schemes: dict[str, Any]
+    conditioned: tuple[str, ...]
     assemblies: dict[str, Any]
     names: dict[str, NDArray[Any]]
     program: Program

@@ -12,9 +12,11 @@ import typer
 
 from coglogo_py import CognitiveScheme, SchemeError
 from coglogo_py.border.errors import shown
+from socialmind.agents.heeding import check_conditions
 from socialmind.catalogue import load_model
 from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.fields import place_of_field
 from socialmind.language.syntax import parsed
 from socialmind.mind.code.mind_code import check_program
 from socialmind.mind.files.evoagents.text_file import inside
@@ -151,21 +153,25 @@ def _declared_schemes(
 
 def findings_of_model(model_class: type[Model]) -> list[str]:
     """Type a model's rules and check its schemes against the plans it declares."""
-    model_class.typed(compiled=True)
+    program = model_class.typed(compiled=True)
     odd = []
     for name, population in model_class.populations.items():
         if population.mind is None:
             continue
         scheme = population.mind
         place = name
+        at: tuple[str | Path | None, int | None] = place_of_field(model_class, name)
         if not isinstance(scheme, CognitiveScheme):
             path = model_class.folder() / scheme
-            place = str(path)
+            place, at = str(path), (path, None)
             if not path.is_file():
                 raise SocialmindError(f"{path}: no such file; {name} take their minds from it")
             scheme, cut = _read(path, population.decision_makers)
             odd += cut
-        found: list[Finding] = scheme.check(plans=population.plans)
+        shape = model_class.shape
+        fields = shape.populations[name].fields
+        check_conditions(scheme, name, fields, shape.parameters, at)
+        found: list[Finding] = scheme.check(population.plans, program.cognitons_set(name))
         odd += [f"{place}: {one}" for one in found]
     return odd + _findings_of_hierarchies(model_class)
 

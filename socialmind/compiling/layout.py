@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -39,6 +40,11 @@ WEIGHING: dict[str, tuple[str, int]] = {
 }
 """Further arrays of a population whose hierarchies weigh plans, as `WeighingPlaces` has them."""
 
+
+CONDITIONS: dict[str, tuple[str, int]] = {"conditions": ("int64", 2), "sides": ("float64", 2)}
+"""Further arrays of a population whose scheme has conditions, as `agents.heeding` has them."""
+Further = tuple[tuple[str, str, str, int], ...]
+"""Arrays that depend on more than the shape: population, name, NumPy type and dimensions."""
 
 LINKS: dict[str, tuple[str, int]] = {
     "heads_out": ("int64", 2),
@@ -91,8 +97,27 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
     return np.dtype(columns or [("_empty", "i1")], align=population is not None)
 
 
+def further_arrays(
+    conditioned: Iterable[str], imitations: Iterable[tuple[str, str, str]]
+) -> Further:
+    """Return the further arrays of a society.
+
+    Args:
+        conditioned: the populations whose schemes have conditions.
+        imitations: how rules let minds imitate, as `Program.imitations` has it.
+    """
+    found = [(name, one, *kind) for name in conditioned for one, kind in CONDITIONS.items()]
+    for command, learner, other in imitations:
+        if command == "imitate_memes":
+            found.append((learner, f"memes_{other}", "int64", 2))
+    return tuple(found)
+
+
 def model_dtype(
-    shape: ModelShape, more: tuple[str, ...] = (), sought: tuple[str, ...] = ()
+    shape: ModelShape,
+    more: tuple[str, ...] = (),
+    sought: tuple[str, ...] = (),
+    further: Further = (),
 ) -> np.dtype[Any]:
     """Return the model's record: parameters, variables, and where everything else is.
 
@@ -100,6 +125,7 @@ def model_dtype(
         shape: the model's.
         more: columns that what its rules call of the world needs.
         sought: the populations whose agents rules look for.
+        further: arrays that its minds or its rules ask for.
     """
     columns: Columns = []
     for field in [*shape.parameters.values(), *shape.variables.values()]:
@@ -117,9 +143,16 @@ def model_dtype(
         if population.hierarchy:
             columns.append((f"_{name}_hierarchy", "i8"))
         for array, (_, dimensions) in population_arrays(population).items():
-            columns.append((f"_{name}_{array}", "i8"))
-            columns += [(f"_{name}_{array}_{axis}", "i8") for axis in range(dimensions)]
+            columns += _address_of(name, array, dimensions)
+    for name, array, _, dimensions in further:
+        columns += _address_of(name, array, dimensions)
     return np.dtype(columns, align=True)
+
+
+def _address_of(population: str, array: str, dimensions: int) -> Columns:
+    """Return the columns that say where an array is, and how large."""
+    place = f"_{population}_{array}"
+    return [(place, "i8"), *((f"{place}_{axis}", "i8") for axis in range(dimensions))]
 
 
 def dtype_text(dtype: np.dtype[Any]) -> str:

@@ -356,6 +356,15 @@ class _Lowering(ast.NodeTransformer):
 
     lower_hierarchy = lower_mind
 
+    def lower_imitation(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
+        _, command, (learner, other), places = mark
+        names = [
+            self.lower_name(node, ("name", population, place))
+            for population, place in zip((learner, other), places, strict=False)
+        ]
+        agents = self.visit(node.func.value), self.visit(node.args[-1])
+        return _call(f"_{command}_{learner}_{other}", *agents, *names)
+
     def lower_outcome(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         *sides, stream = (self.visit(argument) for argument in node.args)
         records = [

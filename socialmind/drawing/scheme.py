@@ -9,12 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from matplotlib.lines import Line2D
 from matplotlib.patches import FancyBboxPatch, PathPatch
 from matplotlib.path import Path
 
+from coglogo_py.parts import TYPES
 from socialmind.drawing import style as paper
 
 if TYPE_CHECKING:
@@ -29,6 +30,8 @@ COGNITONS, PLANS, WEIGHTS = 0.27, 0.67, 0.39
 GAP = 0.7
 """Of a line, between two cognitons."""
 THIN, THICK = 0.5, 2.2
+MARKS = dict(zip(TYPES, "osvD^P", strict=True))
+"""How boxes are marked by the type of their cogniton."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,8 @@ def draw_scheme(scheme: CognitiveScheme, axes: Axes, lines: float | None = None)
     for one in scheme.cognitons:
         high = max(1, len(links[one.name]))
         _box(axes, 0.0, COGNITONS, top, high, one.name, tuple(c / 255 for c in one.colour))
+        if one.type is not None:
+            axes.plot(0.034, top + high / 2, MARKS[one.type], **MARKED)
         for place, link in enumerate(links[one.name]):
             y = top + place + 0.5
             axes.text(
@@ -94,9 +99,22 @@ def lines_of(scheme: CognitiveScheme) -> float:
     return max(sum(high), 1.6 * len(scheme.plans))
 
 
-def key() -> list[Line2D]:
-    """Return marks for a legend, which say what the lines are."""
+MARKED: dict[str, Any] = {"color": paper.INK, "markersize": 3.0, "markeredgewidth": 0.0}
+
+
+def key(*schemes: CognitiveScheme) -> list[Line2D]:
+    """Return marks for a legend, which say what the lines are, and of which type cognitons.
+
+    Args:
+        schemes: those that are drawn, as far as their types are to be explained.
+    """
+    there = {one.type for scheme in schemes for one in scheme.cognitons}
     return [
+        *(
+            Line2D([], [], marker=mark, linestyle="", label=name, **MARKED)
+            for name, mark in MARKS.items()
+            if name in there
+        ),
         Line2D([], [], color=POSITIVE, linewidth=1.6, label="speaks for a plan"),
         Line2D([], [], color=NEGATIVE, linewidth=1.6, label="speaks against it"),
         Line2D([], [], color=paper.GREY, linewidth=0.8, linestyle=":", label="opens a plan"),

@@ -185,13 +185,6 @@ def _deliver_NAME(_model):
     )"""
 
 _MINDS = """@_inner
-def _mind_place_NAME(agent):
-    if agent._mind < 0:
-        raise ValueError("the mind of an agent that is dead")
-    return agent._mind
-
-
-@_inner
 def _mind_choose_next_plan_NAME(_model, agent):
     plan = _decide_NAME(_model, agent)
     agent._decided = _model._tick
@@ -207,7 +200,7 @@ def _decide_NAME(_model, agent):
     return _choose_NAME(
         _scheme_NAME(_model),
         _minds_NAME(_model),
-        _mind_place_NAME(agent),
+        _asked_NAME(_model, agent),
         _weights_NAME(_model),
         _plans_NAME(_model),
     )
@@ -217,7 +210,7 @@ _choose_NAME = _kernel.choose_next_plan"""
 
 _DECIDE_IN_STEPS = """@_inner
 def _decide_NAME(_model, agent):
-    slot = _mind_place_NAME(agent)
+    slot = _asked_NAME(_model, agent)
     scheme = _scheme_NAME(_model)
     minds = _minds_NAME(_model)
     weights = _weights_NAME(_model)
@@ -300,8 +293,9 @@ def population_text(
                 f"agent._mind = _kernel.new_mind(_scheme_{name}(_model), _minds_{name}(_model))"
             ),
             "HATCHED_MIND": (
-                f"agent._mind = _kernel.hatch("
-                f"_scheme_{name}(_model), _minds_{name}(_model), parent._mind, keep_groups)"
+                f"agent._decided = -1\n    agent._mind = _kernel.hatch("
+                f"_scheme_{name}(_model), _minds_{name}(_model), _asked_{name}(_model, parent), "
+                f"keep_groups)"
             ),
             "DEAD_MIND": (
                 f"_kernel.die(_scheme_{name}(_model), _minds_{name}(_model), agent._mind)\n"
@@ -360,5 +354,5 @@ def _command_text(population: str, command: str) -> str:
     return (
         f"@_inner\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
         f"    return _kernel.{command}({scheme}_minds_{population}(_model), "
-        f"_mind_place_{population}(agent){arguments})"
+        f"_asked_{population}(_model, agent){arguments})"
     )

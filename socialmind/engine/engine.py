@@ -68,7 +68,7 @@ class Engine:
             if loops not in program.made:
                 own = {name: maker.choose for name, maker in self._own_makers().items()}
                 try:
-                    text = module_text(program, frozenset(own))
+                    text = module_text(program, frozenset(own), self.model.conditioned)
                     program.made[loops] = compiled_module(text, own)
                 except NumbaError as error:
                     self._refuse_makers(error)
@@ -82,7 +82,8 @@ class Engine:
 
     def _loops(self) -> tuple[tuple[str, str], ...]:
         """Return what tells the compiled loops of one program from each other."""
-        return tuple((name, fingerprint(one.choose)) for name, one in self._own_makers().items())
+        makers = [(name, fingerprint(one.choose)) for name, one in self._own_makers().items()]
+        return (*makers, *((name, "conditions") for name in self.model.conditioned))
 
     @property
     def functions(self) -> dict[str, Callable[..., Any]]:

@@ -9,27 +9,33 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from socialmind.compiling.aggregates import aggregate_name, aggregate_text
-from socialmind.compiling.layout import dtype_text, model_dtype
+from socialmind.compiling.layout import dtype_text, further_arrays, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
 from socialmind.engine import interactions_text
 from socialmind.engine.access import AGENTS, THERE, population_text
+from socialmind.engine.conditions_text import ASKED, heeding_text
+from socialmind.engine.imitation_text import imitation_text
 from socialmind.engine.plans_text import call_text, plans_text
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
 from socialmind.streams import ORDER_TAG
 
 
-def module_text(program: Program, own_makers: frozenset[str]) -> str:
+def module_text(
+    program: Program, own_makers: frozenset[str], conditioned: tuple[str, ...] = ()
+) -> str:
     """Return the source of a program's compiled module.
 
     Args:
         program: the typed functions and phases.
         own_makers: populations whose scheme has a decision maker of the modeller's own; the loader
             puts its function into the module as `_own_<population>`.
+        conditioned: populations whose scheme has conditions.
     """
     shape = program.shape
-    record = dtype_text(model_dtype(shape, program.world_columns, program.sought))
+    further = further_arrays(conditioned, program.imitations)
+    record = dtype_text(model_dtype(shape, program.world_columns, program.sought, further))
     parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
     parts.append(world.before)
@@ -49,6 +55,11 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         indexed, reconsiders = name in program.indexed, name in program.reconsidered
         own = name in own_makers
         parts.append(population_text(population, own, leaving, indexed, reconsiders))
+        if population.minded:
+            plain = ASKED.replace("NAME", name)
+            heeds = name in conditioned
+            parts.append(heeding_text(population) if heeds else plain)
+    parts += [imitation_text(*one) for one in program.imitations]
     if program.sought:
         from socialmind.worlds.neighbours.text import text
 
@@ -79,7 +90,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     schedule = listing + _calls(program.schedule)
     tick = world.tick.replace("PHASES", schedule)
     parts.append(world.stages.replace("PHASES", schedule))
-    parts.append(_loops_text(shape, program, setup, tick))
+    parts.append(_loops_text(shape, program, setup, tick, conditioned))
     parts.append(world.after.replace("SETUP", setup or "    pass"))
     return "\n\n\n".join(part for part in parts if part) + "\n"
 
@@ -208,8 +219,11 @@ def _calls(phases: Sequence[Phase]) -> str:
     return "".join(f"    _phase_{phase.tag}(_model, rng)\n" for phase in phases)
 
 
-def _loops_text(shape: ModelShape, program: Program, setup: str, tick: str) -> str:
+def _loops_text(
+    shape: ModelShape, program: Program, setup: str, tick: str, conditioned: tuple[str, ...]
+) -> str:
     settle = "    _births(_model, _stream(_model))\n" if program.at_birth else ""
+    settle += "".join(f"    _heed_all_{name}(_model)\n" for name in conditioned)
     messages = [name for name, one in shape.populations.items() if one.messages_to is not None]
     settle += "".join(f"    _vanish_{name}(_model)\n" for name in messages)
     settle += "".join(

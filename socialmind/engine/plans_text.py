@@ -22,7 +22,7 @@ _RECONSIDER = """from socialmind.agents.plan_steps import outweighed as _outweig
 def _reconsider_plan_NAME(_model, agent, factor):
     if not factor >= 1.0:
         raise ValueError("reconsider_plan() wants a factor of 1 or more")
-    slot = _mind_place_NAME(agent)
+    slot = _asked_NAME(_model, agent)
     before = agent._plan
     if before < 0ENDED:
         plan = _mind_choose_next_plan_NAME(_model, agent)

@@ -128,6 +128,8 @@ def taken(takes: tuple[str, ...], agent: Any, model: Running, rng: Stream) -> di
 
 
 def _settle(model: Running) -> None:
+    for name in model.conditioned:
+        model.tables[name].heed_conditions()
     let_vanish(model.tables)
     for table in model.tables.values():
         table.settle()

@@ -73,6 +73,10 @@ class Phase:
     tag: int
 
 
+_SETTING = ("set_cogniton_value", "add_to_cogniton_value", "activate_cogniton")
+"""What a rule does with a mind to set a cogniton."""
+
+
 class Program:
     """The typed functions of a model.
 
@@ -99,6 +103,7 @@ class Program:
         self.aggregates: list[tuple[str, str, Field]] = []
         self.plans: dict[str, TypedPlans] = {}
         self.reconsidered = set[str]()
+        self.imitations: list[tuple[str, str, str]] = []
         self.made: dict[Any, Any] = {}
         self._codes: dict[str, python_types.CodeType] | None = None
         self._sources: dict[Callable[..., Any], RuleSource] = {}
@@ -223,6 +228,11 @@ class Program:
         if (population, what, field) not in self.aggregates:
             self.aggregates.append((population, what, field))
 
+    def imitates(self, command: str, learner: str, other: str) -> None:
+        """Note that minds of a population take something over from those of one."""
+        if (command, learner, other) not in self.imitations:
+            self.imitations.append((command, learner, other))
+
     def calls_world(self, *call: str) -> None:
         """Note that rules call something of the world: its name, then populations and fields."""
         if call not in self.world_calls:
@@ -275,6 +285,16 @@ class Program:
         """The populations of which a rule uses an agent that may be None."""
         used = (mark[1] for mark in self._marks() if mark[0] == "agent_there")
         return tuple(dict.fromkeys(used))
+
+    def cognitons_set(self, population: str) -> set[str]:
+        """Return the cognitons of a population's minds that its rules set or make active."""
+        written = self.names[population]
+        found = set()
+        for mark in self._marks():
+            sets = mark[:2] == ("mind", population) and len(mark) > 2 and mark[2] in _SETTING
+            if sets or (mark[:2] == ("imitation", "imitate") and mark[2][0] == population):
+                found.add(written[mark[3][0]].keys[0])
+        return found
 
     def _marks(self) -> Iterator[tuple[Any, ...]]:
         for function in self.functions.values():

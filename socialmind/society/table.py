@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.parts import memes_of
 from socialmind.agents import bookkeeping
 from socialmind.agents.attributes import unknown
+from socialmind.agents.heeding import Heeding
 from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import Row
 from socialmind.columns import column, columns_of
@@ -112,6 +114,8 @@ class Table:
             self.weighing = weighing.places(society.scheme, description)
         self._bare, self._held = form.row_classes(self._keepers)
         self.row_class: type[Row] = self._held
+        heeds = society is not None and shape.name in model.conditioned
+        self._heeding = Heeding(self) if heeds else None
         self._scratch: dict[str, NDArray[Any]] = {}
         self._networks: list[Any] = []
         self._placed_by: Beginning | None = None
@@ -259,9 +263,15 @@ class Table:
         if self.society is None or name not in names:
             hint = nearest(name, names)
             raise SocialmindError(f"{self.shape.name!r} has no cogniton {name!r}; {hint}")
+        self.heed_conditions()
         slots = self.columns["_mind"][self.slots]
         column: NDArray[np.float64] = self.society.minds.values[slots, names.index(name)]
         return column
+
+    def heed_conditions(self) -> None:
+        """Let all minds heed the conditions of their scheme, if it has some."""
+        if self._heeding is not None:
+            self._heeding.heed_all()
 
     def contains(self, identity: int) -> bool:
         """Say whether an agent of this identity lives."""
@@ -309,6 +319,7 @@ class Table:
             self.columns["_plan"][slot] = self.columns["_step"][slot] = ENDED
         agent = self._named(slot)
         if self.society is not None:
+            self.columns["_decided"][slot] = -1  # its plan is its parent's, as a field is
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
         if self.minds is not None:
             self.minds.copy(parent._slot, slot)
@@ -452,6 +463,12 @@ class Table:
             }
             if self.weighing is not None:
                 self._scratch |= vars(self.weighing)
+            if self._heeding is not None:
+                self._scratch |= self._heeding.arrays
+            for command, learner, other in program.imitations:
+                if command == "imitate_memes" and learner == self.shape.name:
+                    places = memes_of(self.model.tables[other].society.scheme, scheme)
+                    self._scratch[f"memes_{other}"] = np.array(places, np.int64).reshape(-1, 2)
         return self._scratch
 
     def index(self, program: Program) -> dict[str, NDArray[Any]]:

@@ -211,3 +211,31 @@ def test_names_that_are_alike_or_odd():
 )
 def test_the_original_models_have_no_findings(shared_data, name):
     assert CognitiveScheme.load(shared_data(f"cogscheme/{name}.cogscheme")).check() == []
+
+
+def test_types_and_conditions_that_are_hardly_meant():
+    cognitons = (
+        Cogniton("Light", conditional=("go",), reinforcement={"go": 1}, type="percept"),
+        Cogniton("Tall", conditional=("go",), reinforcement={"go": 1, "eat": 0}, type="trait"),
+        Cogniton("Seen", conditional=("go",), active_while="x > 0", type="percept"),
+        Cogniton("Hunger", conditional=("go",), reinforcement={"go": 1}, type="need"),
+        Cogniton("Late", conditional=("go",), activated_when="x > 0"),
+        Cogniton("Later", starting=False, conditional=("go",), activated_when="x > 0"),
+    )
+    scheme = CognitiveScheme("cows", cognitons)
+    kinds = ("not as its type", "condition without effect")
+
+    def found(written):
+        return [str(one) for one in scheme.check(written=written) if one.kind in kinds]
+
+    assert found(None) == [
+        "condition without effect: activated_when of cogniton 'Late': active at birth and made "
+        "inactive by no condition; write at_birth: false",
+        "not as its type: percept 'Light': feed-back from 'go' changes what is perceived; drop the "
+        "link or the type",
+        "not as its type: trait 'Tall': feed-back from 'go' changes what stays for life; drop the "
+        "link or the type",
+    ]
+    assert found(["Light"]) == found(None)
+    (more,) = set(found([])) - set(found(None))
+    assert more.startswith("not as its type: percept 'Light': no rule and no condition sets it")

@@ -172,3 +172,23 @@ def test_check_runs_nothing_and_lists_programs(socialmind, grazers, tmp_path):
     result = socialmind("check", mind)
     assert "f.py" in result.stderr
     assert result.exit_code != 7
+
+
+def test_check_of_a_model_knows_fields_and_what_its_rules_set(
+    socialmind, refused, grazers, tmp_path
+):
+    shutil.copytree(grazers, tmp_path / "odd")
+    scheme = tmp_path / "odd" / "scheme.yaml"
+    plain = scheme.read_text()
+    scheme.write_text(plain.replace("  Hunger:\n", "  Hunger:\n    type: percept\n"))
+    assert socialmind("check", tmp_path / "odd", "--trust").exit_code == 0
+    more = "  Light:\n    type: percept\n    conditional: [Graze]\n  Hunger:\n"
+    scheme.write_text(plain.replace("  Hunger:\n", more))
+    result = socialmind("check", tmp_path / "odd", "--trust")
+    assert "not as its type: percept 'Light': no rule and no condition sets it" in result.stdout
+    scheme.write_text(
+        plain.replace("  Hunger:\n", more.replace("type: percept", "active_while: lux>1"))
+    )
+    line = refused("check", tmp_path / "odd", "--trust")
+    number = scheme.read_text().split("\n").index("    active_while: lux>1") + 1
+    assert f"{scheme}:{number}: found 'lux' in the condition 'lux > 1'" in line

@@ -43,6 +43,27 @@ def test_its_file_says_the_same_as_its_python(homestead, tmp_path):
     assert Interaction.load(file) == homestead.theft
 
 
+def test_hunger_comes_at_one_threshold_and_goes_at_another(homestead):
+    society = homestead(seed=1)
+    hungry = np.zeros((150, len(society.humans)), bool)
+    energy = np.zeros(hungry.shape)
+    for tick in range(150):
+        society.advance(1)
+        hungry[tick] = ~np.isnan(society.humans.cogniton("Famished"))
+        energy[tick] = society.humans.energy
+    assert hungry[energy < 3].all() and not hungry[energy > 8].any()
+    between = (energy > 3) & (energy < 8)
+    assert 0 < hungry[between].sum() < between.sum()
+    fasting = (energy[1:] < energy[:-1]) & between[1:] & between[:-1]
+    assert (hungry[1:] == hungry[:-1])[fasting].all()
+
+
+def test_thrift_spreads(homestead, both):
+    begun = ~np.isnan(homestead(seed=1).humans.cogniton("Thrift"))
+    assert 0 < begun.sum() < len(begun)
+    assert not np.isnan(both[0].humans.cogniton("Thrift")).any()
+
+
 def test_its_humans_reap_and_flee(both):
     assert min(both[0].humans.corn) > 0
     assert {"farm", "rest"} <= set(both[0].agents()["plan"])

@@ -1,5 +1,7 @@
 """Drawings of cognitive schemes."""
 
+from matplotlib.figure import Figure
+
 from coglogo_py import CognitiveScheme, Cogniton
 from socialmind.drawing import style as paper
 from socialmind.drawing.scheme import (
@@ -7,6 +9,7 @@ from socialmind.drawing.scheme import (
     NEGATIVE,
     POSITIVE,
     draw_scheme,
+    key,
     lines_of,
 )
 
@@ -50,3 +53,17 @@ def test_nothing_lies_outside_of_the_lines_that_it_takes():
 def test_a_scheme_without_links_is_boxes():
     axes = drawn(CognitiveScheme("still", (Cogniton("Rest"),)))
     assert [text.get_text() for text in axes.texts] == ["Rest"]
+
+
+def test_types_are_marked_and_explained_where_there_are_some():
+    plain = Cogniton("Hunger", influence={"eat": 1})
+    typed = Cogniton("Fashion", influence={"eat": 1}, type="meme")
+    figure = Figure()
+    axes = figure.subplots(1, 2)
+    for one, cogniton in zip(axes, (plain, typed), strict=True):
+        draw_scheme(CognitiveScheme("cows", (cogniton,)), one)
+    lines = [sum(line.get_marker() == "P" for line in one.lines) for one in axes]
+    assert lines == [0, 1]
+    scheme = CognitiveScheme("cows", (plain, typed))
+    assert [one.get_label() for one in key(scheme)] == ["meme", *(k.get_label() for k in key())]
+    assert key(CognitiveScheme("cows", (plain,)))[0].get_label() == key()[0].get_label()

@@ -1,5 +1,7 @@
 """A hierarchy in the hands of its user: genomes, files, drives and cogniton minds."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from collectors import SENSORS, collector, refused, run, weights_of
@@ -360,6 +362,9 @@ def test_schemes_that_do_not_fit_their_skill():
     refused(lambda: made(inputs=("SE:A", "SD:A")), "two inputs", "'A'")
     lazy = CognitiveScheme("lazy", CHOICE.cognitons, decision_maker=Lazy())
     refused(lambda: made(scheme=lazy), "Lazy", "'lazy'")
+    for given, word in (({"active_while": "x > 0"}, "conditions"), ({"chance": 0.5}, "chances")):
+        odd = replace(CHOICE, cognitons=(*CHOICE.cognitons, Cogniton("Odd", **given)))
+        refused(lambda odd=odd: made(scheme=odd), "'Odd'", word)
 
 
 def test_an_inner_mind_may_join_groups_and_is_put_back_by_reset():

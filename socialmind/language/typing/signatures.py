@@ -40,6 +40,7 @@ MIND: dict[str, Signature] = {
     "get_cogniton_value": Signature((COGNITON,), FLOAT),
     "activate_cogniton": Signature((COGNITON,), NONE),
     "deactivate_cogniton": Signature((COGNITON,), NONE),
+    "is_active": Signature((COGNITON,), BOOL),
     "create_and_join_group": Signature((GROUP, ROLE), BOOL),
     "join_group": Signature((GROUP, ROLE, INT), BOOL),
     "set_participation": Signature((GROUP, FLOAT), NONE),
@@ -57,6 +58,12 @@ MIND: dict[str, Signature] = {
     "get_group_attribute": Signature((GROUP, ATTRIBUTE), FLOAT),
 }
 """The commands of a mind, as `coglogo_py.Mind` spells them."""
+
+IMITATION: dict[str, Signature] = {
+    "imitate": Signature((COGNITON,), BOOL),
+    "imitate_memes": Signature((), INT),
+}
+"""Those that take another mind last; its scheme has to have what they name, too."""
 
 SENSOR, ACTUATOR, VARIABLE, SKILL, SHARED = (
     Named("sensor"),

@@ -86,6 +86,16 @@ class CognitonScheme(InternalFunction):
                     nearest(output.name, self.scheme.plans),
                     output.line,
                 )
+        for held in self.scheme.cognitons:
+            if held.conditions or held.chance < 1.0 or held.inherited < 1.0:
+                raise ModelError(
+                    f"the cogniton {held.name!r} of {self.scheme.name!r} in the skill "
+                    f"{skill.name!r}, with {'conditions' if held.conditions else 'chances'}",
+                    "none: a skill's scheme reads inputs, and has no fields and no births",
+                    "write an input for the cogniton",
+                    skill.file,
+                    skill.line,
+                )
         if type(self.scheme.decision_maker) not in BUILT_IN:
             raise ModelError(
                 f"the decision maker {type(self.scheme.decision_maker).__name__} of "

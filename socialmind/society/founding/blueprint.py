@@ -18,7 +18,7 @@ from coglogo_py.files.reading import content_of, text_of
 from socialmind.agents.message import NEXT, first_message
 from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import HeldRow, Row, held_class, row_class
-from socialmind.compiling.layout import model_dtype, row_dtype
+from socialmind.compiling.layout import Further, model_dtype, row_dtype
 from socialmind.fields import set_default
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import ModelShape, PopulationShape
@@ -58,9 +58,14 @@ class Blueprint:
 
         return KeptMinds()
 
-    def record_of(self, program: Program) -> RecordForm:
-        """Return the layout of a society's record, which depends on what its rules ask for."""
-        asked = program.world_columns, tuple(program.sought)
+    def record_of(self, program: Program, further: Further) -> RecordForm:
+        """Return the layout of a society's record, which depends on what its rules ask for.
+
+        Args:
+            program: the rules.
+            further: arrays that its minds or its rules ask for.
+        """
+        asked = program.world_columns, tuple(program.sought), further
         if asked not in self._records:
             self._records[asked] = RecordForm(self._shape, *asked)
         return self._records[asked]
@@ -73,14 +78,21 @@ class RecordForm:
         shape: the class's.
         more: columns that what its rules call of the world needs.
         sought: the populations whose agents rules look for.
+        further: arrays that minds or rules ask for.
 
     Attributes:
         dtype: the record.
         kept: the columns that are state, and not addresses and sizes.
     """
 
-    def __init__(self, shape: ModelShape, more: tuple[str, ...], sought: tuple[str, ...]) -> None:
-        self.dtype = model_dtype(shape, more, sought)
+    def __init__(
+        self,
+        shape: ModelShape,
+        more: tuple[str, ...],
+        sought: tuple[str, ...],
+        further: Further,
+    ) -> None:
+        self.dtype = model_dtype(shape, more, sought, further)
         kept = {f"_{one}" for one in (*KEPT, *shape.world.kept_columns)}
         names = self.dtype.names or ()
         self.kept = [n for n in names if n[0] != "_" or n.startswith("_has_") or n in kept]

@@ -15,6 +15,7 @@ from coglogo_py.border.errors import shown
 from coglogo_py.border.memory import check_memory
 from coglogo_py.culture import Culture
 from coglogo_py.society import Society
+from socialmind.agents.heeding import check_conditions
 from socialmind.agents.running import Running
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.fields import Field, place_of_field, presence
@@ -188,6 +189,25 @@ def schemes_of(
         if given is None or name not in given:
             _check_plans(name, population, schemes[name], files.get(name))
     return schemes, files
+
+
+def conditioned(society: Running, files: Mapping[str, Path]) -> tuple[str, ...]:
+    """Return the populations whose schemes have conditions.
+
+    Args:
+        society: with its schemes.
+        files: where the schemes were read from, for errors.
+
+    Raises:
+        ModelError: a condition is on what the agents or the model do not have.
+    """
+    found = tuple(name for name, one in society.schemes.items() if one.has_conditions)
+    for name in found:
+        file = files.get(name)
+        place = (file, None) if file is not None else place_of_field(type(society), name)
+        fields = society.shape.populations[name].fields
+        check_conditions(society.schemes[name], name, fields, society.shape.parameters, place)
+    return found
 
 
 def _check_plans(

@@ -13,6 +13,7 @@ from socialmind.language.typing.signatures import (
     BETWEEN_EVALUATIONS,
     CHOSEN,
     HIERARCHY,
+    IMITATION,
     LEFT_OUT,
     MIND,
 )
@@ -25,8 +26,10 @@ def mind_call(
     typer: Typer, node: ast.Call, base: ast.expr, kind: types.MindType, name: str
 ) -> Typed:
     """Return a call of a mind's method as both speeds run it, and the type of its result."""
+    if name in IMITATION:
+        return _imitation(typer, node, base, kind, name)
     if name not in MIND:
-        typer.refuse(node, f"the mind's {name}()", nearest(name, MIND))
+        typer.refuse(node, f"the mind's {name}()", nearest(name, [*MIND, *IMITATION]))
     without_keywords(typer, node, f"mind.{name}")
     signature = MIND[name]
     if len(node.args) != len(signature.arguments):
@@ -42,6 +45,29 @@ def mind_call(
     if result == CHOSEN:
         result = types.PlanType(population)
     return method_call(node, base, name, arguments, ("mind", population, name, places)), result
+
+
+def _imitation(
+    typer: Typer, node: ast.Call, base: ast.expr, kind: types.MindType, name: str
+) -> Typed:
+    """Return what a mind takes over of another one, which may be of another population."""
+    without_keywords(typer, node, f"mind.{name}")
+    wanted = IMITATION[name].arguments
+    complete = len(node.args) == len(wanted) + 1
+    value, whose = typer.expression(node.args[-1]) if complete else (base, None)
+    if not isinstance(whose, types.MindType):
+        cogniton = '"Fashion", ' if wanted else ""
+        advice = f"write agent.mind.{name}({cogniton}other.mind)"
+        typer.refuse(node, f"mind.{name}() of something else", advice, "the mind of another agent")
+    populations = (kind.population, whose.population)
+    arguments: list[ast.expr] = []
+    places: list[int | None] = []
+    for population in populations:
+        arguments, found = _named(typer, node.args[:-1], wanted, population, f"mind.{name}()")
+        places += found
+    typer.program.imitates(name, *populations)
+    mark = ("imitation", name, populations, tuple(places))
+    return method_call(node, base, name, [*arguments, value], mark), IMITATION[name].result
 
 
 def hierarchy_call(

@@ -161,7 +161,11 @@ def run_lanes(address, rounds, nothing):
     return result"""
 
 _SEED = """    _minds_NAME(_model).counters[_kernel.SEED_LOW] = rng.key_0
-    _minds_NAME(_model).counters[_kernel.SEED_HIGH] = rng.key_1"""
+    _minds_NAME(_model).counters[_kernel.SEED_HIGH] = rng.key_1
+    if _scheme_NAME(_model).chances.shape[0] > 0:  # founders have what this seed gives them
+        for place in range(_entries_NAME(_model)):
+            mind = _entry_NAME(_model, place)._mind
+            _kernel.draw_at_birth(_scheme_NAME(_model), _minds_NAME(_model), mind, -1)"""
 
 _RENEW = """    mind = _record_NAME(_model)
     first = _model._NAME_first
