@@ -5,7 +5,8 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import traceback
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from coglogo_py.border.errors import PlacedError, one_line
@@ -77,6 +78,27 @@ class ModelError(PlacedError, SocialmindError):
     >>> print(ModelError("a dictionary", "a number", "use an array field", "model.py", 12))
     model.py:12: found a dictionary; expected a number; use an array field
     """
+
+
+@contextmanager
+def of_model_file(
+    file: str | Path | None = None, line: int | None = None, remedy: str | None = None
+) -> Iterator[None]:
+    """Read a file of a model: what is wrong in it is a `ModelError` that says where and what to do.
+
+    Args:
+        file: of errors that name none.
+        line: of these, unless they name it.
+        remedy: what to do about errors that do not say it.
+
+    Raises:
+        ModelError: in place of the error of a scheme, or of a part of the file.
+    """
+    try:
+        yield
+    except PlacedError as error:
+        place = (file, error.line or line) if error.file is None else (error.file, error.line)
+        raise ModelError(error.found, error.expected, error.remedy or remedy, *place) from None
 
 
 class RuleError(SocialmindError):

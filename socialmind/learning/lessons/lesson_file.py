@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from socialmind.errors import ModelError, nearest
+from socialmind.errors import ModelError, nearest, of_model_file
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.optimisers.registry import OPTIMISERS, optimiser_named
 from socialmind.mind.files.evoagents import simbatch
@@ -86,10 +86,8 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
     }
     if task.learning_method:
         arguments["optimiser"] = task.learning_method.upper()
-    try:
+    with of_model_file(path, places.get("LEARNINGMETHOD")):
         kind = optimiser_named(arguments.get("optimiser", Lesson.optimiser))
-    except ModelError as error:
-        raise _with_place(error, path, places.get("LEARNINGMETHOD")) from None
     given = {
         "generations": ("NUMGEN", task.generations),
         "repetitions": ("EVALREP", task.repetitions),
@@ -115,10 +113,8 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
             arguments[NUMBERS[key.upper()]] = lines.number(value, key, line)
         elif name in kind.known_settings:
             amount = lines.number(value, key, line)
-            try:
+            with of_model_file(path, line):
                 settings[name] = kind.known_settings[name].checked(name, amount)
-            except ModelError as error:
-                raise _with_place(error, path, line) from None
         elif name not in anybody:
             known = [*WHOLE, *TEXTS, *NUMBERS, *(one.upper() for one in kind.known_settings)]
             raise ModelError(
@@ -128,11 +124,5 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
                 path,
                 line,
             )
-    try:
+    with of_model_file(path):
         return Lesson(**arguments, settings=settings)
-    except ModelError as error:
-        raise _with_place(error, path, None) from None
-
-
-def _with_place(error: ModelError, path: Path, line: int | None) -> ModelError:
-    return ModelError(error.found, error.expected, error.remedy, path, error.line or line)

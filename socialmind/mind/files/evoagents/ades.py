@@ -12,8 +12,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from coglogo_py import CognitiveScheme, SchemeError
-from socialmind.errors import ModelError
+from coglogo_py import CognitiveScheme
+from socialmind.errors import ModelError, of_model_file
 from socialmind.mind.files.evoagents.network_lines import NEURAL, network_lines, network_of
 from socialmind.mind.files.evoagents.text_file import Line, Lines, field, inside, is_file, one_line
 from socialmind.mind.files.python_file import load_beside
@@ -64,7 +64,7 @@ def parse(text: str, file: str | Path) -> Skill:
         counted = f"do the numbers after {INPUT}: and {OUTPUT}: count its lines?"
         raise lines.unexpected(f"{' or '.join(FUNCTIONS)} {where}", counted)
     given = lines.rest()
-    try:
+    with lines.placing(name.number, GENERAL_REMEDY, where):
         function: InternalFunction
         if keyword.text == NEURAL:
             function = network_of(lines, given, len(inputs), len(outputs), keyword.number)
@@ -73,14 +73,6 @@ def parse(text: str, file: str | Path) -> Skill:
         else:
             function = _scheme(lines, given, inputs, keyword)
         return Skill(name.text, inputs, outputs, function, None, lines.file, name.number)
-    except ModelError as error:
-        if error.file is None:
-            raise lines.placed(error, error.line or name.number, GENERAL_REMEDY, where) from None
-        if error.remedy is None:
-            raise ModelError(
-                error.found, error.expected, GENERAL_REMEDY, error.file, error.line
-            ) from None
-        raise
 
 
 def read_input(text: str, line: int) -> Input:
@@ -117,11 +109,9 @@ def _links(
         if line.fields[0] == OUTPUT or line.text in FUNCTIONS:
             lines.put_back()
             raise lines.unexpected(expected, remedy)
-        try:
+        form = "SE:S1 or SH:S1:5" if keyword == INPUT else "MO:M1 or SK:Avoid"
+        with lines.placing(line.number, f"write it as {form}", where):
             links.append(parse_link(line.text, line.number))
-        except ModelError as error:
-            form = "SE:S1 or SH:S1:5" if keyword == INPUT else "MO:M1 or SK:Avoid"
-            raise lines.placed(error, line.number, f"write it as {form}", where) from None
     return links
 
 
@@ -212,12 +202,8 @@ def scheme_function(
         raise ModelError(
             f"the scheme {source!r}", "a file that there is", f"write {path}", named_in, line
         )
-    try:
+    with of_model_file(path):
         return CognitonScheme(CognitiveScheme.load(path), cognitons, source)
-    except SchemeError as error:
-        raise ModelError(
-            error.found, error.expected, error.remedy, error.file or path, error.line
-        ) from None
 
 
 def written(skill: Skill) -> str:

@@ -79,13 +79,9 @@ def _variable(lines: Lines, line: Line) -> Variable:
     if further and further[0]:
         default = lines.number(further[0], f"the default of the variable {name!r}", line.number)
     group = further[1] if kind == SHARED else None
-    try:
+    with lines.placing(line.number, f"write {form}"):
         regulation = _regulation(lines, line, kind, further[1:])
         return Variable(name, regulation, default, group, lines.file, line.number)
-    except ModelError as error:
-        if error.file not in (None, lines.file):
-            raise
-        raise lines.placed(error, line.number, f"write {form}") from None
 
 
 def _regulation(lines: Lines, line: Line, kind: str, further: tuple[str, ...]) -> Regulation:
