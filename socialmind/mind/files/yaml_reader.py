@@ -280,7 +280,7 @@ class _Mind:
         if "function" not in given:
             raise self.nodes.error(key, f"{where} without function", "function:", "add function:")
         with self.lines.placing(_line(key), ades.GENERAL_REMEDY, f"in {where}"):
-            inputs = self._links(given, "inputs", ades.read_input, where)
+            inputs = self._links(given, "inputs", Input.parse, where)
             outputs = self._links(given, "outputs", Output.parse, where)
             function = self._internal(given["function"], len(inputs), len(outputs), where)
             return Skill(name, inputs, outputs, function, None, self.file, _line(key))
@@ -310,7 +310,7 @@ class _Mind:
             source = self._needed(given, ades.SCHEME, where, node)
             entries = self.nodes.entries(given.get("cognitons", NOTHING), f"cognitons of {where}")
             cognitons = {
-                str(ades.read_input(text, _line(key))): self._word(value, f"the cogniton of {text}")
+                str(Input.parse(text, _line(key))): self._word(value, f"the cogniton of {text}")
                 for text, key, value in entries
             }
             folder = Path(self.file).parent

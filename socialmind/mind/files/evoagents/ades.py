@@ -27,8 +27,6 @@ from socialmind.mind.modules import Skill
 INPUT, OUTPUT = "input", "output"
 CLASS, SCHEME, COGNITON = "class", "scheme", "cogniton"
 FUNCTIONS = (NEURAL, Programmed.keyword, CognitonScheme.keyword)
-MOST_TICKS = 100_000
-"""Beyond this a history is a slip of the pen."""
 GENERAL_REMEDY = "correct it; docs/minds_files.md shows the form"
 
 Link = TypeVar("Link", Input, Output)
@@ -56,7 +54,7 @@ def parse(text: str, file: str | Path) -> Skill:
             repr(name.text), "the name of the skill", "begin with its name", name.number
         )
     where = f"in the skill {name.text!r}"
-    inputs = _links(lines, INPUT, read_input, where)
+    inputs = _links(lines, INPUT, Input.parse, where)
     outputs = _links(lines, OUTPUT, Output.parse, where)
     keyword = lines.take(f"{' or '.join(FUNCTIONS)} {where}", "name its internal function")
     if keyword.text not in FUNCTIONS:
@@ -73,19 +71,6 @@ def parse(text: str, file: str | Path) -> Skill:
         else:
             function = _scheme(lines, given, inputs, keyword)
         return Skill(name.text, inputs, outputs, function, None, lines.file, name.number)
-
-
-def read_input(text: str, line: int) -> Input:
-    """Return the input that a text writes, with a history of a length that can be kept.
-
-    Raises:
-        ModelError: it is none, or the history is longer than `MOST_TICKS`.
-    """
-    ticks = "".join(text.split(":")[2:]).strip()
-    if ticks.isdecimal() and (len(ticks) > 9 or int(ticks) > MOST_TICKS):
-        shown = ticks if len(ticks) < 20 else f"{ticks[:9]}…"
-        raise ModelError(f"{shown} ticks back", f"1 … {MOST_TICKS}", line=line)
-    return Input.parse(text, line)
 
 
 def _links(

@@ -32,18 +32,12 @@ def parse(text: str, file: str | Path) -> tuple[tuple[Sensor, ...], tuple[Actuat
     ('proxSensor', 0.5)
     """
     lines = Lines(text, file)
-    _keyword(lines, SENSORS, "begin with SENSORS, then one name:type a line")
+    lines.keyword(SENSORS, "begin with SENSORS, then one name:type a line")
     sensors = []
     while lines.next is not None and lines.next.text != ACTUATORS:
         sensors.append(_sensor(lines, lines.take("a sensor")))
-    _keyword(lines, ACTUATORS, "after the sensors, write ACTUATORS, even if there are none")
+    lines.keyword(ACTUATORS, "after the sensors, write ACTUATORS, even if there are none")
     return tuple(sensors), tuple(_actuator(lines, line) for line in lines.rest())
-
-
-def _keyword(lines: Lines, keyword: str, remedy: str) -> None:
-    if lines.next is None or lines.next.text != keyword:
-        raise lines.unexpected(keyword, remedy)
-    lines.take(keyword)
 
 
 def _fields(lines: Lines, line: Line, what: str, form: str) -> tuple[str, ...]:

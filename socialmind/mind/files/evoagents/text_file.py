@@ -99,6 +99,23 @@ class Lines:
         self.taken += 1
         return line
 
+    def keyword(self, expected: str, remedy: str, if_cut: str | None = None) -> Line:
+        """Take the next line, which is to be this one.
+
+        Args:
+            expected: the line, blanks around its fields aside.
+            remedy: what to do where it is another one.
+            if_cut: what to do where the file ends.
+
+        Raises:
+            ModelError: so it is.
+        """
+        if self.next is None:
+            raise self.unexpected(expected, if_cut or remedy)
+        if self.next.fields != tuple(expected.split(":")):
+            raise self.unexpected(expected, remedy)
+        return self.take(expected)
+
     def put_back(self) -> None:
         """Make the line just taken the next one again."""
         self.taken -= 1
