@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.numbers import whole_number
-from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind import variants
 from socialmind.mind.code.drive import AgentHierarchy
 from socialmind.mind.description import MindDescription
@@ -23,6 +23,7 @@ from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.reach import ROUNDING
 from socialmind.mind.links import Input
 from socialmind.mind.modules import Skill
+from socialmind.mind.names import unknown
 from socialmind.work.packing import packed, unpacked
 
 if TYPE_CHECKING:
@@ -127,9 +128,7 @@ class Hierarchy(Closed, Readings):
 
     def _checked(self, name: str, value: Any) -> float:
         if name not in self._sensor_places:
-            known = self._sensor_places
-            hint = nearest(name, known) if known else "the mind has no sensors"
-            raise ModelError(f"the unknown sensor {name!r}", remedy=hint)
+            raise unknown("sensor", name, self._sensor_places)
         try:
             number = np.nan if isinstance(value, str | bytes) else float(value)
         except (TypeError, ValueError):
