@@ -285,9 +285,9 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
     records: dict[str, dict[str, str]] = {}
     files: dict[str, bytes] = {}
     for population, assembly in model.assemblies.items():
-        with tempfile.TemporaryDirectory() as place:
-            assembly.description.save(Path(place) / "mind")
-            found = files_in(Path(place) / "mind")
+        from socialmind.mind.files.packing import files_of  # where there are minds it is loaded
+
+        found = files_of(assembly.description)
         folder = f"minds/{population}"
         name, sha256 = assembly.description.name, _hash_of(found)
         remember({path: content for path, content in found.items() if path.endswith(".py")})
