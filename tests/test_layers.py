@@ -14,7 +14,7 @@ LAYERS = (
     "fields",
     "values",
     "columns",
-    "streams names",
+    "streams names text_table",
     "language",
     "compiling",
     "sources",

@@ -12,7 +12,7 @@ import yaml
 from coglogo_py import SchemeError
 from coglogo_py.files.reading import text_in
 from coglogo_py.files.yaml_nodes import composed
-from socialmind.errors import ModelError, SocialmindError
+from socialmind.errors import SocialmindError, nearest
 from socialmind.mind.code.mind_code import check_program
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.evoagents.folder_reader import (
@@ -30,6 +30,7 @@ from socialmind.mind.files.yaml_reader import ACTUATORS, SENSORS, SKILLS, VARIAB
 from socialmind.mind.lint import Finding, findings, genome_sizes
 from socialmind.mind.modules import Skill
 from socialmind.sources.trust import programs_in
+from socialmind.text_table import aligned
 
 SUFFIXES = (BOTDESC, VARDESC, ADES, GENOME, SIMBATCH)
 _SECTIONS = (SENSORS, ACTUATORS, VARIABLES, SKILLS)
@@ -112,15 +113,10 @@ def _of_tasks(
     masters: dict[str, None] = {}
     for name, task in tasks.items():
         for what, skill in (("master", task.master_skill), ("learning", task.learning_skill)):
-            if not skill:
-                continue
-            try:
-                description.skill(skill)
-            except ModelError as error:
-                message = f"its {what} skill is {skill!r}; {error.remedy}"
+            if skill and skill not in description.skills:
+                message = f"its {what} skill is {skill!r}; {nearest(skill, description.skills)}"
                 odd.append(Finding("unknown skill", f"task {name!r}", message))
-                continue
-            if what == "master":
+            elif skill and what == "master":
                 masters[skill] = None
     return odd, tuple(masters)
 
@@ -144,11 +140,4 @@ def table(description: MindDescription) -> list[str]:
         counts = (str(len(skill.inputs)), str(len(skill.outputs)), str(size))
         rows.append((name, str(skill.function), *counts))
     rows.append(("total", "", "", "", str(sum(sizes.values()))))
-    widths = [max(len(row[column]) for row in rows) for column in range(5)]
-    return [
-        "  ".join(
-            text.ljust(width) if column < 2 else text.rjust(width)
-            for column, (text, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in rows
-    ]
+    return aligned(rows, right=(2, 3, 4))
