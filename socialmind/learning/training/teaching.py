@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, nearest
 from socialmind.learning.episodes.evaluation import Evaluation
 from socialmind.learning.episodes.evaluators import Evaluators
 from socialmind.learning.lessons import keys
@@ -276,16 +276,13 @@ def check_fits(lesson: Lesson, mind: MindDescription, learned: Sequence[str]) ->
             "a class",
             "write the lesson into a model's lessons.py",
         )
-    names = (lesson.master, *lesson.skills)
-    for name in names:
-        try:
-            mind.skill(name)
-        except ModelError as error:
+    for name in (lesson.master, *lesson.skills):
+        if name not in mind.skills:
             raise lesson.refused(
                 f"of the skill {name!r}, which the mind {mind.name!r} has not",
                 "one of its skills",
-                error.remedy,
-            ) from None
+                nearest(name, mind.skills),
+            )
     below = mind.below(lesson.master)
     for one in lesson.stand_ins:
         if one.name not in below or one.name in (lesson.master, *lesson.skills):
