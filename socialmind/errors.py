@@ -40,6 +40,12 @@ def called_at() -> tuple[str | None, int | None]:
     return (None, None) if frame is None else (frame.f_code.co_filename, frame.f_lineno)
 
 
+def written_at(function: object) -> tuple[str | None, int | None]:
+    """Return the file and line of a function, as far as it is a plain one."""
+    code = getattr(function, "__code__", None)
+    return (None, None) if code is None else (code.co_filename, code.co_firstlineno)
+
+
 def place_of(error: Exception, place: str = "in a rule") -> str:
     """Return the last line of the author's that an error went through, or else `place`."""
     for frame in traceback.extract_tb(error.__traceback__):

@@ -14,14 +14,14 @@ from coglogo_py import CognitiveScheme, SchemeError
 from coglogo_py.border.errors import shown
 from socialmind.catalogue import load_model
 from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
-from socialmind.errors import ModelError, SocialmindError
-from socialmind.language.syntax import parsed
+from socialmind.errors import SocialmindError
 from socialmind.mind.code.mind_code import check_program
 from socialmind.mind.files.evoagents.text_file import inside
 from socialmind.mind.lint import findings
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.sources import model_of
 from socialmind.sources.folders import MODEL_FILE, model_folder
+from socialmind.sources.loading import tree_of
 from socialmind.sources.trust import programs_in
 
 if TYPE_CHECKING:
@@ -116,14 +116,8 @@ def _declared_schemes(
 
     What is computed instead goes to `unseen`, with its line.
     """
-    try:
-        tree = parsed(content)
-    except SyntaxError as error:
-        raise ModelError(f"not valid Python ({error.msg})", file=file, line=error.lineno) from None
-    except ValueError as error:  # null bytes
-        raise ModelError(f"not a Python file ({error})", file=file) from None
     found: dict[Path, list[str] | None] = {}
-    for call in ast.walk(tree):
+    for call in ast.walk(tree_of(content, file)):
         called = getattr(call, "func", None)
         if getattr(called, "id", getattr(called, "attr", "")) != "Population":
             continue

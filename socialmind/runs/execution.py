@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents.agent_columns import as_before
 from socialmind.agents.group_columns import group_instances, has_groups
-from socialmind.errors import SocialmindError
+from socialmind.errors import SocialmindError, written_at
 from socialmind.runs import continuing, folders, sources
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
@@ -406,9 +406,8 @@ class _Timer:
 
 def _source_of(model: Model, name: str) -> str:
     """The method that gives a table's rows, with the file and line where it is written."""
-    written = getattr(getattr(type(model), name, None), "__code__", None)
-    place = "" if written is None else f"{written.co_filename}:{written.co_firstlineno}: "
-    return f"{place}{name}()"
+    file, line = written_at(getattr(type(model), name, None))
+    return f"{name}()" if file is None else f"{file}:{line}: {name}()"
 
 
 def whole(name: str, value: Any, low: int, high: int = LONGEST) -> int:
