@@ -14,15 +14,12 @@ from socialmind.mind.files.evoagents.text_file import Lines, text_of
 
 LEARNING = "LEARN2DSIM"
 """The type of task that is a lesson."""
-WHOLE = {
-    "BUDGET": "budget",
-    "FINALISTS": "finalists",
-    "FINALS": "finals",
-    "VALIDATION": "validation",
+FURTHER: Mapping[str, Callable[[Lines, str, str, int], Any]] = {
+    **dict.fromkeys(("BUDGET", "FINALISTS", "FINALS", "VALIDATION"), Lines.whole_number),
+    **dict.fromkeys(("WORLDS", "START"), lambda lines, value, key, line: value.lower()),
+    "SPREAD": Lines.number,
 }
-TEXTS = {"WORLDS": "worlds", "START": "start"}
-NUMBERS = {"SPREAD": "spread"}
-"""Further keys that are arguments of a lesson."""
+"""Further keys that are arguments of a lesson, and how their values are read."""
 
 Finder = Callable[[str, Callable[..., ModelError]], Any]
 
@@ -105,18 +102,14 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
     lines = Lines("", path)
     for key, value in task.others.items():
         line, name = places.get(key, 0), key.lower()
-        if key.upper() in WHOLE:
-            arguments[WHOLE[key.upper()]] = lines.whole_number(value, key, line)
-        elif key.upper() in TEXTS:
-            arguments[TEXTS[key.upper()]] = value.lower()
-        elif key.upper() in NUMBERS:
-            arguments[NUMBERS[key.upper()]] = lines.number(value, key, line)
+        if key.upper() in FURTHER:
+            arguments[name] = FURTHER[key.upper()](lines, value, key, line)
         elif name in kind.known_settings:
             amount = lines.number(value, key, line)
             with of_model_file(path, line):
                 settings[name] = kind.known_settings[name].checked(name, amount)
         elif name not in anybody:
-            known = [*WHOLE, *TEXTS, *NUMBERS, *(one.upper() for one in kind.known_settings)]
+            known = [*FURTHER, *(one.upper() for one in kind.known_settings)]
             raise ModelError(
                 f"the key {key!r} of a lesson",
                 f"a setting of {kind.keyword} or another key of lessons",
