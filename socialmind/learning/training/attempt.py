@@ -12,7 +12,7 @@ A file of a lesson counts once the checkpoint says so.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -270,6 +270,17 @@ def load_result(folder: Path, number: int) -> tuple[dict[str, Any], dict[str, An
         SocialmindError: the file is not what a training wrote.
     """
     return archive.load(result_file(folder, number), _RESULT)
+
+
+def results_of(folder: Path) -> Iterator[tuple[Path, dict[str, Any], dict[str, Any]]]:
+    """Yield the file, the record and the arrays of each lesson that an attempt has finished.
+
+    Raises:
+        SocialmindError: a file is not what a training wrote.
+    """
+    if (folder / CHECKPOINT).is_file():
+        for number in range(1, load_checkpoint(folder)[0]["done"] + 1):
+            yield result_file(folder, number), *load_result(folder, number)
 
 
 def write_result(
