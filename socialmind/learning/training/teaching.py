@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from socialmind.errors import ModelError, nearest
 from socialmind.learning.episodes.evaluation import Evaluation
 from socialmind.learning.episodes.evaluators import Evaluators
+from socialmind.learning.episodes.learners import with_zeros
 from socialmind.learning.lessons import keys
 from socialmind.learning.lessons.lesson import FIXED, KNOWN, Lesson
 from socialmind.learning.optimisers.contract import Optimiser
@@ -239,14 +240,8 @@ class Teaching:
 
 def evaluation_of(lesson: Lesson, mind: MindDescription, engine: str) -> Evaluation:
     """Return how a lesson's individuals are evaluated."""
-    learning = [mind.skill(name) for name in lesson.skills]
     # Weights that are not set yet are exchanged for those of individuals in any case.
-    begun = [
-        skill.changed(genome=np.zeros(skill.genome_size))
-        for skill in learning
-        if skill.genome is None and skill.genome_size
-    ]
-    mind = mind.with_modules(skills=begun)
+    mind = with_zeros(mind, lesson.skills)
     return Evaluation(
         lesson.environment,
         mind.on_stand_ins(lesson.master, lesson.stand_ins) if lesson.stand_ins else mind,
