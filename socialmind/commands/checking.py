@@ -13,7 +13,7 @@ import typer
 from coglogo_py import CognitiveScheme, SchemeError
 from coglogo_py.border.errors import shown
 from socialmind.catalogue import load_model
-from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
+from socialmind.commands.checking_minds import is_mind, print_mind, tell, tell_programs
 from socialmind.errors import SocialmindError
 from socialmind.mind.code.mind_code import check_program
 from socialmind.mind.files.evoagents.text_file import inside
@@ -55,10 +55,7 @@ def print_findings(file: str, trust: bool = False) -> bool:
         odd += [f"{path}: {found}" for found in scheme.check()]
     else:
         odd = findings_of_model(load_model(file)) if trust else findings_of_folder(file)
-    for line in odd:
-        typer.echo(line)
-    if not odd:
-        typer.echo(f"{file}: nothing odd found")
+    tell(odd, file)
     return bool(odd)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
 
@@ -79,12 +80,14 @@ def print_mind(path: Path, trust: bool = False) -> bool:
     tasks = load_tasks(path) if path.is_dir() else {}
     odd, masters = _of_tasks(tasks, description)
     odd += findings(description, masters or None, check_program if trust else _unchecked)
-    for finding in odd:
-        typer.echo(f"{path}: {finding}")
-    if not odd:
-        typer.echo(f"{path}: nothing odd found")
+    tell([f"{path}: {finding}" for finding in odd], str(path))
     typer.echo("\n".join(table(description)))
     return bool(odd)
+
+
+def tell(odd: Sequence[str], file: str) -> None:
+    """Print what is odd about a file, or that nothing is."""
+    typer.echo("\n".join(odd or [f"{file}: nothing odd found"]))
 
 
 def _unchecked(_: Skill) -> None:
