@@ -5,7 +5,8 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import traceback
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from coglogo_py.border.errors import PlacedError, one_line
@@ -37,6 +38,12 @@ def called_at() -> tuple[str | None, int | None]:
     while frame is not None and is_ours(frame.f_code.co_filename):
         frame = frame.f_back
     return (None, None) if frame is None else (frame.f_code.co_filename, frame.f_lineno)
+
+
+def written_at(function: object) -> tuple[str | None, int | None]:
+    """Return the file and line of a function, as far as it is a plain one."""
+    code = getattr(function, "__code__", None)
+    return (None, None) if code is None else (code.co_filename, code.co_firstlineno)
 
 
 def place_of(error: Exception, place: str = "in a rule") -> str:
@@ -77,6 +84,27 @@ class ModelError(PlacedError, SocialmindError):
     >>> print(ModelError("a dictionary", "a number", "use an array field", "model.py", 12))
     model.py:12: found a dictionary; expected a number; use an array field
     """
+
+
+@contextmanager
+def of_model_file(
+    file: str | Path | None = None, line: int | None = None, remedy: str | None = None
+) -> Iterator[None]:
+    """Read a file of a model: what is wrong in it is a `ModelError` that says where and what to do.
+
+    Args:
+        file: of errors that name none.
+        line: of these, unless they name it.
+        remedy: what to do about errors that do not say it.
+
+    Raises:
+        ModelError: in place of the error of a scheme, or of a part of the file.
+    """
+    try:
+        yield
+    except PlacedError as error:
+        place = (file, error.line or line) if error.file is None else (error.file, error.line)
+        raise ModelError(error.found, error.expected, error.remedy or remedy, *place) from None
 
 
 class RuleError(SocialmindError):

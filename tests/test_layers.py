@@ -15,6 +15,7 @@ LAYERS = (
     "values",
     "columns",
     "streams names",
+    "text_table",
     "language",
     "compiling",
     "sources",

@@ -9,7 +9,7 @@ from coglogo_py.border.errors import SchemeError
 from coglogo_py.decision import DecisionMaker, WeightedStochastic, decision_maker_called
 from coglogo_py.files.reading import text_in
 from coglogo_py.files.yaml_nodes import NOTHING, Nodes, composed
-from socialmind.errors import ModelError
+from socialmind.errors import of_model_file
 
 if TYPE_CHECKING:
     import yaml
@@ -25,13 +25,9 @@ def described(path: Path, sides: tuple[str, ...]) -> dict[str, Any]:
     Raises:
         ModelError: it describes none, with its line.
     """
-    try:
+    with of_model_file():
         nodes = Nodes(path)
         return _described(nodes, composed(text_in(path), path, "an interaction"), sides)
-    except SchemeError as error:
-        raise ModelError(
-            error.found, error.expected, error.remedy, error.file, error.line
-        ) from None
 
 
 def _described(nodes: Nodes, root: yaml.Node, sides: tuple[str, ...]) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from coglogo_py import CognitiveScheme, SchemeError
 from coglogo_py.border.errors import shown
 from socialmind.agents.heeding import check_conditions
 from socialmind.catalogue import load_model
-from socialmind.commands.checking_minds import is_mind, print_mind, tell_programs
+from socialmind.commands.checking_minds import is_mind, print_mind, tell, tell_programs
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.fields import place_of_field
 from socialmind.language.syntax import parsed
@@ -24,6 +24,7 @@ from socialmind.mind.lint import findings
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.sources import model_of
 from socialmind.sources.folders import MODEL_FILE, model_folder
+from socialmind.sources.loading import tree_of
 from socialmind.sources.trust import programs_in
 
 if TYPE_CHECKING:
@@ -57,10 +58,7 @@ def print_findings(file: str, trust: bool = False) -> bool:
         odd += [f"{path}: {found}" for found in scheme.check()]
     else:
         odd = findings_of_model(load_model(file)) if trust else findings_of_folder(file)
-    for line in odd:
-        typer.echo(line)
-    if not odd:
-        typer.echo(f"{file}: nothing odd found")
+    tell(odd, file)
     return bool(odd)
 
 
@@ -118,14 +116,8 @@ def _declared_schemes(
 
     What is computed instead goes to `unseen`, with its line.
     """
-    try:
-        tree = parsed(content)
-    except SyntaxError as error:
-        raise ModelError(f"not valid Python ({error.msg})", file=file, line=error.lineno) from None
-    except ValueError as error:  # null bytes
-        raise ModelError(f"not a Python file ({error})", file=file) from None
     found: dict[Path, list[str] | None] = {}
-    for call in ast.walk(tree):
+    for call in ast.walk(tree_of(content, file)):
         called = getattr(call, "func", None)
         if getattr(called, "id", getattr(called, "attr", "")) != "Population":
             continue

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
 
@@ -12,7 +13,7 @@ import yaml
 from coglogo_py import SchemeError
 from coglogo_py.files.reading import text_in
 from coglogo_py.files.yaml_nodes import composed
-from socialmind.errors import ModelError, SocialmindError
+from socialmind.errors import SocialmindError, nearest
 from socialmind.mind.code.mind_code import check_program
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.evoagents.folder_reader import (
@@ -30,6 +31,7 @@ from socialmind.mind.files.yaml_reader import ACTUATORS, SENSORS, SKILLS, VARIAB
 from socialmind.mind.lint import Finding, findings, genome_sizes
 from socialmind.mind.modules import Skill
 from socialmind.sources.trust import programs_in
+from socialmind.text_table import aligned
 
 SUFFIXES = (BOTDESC, VARDESC, ADES, GENOME, SIMBATCH)
 _SECTIONS = (SENSORS, ACTUATORS, VARIABLES, SKILLS)
@@ -78,12 +80,14 @@ def print_mind(path: Path, trust: bool = False) -> bool:
     tasks = load_tasks(path) if path.is_dir() else {}
     odd, masters = _of_tasks(tasks, description)
     odd += findings(description, masters or None, check_program if trust else _unchecked)
-    for finding in odd:
-        typer.echo(f"{path}: {finding}")
-    if not odd:
-        typer.echo(f"{path}: nothing odd found")
+    tell([f"{path}: {finding}" for finding in odd], str(path))
     typer.echo("\n".join(table(description)))
     return bool(odd)
+
+
+def tell(odd: Sequence[str], file: str) -> None:
+    """Print what is odd about a file, or that nothing is."""
+    typer.echo("\n".join(odd or [f"{file}: nothing odd found"]))
 
 
 def _unchecked(_: Skill) -> None:
@@ -112,15 +116,10 @@ def _of_tasks(
     masters: dict[str, None] = {}
     for name, task in tasks.items():
         for what, skill in (("master", task.master_skill), ("learning", task.learning_skill)):
-            if not skill:
-                continue
-            try:
-                description.skill(skill)
-            except ModelError as error:
-                message = f"its {what} skill is {skill!r}; {error.remedy}"
+            if skill and skill not in description.skills:
+                message = f"its {what} skill is {skill!r}; {nearest(skill, description.skills)}"
                 odd.append(Finding("unknown skill", f"task {name!r}", message))
-                continue
-            if what == "master":
+            elif skill and what == "master":
                 masters[skill] = None
     return odd, tuple(masters)
 
@@ -144,11 +143,4 @@ def table(description: MindDescription) -> list[str]:
         counts = (str(len(skill.inputs)), str(len(skill.outputs)), str(size))
         rows.append((name, str(skill.function), *counts))
     rows.append(("total", "", "", "", str(sum(sizes.values()))))
-    widths = [max(len(row[column]) for row in rows) for column in range(5)]
-    return [
-        "  ".join(
-            text.ljust(width) if column < 2 else text.rjust(width)
-            for column, (text, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in rows
-    ]
+    return aligned(rows, right=(2, 3, 4))

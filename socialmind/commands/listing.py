@@ -12,6 +12,7 @@ import typer
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.sources.folders import catalogue, model_folder
+from socialmind.text_table import aligned
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -45,7 +46,7 @@ def print_model(name: str) -> None:
     typer.echo(description(folder.name, model_class))
     rows = [_population(one) for one in model_class.populations.values()]
     lines = [("population", "size", "agents", "mind", "fields"), *rows]
-    tables = [aligned(lines)] if rows else []
+    tables = [indented(lines)] if rows else []
     facts = [
         ("variables", ", ".join(model_class.shape.variables)),
         ("world", _world(model_class)),
@@ -56,7 +57,7 @@ def print_model(name: str) -> None:
 
         facts.append(("measures", ", ".join(measures_of(model_class))))
     facts += [("lessons", ", ".join(_lessons(folder))), ("folder", str(folder))]
-    tables.append(aligned([fact for fact in facts if fact[1]]))
+    tables.append(indented([fact for fact in facts if fact[1]]))
     for table in tables:
         typer.echo("\n".join(["", *table]))
 
@@ -102,18 +103,13 @@ def description(name: str, model_class: type[Model]) -> str:
         for p in model_class.parameters.values()
     ]
     if rows:
-        lines += aligned([("parameter", "default", "unit", "range", ""), *rows])
+        lines += indented([("parameter", "default", "unit", "range", ""), *rows])
     return "\n".join(lines)
 
 
-def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Rows of a table as lines with straight columns."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return [
-        "  "
-        + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
-        for row in rows
-    ]
+def indented(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return the rows of a table as lines that stand below a heading."""
+    return [f"  {line}" for line in aligned(rows)]
 
 
 def _written(value: float | int | bool | str) -> str:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import typer
 
-from socialmind.commands.listing import aligned
+from socialmind.commands.listing import indented
 from socialmind.errors import SocialmindError
 from socialmind.experiments.studies import reproduce, studies_in, topics
 
@@ -22,7 +22,7 @@ def print_studies() -> None:
         if position:
             typer.echo()
         rows = [(study.name, study.about) for study in studies_in(folder)]
-        typer.echo("\n".join([topic, *aligned(rows)]))
+        typer.echo("\n".join([topic, *indented(rows)]))
 
 
 def make(names: Sequence[str], out: Path, quick: bool, kept: bool) -> None:

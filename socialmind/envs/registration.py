@@ -91,23 +91,20 @@ def _all() -> Iterator[tuple[str, dict[str, Any]]]:
             found[model] = environments_of(model)
         except SocialmindError as error:
             warnings.warn(f"no environments of {model}: {error}", stacklevel=4)
-    taken = {}
-    for model, environments in found.items():
-        for name, environment in environments.items():
-            if environment is None:
-                taken[name] = model
-                yield name, {"model": model}
-    for model, environments in found.items():
-        for name, environment in environments.items():
-            if environment is not None:
-                free = name not in taken
-                whole = name if free else f"{load_model(model).__name__}{name}"
-                taken[whole] = model
-                yield whole, {"model": model, "environment": environment}
+    named = [(name, model, one) for model, own in found.items() for name, one in own.items()]
+    taken = set()
+    for name, model, environment in sorted(named, key=lambda one: one[2] is not None):
+        free = environment is None or name not in taken
+        whole = name if free else f"{load_model(model).__name__}{name}"
+        taken.add(whole)
+        yield whole, _made_with(model, environment)
 
 
 def _of_one(model: str) -> Iterator[tuple[str, dict[str, Any]]]:
     known = model if model.replace("-", "_") in catalogue() else str(model_folder(model))
     for name, environment in environments_of(model).items():
-        given = {"model": known}
-        yield name, given if environment is None else {**given, "environment": environment}
+        yield name, _made_with(known, environment)
+
+
+def _made_with(model: str, environment: str | None) -> dict[str, Any]:
+    return {"model": model} | ({} if environment is None else {"environment": environment})

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py.border.numbers import whole_number
-from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.errors import ModelError, SocialmindError, nearest, written_at
 from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.learning.lessons.keys import seeds_for
@@ -320,11 +320,9 @@ def _measured(name: str, measure: Measure, values: Mapping[str, Any]) -> tuple[f
     try:
         return measure.parts(values)
     except (TypeError, ValueError, ArithmeticError) as error:
-        code = getattr(measure.function, "__code__", None)
         raise ModelError(
             f"the measure {name!r}, which stopped with {type(error).__name__}: {error}",
             "a number",
             None,
-            code and code.co_filename,
-            code and code.co_firstlineno,
+            *written_at(measure.function),
         ) from error

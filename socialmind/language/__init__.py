@@ -4,7 +4,7 @@
 - `refusals`, `hints`: what the subset leaves out and what to write instead; names of elsewhere.
 - `types`, `shape`: what an expression can be; what a model declares.
 - `signatures`: what rules may call on a mind, a random stream, a world.
-- `expressions` with `operators`, `comparisons`, `calls`, `draws`, `tables`, `built_in`, and
+- `expressions` with `attributes`, `operators`, `comparisons`, `calls`, `tables`, and
   `statements` with `loops`: the typing, which puts `arithmetic` where the speeds differ.
 - `program`: all functions that a model's phases reach, and the tree that both speeds run.
 - `layout`, `lowering`, `access`, `loop`: records and arrays; the same tree for numba; how it

@@ -31,6 +31,8 @@ NOBODY = Type("None, where an agent may be")
 MODEL = Type("the model")
 RNG = Type("the random stream")
 NUMBERS = (BOOL, INT, FLOAT)
+SCALARS: dict[type, Type] = {float: FLOAT, int: INT, bool: BOOL}
+"""The types of Python's numbers, as fields and constants have them."""
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.numbers import whole_number
-from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind import variants
 from socialmind.mind.code.drive import AgentHierarchy
 from socialmind.mind.description import MindDescription
@@ -23,6 +23,7 @@ from socialmind.mind.evaluation.steps import Steps
 from socialmind.mind.kernel.reach import ROUNDING
 from socialmind.mind.links import Input
 from socialmind.mind.modules import Skill
+from socialmind.mind.names import unknown
 from socialmind.work.packing import packed, unpacked
 
 if TYPE_CHECKING:
@@ -127,9 +128,7 @@ class Hierarchy(Closed, Readings):
 
     def _checked(self, name: str, value: Any) -> float:
         if name not in self._sensor_places:
-            known = self._sensor_places
-            hint = nearest(name, known) if known else "the mind has no sensors"
-            raise ModelError(f"the unknown sensor {name!r}", remedy=hint)
+            raise unknown("sensor", name, self._sensor_places)
         try:
             number = np.nan if isinstance(value, str | bytes) else float(value)
         except (TypeError, ValueError):
@@ -248,20 +247,16 @@ class Hierarchy(Closed, Readings):
     def __deepcopy__(self, memo: dict[int, Any]) -> Hierarchy:
         return _remade(*self._parts())
 
-    def _parts(self) -> tuple[tuple[Any, ...], dict[str, Any], dict[str, Any]]:
-        """Return what the mind is made of anew: its settings, its genomes and its state."""
+    def _parts(self) -> tuple[Any, ...]:
+        """Return what the mind is made of anew: its settings, genomes, tick and state."""
         settings = (self.description, self.master, self.seed, self.drive)
-        return settings, dict(self._genomes), self._state_of()
+        state = states.kept(self._state, self._societies)
+        return settings, dict(self._genomes), self._tick, state
 
-    def _state_of(self) -> dict[str, Any]:
-        schemes = [society.state() for society in self._societies]
-        return {"tick": self.tick, "state": states.copied(self._state), "schemes": schemes}
-
-    def _restore(self, state: Mapping[str, Any]) -> None:
-        self._tick = state["tick"]
-        self._state = states.restored(self._state, state["state"])
-        for society, one in zip(self._societies, state["schemes"], strict=True):
-            society.restore(one)
+    def _restore(self, tick: int, state: Mapping[str, NDArray[Any]]) -> None:
+        self._tick = tick
+        self._state = states.restored(self._state, state)
+        states.restore_societies(self._societies, state)
         self._record.connect(1, self._state, self._societies)
         self._steps.connect(self._state, self._societies)
 
@@ -374,14 +369,17 @@ def _unpacked_hierarchy(content: bytes) -> Hierarchy:
 
 
 def _remade(
-    settings: tuple[Any, ...], genomes: Mapping[str, Any], state: Mapping[str, Any]
+    settings: tuple[Any, ...],
+    genomes: Mapping[str, Any],
+    tick: int,
+    state: Mapping[str, NDArray[Any]],
 ) -> Hierarchy:
-    """Return a hierarchy with genomes, in a state."""
+    """Return a hierarchy with genomes, in its state at a tick."""
     made = Hierarchy(*settings)
     for name, genome in genomes.items():
         if genome is not None and made.description.skills[name].genome_size:
             made.set_genome(name, genome)
-    made._restore(state)
+    made._restore(tick, state)
     return made
 
 

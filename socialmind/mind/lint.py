@@ -96,28 +96,18 @@ def _users(description: MindDescription, module: str, written: bool) -> dict[str
 
 
 def _unused(description: MindDescription) -> list[Finding]:
-    read = _users(description, "sensor", written=False)
-    commanded = _users(description, "actuator", written=True)
-    touched = {
-        **_users(description, "variable", written=False),
-        **_users(description, "variable", written=True),
-    }
-    found = [
-        Finding("unused sensor", f"sensor {name!r}", "no skill reads it")
-        for name in description.sensors
-        if name not in read
+    used = {(one.module, one.name) for skill in description.skills.values() for one in skill.links}
+    kinds = (
+        ("sensor", description.sensors, "reads"),
+        ("variable", description.variables, "reads or writes"),
+        ("actuator", description.actuators, "commands"),
+    )
+    return [
+        Finding(f"unused {kind}", f"{kind} {name!r}", f"no skill {uses} it")
+        for kind, modules, uses in kinds
+        for name in modules
+        if (kind, name) not in used
     ]
-    found += [
-        Finding("unused variable", f"variable {name!r}", "no skill reads or writes it")
-        for name in description.variables
-        if name not in touched
-    ]
-    found += [
-        Finding("unused actuator", f"actuator {name!r}", "no skill commands it")
-        for name in description.actuators
-        if name not in commanded
-    ]
-    return found
 
 
 def _half_used(description: MindDescription) -> list[Finding]:

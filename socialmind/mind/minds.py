@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 import numpy as np
@@ -11,14 +11,15 @@ from numpy.typing import NDArray
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.memory import check_memory
 from coglogo_py.border.numbers import is_whole, whole_number
-from socialmind.errors import ModelError, SocialmindError, nearest
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.code.mind_code import code_of
 from socialmind.mind.description import MindDescription
 from socialmind.mind.evaluation import state as states
-from socialmind.mind.evaluation.arrays import Assembly, assemble, master_of
+from socialmind.mind.evaluation.arrays import Assembly, assemble, groups_of, master_of
 from socialmind.mind.evaluation.failures import failure_of, failure_of_drive, failure_of_regulation
 from socialmind.mind.kernel.layout import LIVES, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
+from socialmind.mind.names import unknown
 from socialmind.mind.regulation import Counter
 from socialmind.work.packing import packed, unpacked
 
@@ -208,7 +209,7 @@ class Minds(Closed):
 
     def influence(self, skill: str) -> NDArray[np.float64]:
         """Return the sum of the influence that a skill received, (agents,)."""
-        place = _place(dict.fromkeys(self.assembly.skills), skill, "skill")
+        place = _place(self.assembly.skills, skill, "skill")
         return self._read(self.state_arrays.totals[:, place])
 
     def _read(self, lanes: NDArray[Any]) -> NDArray[Any]:
@@ -268,7 +269,7 @@ class Minds(Closed):
         self.unset.discard(skill)
 
     def _genome_of(self, skill: str) -> slice:
-        _place(dict.fromkeys(self.assembly.skills), skill, "skill")
+        _place(self.assembly.skills, skill, "skill")
         return self.assembly.genome_of(skill)
 
     # Worlds -----------------------------------------------------------------------------------
@@ -306,10 +307,9 @@ class Minds(Closed):
             ModelError: no variable is shared in such a group, or there is no such instance.
         """
         variables = self.description.variables
-        groups = {one.group for one in variables.values() if one.group is not None}
+        groups = groups_of(self.description)
         if group not in groups:
-            hint = nearest(group, sorted(groups)) if groups else "no variable is shared"
-            raise ModelError(f"the unknown group {group!r}", remedy=hint)
+            raise unknown("group of variables", group, groups)
         count = len(self.state_arrays.instances)
         if instance is not None and not (is_whole(instance) and 0 <= instance < count):
             raise ModelError(
@@ -435,14 +435,12 @@ def _numbers(values: Any, what: str) -> NDArray[np.float64]:
         raise ModelError(f"{values!r} for {what}", "numbers") from None
 
 
-def _place(modules: Mapping[str, Any], name: str, what: str) -> int:
+def _place(modules: Collection[str], name: str, what: str) -> int:
     """Return the number of a module.
 
     Raises:
         ModelError: there is none of this name.
     """
-    try:
-        return list(modules).index(name)
-    except ValueError:
-        hint = nearest(name, modules) if modules else f"there is no {what}"
-        raise ModelError(f"the unknown {what} {name!r}", remedy=hint) from None
+    if name not in modules:
+        raise unknown(what, name, modules)
+    return list(modules).index(name)

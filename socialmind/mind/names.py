@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Collection
 from typing import Any
 
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_number
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, nearest
 
 _NAME = re.compile(r"[^\s:#/\\]([^:#/\\\n\r]*[^\s:#/\\])?")
 _UNWRITABLE = ("Cc", "Cs", "Zl", "Zp")
@@ -41,6 +42,12 @@ def check_name(name: Any, what: str, file: str | None, line: int | None) -> None
             file=file,
             line=line,
         )
+
+
+def unknown(what: str, name: str, known: Collection[str]) -> ModelError:
+    """Return the error that there is no module of a name, with the one that it resembles."""
+    hint = nearest(name, known) if known else f"there is no {what}"
+    return ModelError(f"the unknown {what} {name!r}", remedy=hint)
 
 
 def check_share(value: Any, what: str, file: str | None, line: int | None) -> None:

@@ -129,11 +129,12 @@ class PopulationMinds:
 
     def grow(self, capacity: int) -> None:
         """Make room for more agents."""
-        old, fresh = self.state, self._fresh(capacity)
-        for name in (*LIVES, *(("genome",) if self.own_genomes else ())):
+        old, own = self.state, self.own_genomes
+        fresh = states.new_state(self.assembly, capacity, 1, own, self.instances)
+        for name in (*LIVES, *(("genome",) if own else ())):
             getattr(fresh, name)[: len(old.fresh)] = getattr(old, name)
         self.state = fresh._replace(
-            genome=fresh.genome if self.own_genomes else old.genome,
+            genome=fresh.genome if own else old.genome,
             first_genome=old.first_genome,
             instances=old.instances,
             now=old.now,
@@ -142,9 +143,6 @@ class PopulationMinds:
         for society in self.societies:
             society.new_minds(added)
         self._connect()
-
-    def _fresh(self, capacity: int) -> Any:
-        return states.new_state(self.assembly, capacity, 1, self.own_genomes, self.instances)
 
     # Genomes ----------------------------------------------------------------------------------
 

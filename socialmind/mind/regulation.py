@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_whole
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, written_at
 
 if TYPE_CHECKING:  # a circle for types alone: a variable has a regulation, which checks it
     from socialmind.mind.modules import Variable
@@ -155,12 +155,11 @@ class Regulated(Regulation):
         except (TypeError, ValueError):
             raise ModelError(f"{self.function!r} as a regulation", "a plain function") from None
         if wrong:
-            code = getattr(self.function, "__code__", None)
             raise ModelError(
                 f"the parameter {wrong[0]!r} of the regulation {self.function.__name__!r}",
                 f"any of {', '.join(TAKEN)}",
-                file=None if code is None else code.co_filename,
-                line=None if code is None else code.co_firstlineno,
+                None,
+                *written_at(self.function),
             )
 
     @property

@@ -19,6 +19,7 @@ import numpy as np
 from socialmind.runs.record import within
 from socialmind.work.files import replacing
 
+RECORD = "record"
 MOST = 1000
 """How many times its own size a compressed file may hold (deflate's limit is 1032)."""
 FREE = 1 << 26
@@ -29,18 +30,18 @@ LONGEST_HEADER = 1_000_000
 
 def save_arrays(
     path: Path,
-    name: str,
     record: Mapping[str, Any],
     arrays: Mapping[str, Any],
+    name: str = RECORD,
     compressed: bool = False,
 ) -> None:
     """Write the file: whenever the process is killed, the one before or this one stands there.
 
     Args:
         path: where.
-        name: of the record.
         record: what JSON can hold.
         arrays: by name; numbers and texts, no Python objects.
+        name: of the record.
         compressed: smaller, and slower to write; it is read all the same.
     """
     whole: dict[str, Any] = {**arrays, name: np.array(json.dumps(record))}
@@ -50,7 +51,7 @@ def save_arrays(
         os.fsync(file.fileno())
 
 
-def load_arrays(path: Path, name: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+def load_arrays(path: Path, name: str = RECORD) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """Return the record and the arrays of a file.
 
     Args:

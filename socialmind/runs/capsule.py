@@ -132,22 +132,7 @@ class Capsule(folders.ManifestFolder[Manifest]):
     """
 
     MANIFEST_CLASS = Manifest
-
-    @classmethod
-    def create(cls, out: Path | None, manifest: Manifest, files: Mapping[str, bytes]) -> Capsule:
-        """Make a run's folder; it appears whole, with its manifest and schemes, or not at all.
-
-        Args:
-            out: a path where nothing is, or an empty folder; None for the next free number
-                under ``runs/``.
-            manifest: what the run is.
-            files: content of the other files that it holds from the start, by name.
-
-        Raises:
-            SocialmindError: the folder holds something, or cannot be written.
-        """
-        content = {**files, folders.MANIFEST: manifest.content()}
-        return cls(folders.make_folder(out, "runs", str(manifest.model["name"]), content))
+    HOME = "runs"
 
     @property
     def parts(self) -> Path:

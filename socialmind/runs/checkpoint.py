@@ -57,7 +57,7 @@ class Checkpoint:
                 )
         record = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "state"}
         arrays: dict[str, Any] = {_STATE + name: array for name, array in self.state.items()}
-        save_arrays(path, _RECORD, record, arrays)
+        save_arrays(path, record, arrays, _RECORD)
 
     @classmethod
     def load(cls, path: Path) -> Checkpoint:

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents.agent_columns import as_before
 from socialmind.agents.group_columns import group_instances, has_groups
-from socialmind.errors import SocialmindError
+from socialmind.errors import SocialmindError, written_at
 from socialmind.runs import continuing, folders, sources
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
@@ -112,11 +112,11 @@ def run(
         Interrupted: Ctrl-C; what was done is safe, `resume` goes on.
     """
     started = time.perf_counter()
-    length = _whole("ticks", model_class.ticks if ticks is None else ticks, 0)
-    step = _whole("every", max(1, -(-length // RECORDED)) if every is None else every, 1)
+    length = whole("ticks", model_class.ticks if ticks is None else ticks, 0)
+    step = whole("every", max(1, -(-length // RECORDED)) if every is None else every, 1)
     agents_step = min(step * AGENTS_EVERY, LONGEST) if agents_every is None else agents_every
-    agents_step = _whole("agents_every", agents_step, 1)
-    seed = _whole("seed", seed, 0, 2**64 - 1)
+    agents_step = whole("agents_every", agents_step, 1)
+    seed = whole("seed", seed, 0, 2**64 - 1)
     target = None if out is None else Path(out)
     if target is not None:
         folders.refuse_unless_free(target.expanduser())
@@ -207,7 +207,7 @@ def resume(
         ):
             continuing.finish(capsule, checkpoint)
         done = continuing.ticks_done(capsule.manifest, checkpoint)
-        length = capsule.manifest.ticks if ticks is None else _whole("ticks", ticks, 0)
+        length = capsule.manifest.ticks if ticks is None else whole("ticks", ticks, 0)
         if length < done:
             raise SocialmindError(
                 f"{capsule.folder}: {done} ticks are done, {length} asked for; "
@@ -406,11 +406,10 @@ class _Timer:
 
 def _source_of(model: Model, name: str) -> str:
     """The method that gives a table's rows, with the file and line where it is written."""
-    written = getattr(getattr(type(model), name, None), "__code__", None)
-    place = "" if written is None else f"{written.co_filename}:{written.co_firstlineno}: "
-    return f"{place}{name}()"
+    file, line = written_at(getattr(type(model), name, None))
+    return f"{name}()" if file is None else f"{file}:{line}: {name}()"
 
 
-def _whole(name: str, value: Any, low: int, high: int = LONGEST) -> int:
+def whole(name: str, value: Any, low: int, high: int = LONGEST) -> int:
     """Return a whole number as Python's, which a manifest can hold."""
     return whole_number(value, name, low, high, SocialmindError)

@@ -35,6 +35,8 @@ MOST_TAKEN = 1000
 class FolderManifest:
     """What stands in a folder and how far it came; the content of its ``manifest.json``."""
 
+    model: dict[str, Any]
+
     WHAT: ClassVar[str]
     """What it is the manifest of."""
     NEEDED: ClassVar[tuple[str, ...]] = ()
@@ -103,10 +105,28 @@ class ManifestFolder(Generic[M]):
     """
 
     MANIFEST_CLASS: type[M]
+    HOME: str
+    """The folder that numbered ones are made in."""
 
     def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder).expanduser().absolute()
         self.manifest = self._manifest_on_disk()
+
+    @classmethod
+    def create(cls, out: Path | None, manifest: M, files: Mapping[str, bytes]) -> Self:
+        """Make a folder; it appears whole, with its manifest and files, or not at all.
+
+        Args:
+            out: a path where nothing is, or an empty folder; None for the next free number
+                under `HOME`.
+            manifest: what it is the folder of.
+            files: content of the other files that it holds from the start, by their paths.
+
+        Raises:
+            SocialmindError: the folder holds something, or cannot be written.
+        """
+        name = str(manifest.model["name"] or manifest.WHAT)
+        return cls(make_folder(out, cls.HOME, name, {**files, MANIFEST: manifest.content()}))
 
     def _manifest_on_disk(self) -> M:
         return self.MANIFEST_CLASS.load(self.folder / MANIFEST)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.catalogue import load_model, load_script
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders
-from socialmind.sources.folders import MODEL_FILE, catalogue, file_of_class, source_hash
+from socialmind.sources.folders import MODEL_FILE, catalogue, digest, file_of_class, source_hash
 from socialmind.sources.loading import modules_from
 from socialmind.sources.provenance import KEPT, difference, difference_of_copies, sources_of
 from socialmind.sources.trust import programs_in, remember, require
@@ -151,7 +150,7 @@ def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
     for population, path in capsule.schemes.items():
         if not path.is_file():
             return f"{path}: the run's copy of its scheme is missing"
-        if _sha256(path.read_bytes()) != capsule.manifest.schemes[population]["sha256"]:
+        if digest(path.read_bytes()) != capsule.manifest.schemes[population]["sha256"]:
             return f"{path}: the run's copy of its scheme was changed"
     for population, path in capsule.minds.items():
         if not path.is_dir():
@@ -173,7 +172,7 @@ def what_was_edited(record: Mapping[str, Any], place: Path) -> str | None:
         kind, _, name = label.partition("/")
         if kind == "model" and name.endswith(".py"):
             file = folder / name
-            if not file.is_file() or _sha256(file.read_bytes()) != hashed:
+            if not file.is_file() or digest(file.read_bytes()) != hashed:
                 return f"{file}: is not the file that the run was made with"
     if record.get("sources") is None and source_hash(place) != record["source_sha256"]:
         return f"{place}: is not the source the run was made with"
@@ -267,7 +266,7 @@ def scheme_copies(
             suffix, content = ".yaml", _as_yaml(scheme)
         alone = len(model.schemes) == 1
         file = f"scheme{suffix}" if alone else f"scheme-{population}{suffix}"
-        records[population] = {"name": scheme.name, "file": file, "sha256": _sha256(content)}
+        records[population] = {"name": scheme.name, "file": file, "sha256": digest(content)}
         files[file] = content
     return records, files
 
@@ -285,9 +284,9 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
     records: dict[str, dict[str, str]] = {}
     files: dict[str, bytes] = {}
     for population, assembly in model.assemblies.items():
-        with tempfile.TemporaryDirectory() as place:
-            assembly.description.save(Path(place) / "mind")
-            found = files_in(Path(place) / "mind")
+        from socialmind.mind.files.packing import files_of  # where there are minds it is loaded
+
+        found = files_of(assembly.description)
         folder = f"minds/{population}"
         name, sha256 = assembly.description.name, _hash_of(found)
         remember({path: content for path, content in found.items() if path.endswith(".py")})
@@ -307,8 +306,8 @@ def files_in(folder: Path) -> dict[str, bytes]:
 
 
 def _hash_of(files: Mapping[str, bytes]) -> str:
-    whole = "".join(f"{name} {_sha256(content)}\n" for name, content in sorted(files.items()))
-    return _sha256(whole.encode())
+    whole = "".join(f"{name} {digest(content)}\n" for name, content in sorted(files.items()))
+    return digest(whole.encode())
 
 
 def _as_yaml(scheme: CognitiveScheme) -> bytes:
@@ -316,7 +315,3 @@ def _as_yaml(scheme: CognitiveScheme) -> bytes:
         path = Path(folder) / "scheme.yaml"
         scheme.save(path)
         return path.read_bytes()
-
-
-def _sha256(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()

@@ -16,6 +16,7 @@ from coglogo_py.names import Names
 from socialmind.compiling.layout import SEEKING
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
+from socialmind.worlds.contract import address
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
@@ -31,9 +32,9 @@ def connect(model: Running) -> None:
     if len(known) == len(now) and all(map(operator.is_, known, now)):
         return
     arrays = _all_arrays(model)
-    numbers = [_address(model.stream), *(len(table.rows) for table in model.tables.values())]
+    numbers = [address(model.stream), *(len(table.rows) for table in model.tables.values())]
     for array in arrays.values():
-        numbers.append(_address(array))
+        numbers.append(address(array))
         if array.dtype.names is None:
             numbers += array.shape
     words = model.record.places_of(tuple(arrays), lambda: _columns(model, arrays))
@@ -86,10 +87,6 @@ def connected_arrays(model: Running) -> list[Any]:
         for name, array in _all_arrays(model).items()
         if not name.endswith(("_names", "_default", "_hierarchy", *SEEKING))
     ]
-
-
-def _address(array: Any) -> int:
-    return int(array.ctypes.data)
 
 
 def _all_arrays(model: Running) -> dict[str, Any]:

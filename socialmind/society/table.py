@@ -30,8 +30,7 @@ if TYPE_CHECKING:
     from coglogo_py import Mind
     from socialmind.agents.running import Running
     from socialmind.language.program import Program
-    from socialmind.mind.contract import CognitonMinds
-    from socialmind.mind.population_minds import PopulationMinds
+    from socialmind.mind.contract import CognitonMinds, SkillMinds
     from socialmind.mind.weighing import WeighingPlaces
     from socialmind.society.founding.blueprint import TableForm
 
@@ -73,7 +72,7 @@ class Table:
         form: TableForm,
         size: int,
         society: CognitonMinds | None,
-        minds: Callable[[int], PopulationMinds] | None = None,
+        minds: Callable[[int], SkillMinds] | None = None,
     ) -> None:
         self.model = model
         self.shape = shape

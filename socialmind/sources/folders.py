@@ -90,6 +90,11 @@ def model_folder(name_or_path: str | Path) -> Path:
     raise SocialmindError(f"no model called {name}; {nearest(name.replace('-', '_'), known)}")
 
 
+def digest(content: bytes) -> str:
+    """Return the SHA-256 of bytes."""
+    return hashlib.sha256(content).hexdigest()
+
+
 def source_hash(folder: Path) -> str:
     """The SHA-256 of what decides how a model runs: its Python files but figures and app.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import importlib.util
 import os
@@ -15,6 +16,7 @@ from pathlib import Path
 from types import CodeType, FrameType, ModuleType
 
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.language.syntax import parsed
 from socialmind.sources.folders import source_hash
 from socialmind.sources.trust import remember
 
@@ -76,6 +78,25 @@ def _compile(source: bytes, path: Path) -> CodeType:
         raise ModelError("brackets or blocks nested too deep for Python", file=path) from error
     except ValueError as error:  # null bytes
         raise ModelError(f"not a Python file ({error})", file=path) from error
+
+
+def tree_of(source: bytes | str, path: Path) -> ast.Module:
+    """Return the syntax tree of a Python file of a model or mind; nothing of it is run.
+
+    Args:
+        source: what the file holds.
+        path: the file.
+
+    Raises:
+        ModelError: it is no Python.
+    """
+    try:
+        tree: ast.Module = parsed(source)
+    except SyntaxError as error:
+        raise ModelError(f"not valid Python ({error.msg})", file=path, line=error.lineno) from None
+    except ValueError as error:  # null bytes
+        raise ModelError(f"not a Python file ({error})", file=path) from None
+    return tree
 
 
 @contextmanager

@@ -25,7 +25,7 @@ from socialmind.compiling.reached import is_of_a_package
 from socialmind.errors import SocialmindError
 from socialmind.language.syntax import parsed
 from socialmind.sources import folders
-from socialmind.sources.folders import MODEL_FILE, deciding_files, models_in
+from socialmind.sources.folders import MODEL_FILE, deciding_files, digest, models_in
 from socialmind.sources.loading import PRIVATE
 
 VERSION = 2
@@ -97,7 +97,7 @@ class Sources:
         whole = "".join(f"{label}\0{one}\n" for label, one in named)
         return {
             "version": VERSION,
-            "sha256": _sha256(whole.encode()),
+            "sha256": digest(whole.encode()),
             "files": hashes,
             "packages": self.packages,
         }
@@ -424,8 +424,4 @@ def _cells_of(model_class: ModelClass) -> str:
 
 
 def _hash_of(path: Path) -> str:
-    return _sha256(path.read_bytes())
-
-
-def _sha256(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()
+    return digest(path.read_bytes())

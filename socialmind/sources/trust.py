@@ -10,7 +10,6 @@ nobody else may write it or into its folder; where it cannot be kept, this proce
 
 from __future__ import annotations
 
-import hashlib
 import os
 import stat
 from collections.abc import Iterator, Mapping
@@ -19,7 +18,7 @@ from importlib.machinery import all_suffixes
 from pathlib import Path
 
 from socialmind.errors import SocialmindError
-from socialmind.sources.folders import STUDIES_FILE, catalogue, shipped
+from socialmind.sources.folders import STUDIES_FILE, catalogue, digest, shipped
 
 DATA_VARIABLE = "SOCIALMIND_DATA_DIR"
 """Environment variable that names the folder of what is remembered."""
@@ -67,7 +66,7 @@ def remember(programs: Mapping[str, bytes]) -> None:
         programs: the content of each by its path.
     """
     known = _remembered()
-    found = [*map(_digest, programs.values()), *map(_place, filter(os.path.isabs, programs))]
+    found = [*map(digest, programs.values()), *map(_place, filter(os.path.isabs, programs))]
     new = [one for one in dict.fromkeys(found) if one not in known]
     if not new:
         return
@@ -114,12 +113,12 @@ def require(programs: Mapping[str, bytes], trusted: bool, what: str, edited: boo
         path: content
         for path, content in programs.items()
         if content.strip()
-        and _digest(content) not in known
+        and digest(content) not in known
         and not (edited and _place(path) in known)
     }
     if unknown:
         shipped = _shipped()
-        unknown = {path: one for path, one in unknown.items() if _digest(one) not in shipped}
+        unknown = {path: one for path, one in unknown.items() if digest(one) not in shipped}
     if unknown:
         named = [path if path.isprintable() else repr(path) for path in unknown]
         more = f" and {len(named) - LISTED} more" if len(named) > LISTED else ""
@@ -130,12 +129,8 @@ def require(programs: Mapping[str, bytes], trusted: bool, what: str, edited: boo
         )
 
 
-def _digest(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()
-
-
 def _place(path: str) -> str:
-    return _digest(f"place {path}".encode(errors="surrogateescape"))
+    return digest(f"place {path}".encode(errors="surrogateescape"))
 
 
 def _data_folder() -> Path | None:
@@ -176,4 +171,4 @@ def _is_own(found: os.stat_result) -> bool:
 def _shipped() -> set[str]:
     """Return the hashes of the programs of the models and studies that ship."""
     homes = [*catalogue().values(), *shipped("analysis", STUDIES_FILE).values()]
-    return {_digest(content) for home in homes for content in programs_in(home).values()}
+    return {digest(content) for home in homes for content in programs_in(home).values()}

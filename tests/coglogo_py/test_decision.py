@@ -15,7 +15,7 @@ from coglogo_py import (
     SchemeError,
     WeightedStochastic,
 )
-from coglogo_py.decision import decision_maker_called
+from coglogo_py.decision import BUILT_IN, decision_maker_called
 
 ALMOST_ONE = math.nextafter(1.0, 0.0)
 
@@ -40,9 +40,11 @@ class Exploring(DecisionMaker):
 
 
 MAKERS = [
-    MaximumWeight(),
-    WeightedStochastic(),
-    *(BiasedWeightedStochastic(bias) for bias in (0.5, 1.0, 2.6, 30.0)),
+    *(
+        kind(bias)
+        for kind in BUILT_IN
+        for bias in ((0.5, 1.0, 2.6, 30.0) if kind.biased else (1.0,))
+    ),
     Exploring(0.25),
 ]
 COMPILED = {
@@ -221,7 +223,7 @@ def test_makers_are_found_by_their_exact_name():
     message = str(failure.value)
     assert "'maximumWeight'" in message
     assert "did you mean 'MaximumWeight'" in message
-    assert "BiasedWeightedStochastic, Exploring" in message
+    assert f"{BUILT_IN[-1].name}, Exploring" in message
 
 
 def test_an_incomplete_maker_is_refused_where_it_is_written():

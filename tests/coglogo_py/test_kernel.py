@@ -21,7 +21,7 @@ from coglogo_py import (
     WeightedStochastic,
     kernel,
 )
-from coglogo_py.decision import weight_shares
+from coglogo_py.decision import BUILT_IN, weight_shares
 from coglogo_py.laying_out import grown, maker_code, mind_arrays, scheme_arrays
 from coglogo_py.streams import uniforms
 
@@ -32,9 +32,7 @@ numbers = st.floats(-1e6, 1e6) | st.sampled_from([0.0, 1.0, -1.0, 1e300, -1e300,
 links = st.dictionaries(st.sampled_from(PLANS), st.floats(-10, 10), max_size=4)
 conditions = st.lists(st.sampled_from(PLANS), unique=True, max_size=3).map(tuple)
 makers = st.one_of(
-    st.just(MaximumWeight()),
-    st.just(WeightedStochastic()),
-    st.floats(0.05, 20).map(BiasedWeightedStochastic),
+    st.floats(0.05, 20).map(kind) if kind.biased else st.just(kind()) for kind in BUILT_IN
 )
 
 

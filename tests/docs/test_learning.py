@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from socialmind.learning import Lesson
-from socialmind.learning.lessons.lesson_file import NUMBERS, TEXTS, WHOLE
+from socialmind.learning.lessons.lesson_file import FURTHER
 from socialmind.learning.training.teaching import COLUMNS
 from socialmind.mind.files.evoagents import simbatch
 
@@ -47,7 +47,7 @@ def test_the_table_of_arguments_is_whole_and_true():
 def test_the_table_of_keys_is_whole():
     table = PAGE.split("| key | argument |")[1].split("\n\n")[0]
     keys = set(re.findall(r"`([A-Z]{3,})`", table))
-    own = {*WHOLE, *TEXTS, *NUMBERS, *simbatch.NUMBERS, *simbatch.TEXTS, "TYPE"}
+    own = {*FURTHER, *simbatch.NUMBERS, *simbatch.TEXTS, "TYPE"}
     elsewhere = {"BOTMODEL", "BOTNAME", "ROOTFOLDER"}
     assert own - elsewhere <= keys
     assert all(f"`{key}`" in PAGE for key in elsewhere)

@@ -10,6 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from socialmind.worlds.grid import geometry as torus
+from socialmind.worlds.grid import patches_near
 from socialmind.worlds.grid.extent import OF_TORUS, of_grid, values_of
 from socialmind.worlds.grid.patches import PatchWorld
 
@@ -239,7 +240,7 @@ def test_is_on_a_patch_by_hand():
 
 def test_patches_stand_column_by_column():
     places = [(-16, -16), (-16, -15), (-15, -16), (16, 16), (17, 0), (0.5, -0.5)]
-    found = [torus.patch_index(x, y, *space(-16, 33)) for x, y in places]
+    found = [patches_near.patch_index(x, y, *space(-16, 33)) for x, y in places]
     assert found == [0, 1, 33, 33 * 33 - 1, 16, 17 * 33 + 16]
 
 
@@ -248,10 +249,10 @@ def test_is_on_the_patch_of_a_point(u, v, x, y, size):
     world = world_of(size)
     agent = placed(world, u, v)
     assume(agent.x < world.low - 0.5 + size and agent.y < world.low - 0.5 + size)
-    place = torus.patch_index(agent.x, agent.y, *space(world.low, size))
+    place = patches_near.patch_index(agent.x, agent.y, *space(world.low, size))
     # Within a hair of a patch's edge the rounding of the way round the world decides.
     assume(all(abs((value + 0.5) % 1 - 0.5) < 0.5 - 1e-9 for value in (x, y)))
-    there = torus.patch_index(x, y, *space(world.low, size))
+    there = patches_near.patch_index(x, y, *space(world.low, size))
     assert torus.is_on(world, agent, x, y) == (place == there)
 
 
@@ -259,7 +260,7 @@ def test_is_on_the_patch_of_a_point(u, v, x, y, size):
 def test_in_radius_is_the_patches_whose_centre_is_near(x, y, radius, size):
     world = world_of(size)
     x, y = torus.wrapped(x, world.low, size), torus.wrapped(y, world.low, size)
-    found = list(torus.patches_in_radius(x, y, radius, *space(world.low, size)))
+    found = list(patches_near.patches_in_radius(x, y, radius, *space(world.low, size)))
     assert len(found) == len(set(found))
     for place in range(size * size):
         patch = world.row_class(world, place)
@@ -279,10 +280,10 @@ def test_in_radius_by_hand():
 
 def test_in_radius_over_the_edge_of_a_small_world():
     # Patches of a world of 3, whose places are 0 … 8: from x − 1 on, then from y − 1.
-    assert list(torus.patches_in_radius(1.0, 1.0, 1.0, *space(-1, 3))) == [5, 7, 8, 6, 2]
+    assert list(patches_near.patches_in_radius(1.0, 1.0, 1.0, *space(-1, 3))) == [5, 7, 8, 6, 2]
     # Of 5 by 5, from a corner: more rows than there are, but not the four patches 2 · √2 away.
     for x, y in ((2.0, 2.0), (-2.0, 2.0), (2.0, -2.0), (-2.0, -2.0)):
-        found = list(torus.patches_in_radius(x, y, 2.5, *space(-2, 5)))
+        found = list(patches_near.patches_in_radius(x, y, 2.5, *space(-2, 5)))
         far = {
             ((round(x) + i + 2) % 5) * 5 + (round(y) + j + 2) % 5 for i in (-2, 2) for j in (-2, 2)
         }
@@ -292,11 +293,11 @@ def test_in_radius_over_the_edge_of_a_small_world():
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, 1e300])
 def test_points_that_are_nowhere(bad):
     with pytest.raises(ValueError, match="nowhere"):
-        torus.patch_index(bad, 0.0, *space(-16, 33))
+        patches_near.patch_index(bad, 0.0, *space(-16, 33))
     with pytest.raises(ValueError, match="nowhere"):
-        list(torus.patches_in_radius(0.0, bad, 1.0, *space(-16, 33)))
+        list(patches_near.patches_in_radius(0.0, bad, 1.0, *space(-16, 33)))
     with pytest.raises(ValueError, match="nowhere"):
-        list(torus.patches_in_radius(0.0, 0.0, abs(bad), *space(-16, 33)))
+        list(patches_near.patches_in_radius(0.0, 0.0, abs(bad), *space(-16, 33)))
 
 
 def test_lattices_by_hand():

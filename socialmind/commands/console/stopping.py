@@ -36,27 +36,21 @@ def what_memory_lacked(error: MemoryError) -> str:
     """Say that there was too little memory, and what is known of how much was needed."""
     needed = f": {error}" if str(error) else ""
     return (
-        f"not enough memory{needed}; this program had {_peak():,} MB"
-        f"{_limit()}; take fewer agents, patches or workers, or a machine with more memory"
+        f"not enough memory{needed}{_held()}; take fewer agents, patches or workers, or a machine "
+        "with more memory"
     )
 
 
-def _peak() -> int:
-    """Return how much memory this program held at most, in megabytes; 0 where nobody tells."""
+def _held() -> str:
+    """Say how much memory this program held at most, as far as somebody tells."""
     try:
         import resource
     except ImportError:  # Windows
-        return 0
+        return ""
     unit = 1 if sys.platform == "darwin" else 1024
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit // 10**6
-
-
-def _limit() -> str:
-    try:
-        import resource
-    except ImportError:
-        return ""
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
+    held = f"; this program had {most // 10**6:,} MB"
     limit = resource.getrlimit(resource.RLIMIT_AS)[0]
-    if limit == resource.RLIM_INFINITY:
-        return ""
-    return f" and may have addresses for {limit // 10**6:,} MB (`ulimit -v`)"
+    if limit != resource.RLIM_INFINITY:
+        held += f" and may have addresses for {limit // 10**6:,} MB (`ulimit -v`)"
+    return held

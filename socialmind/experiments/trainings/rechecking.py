@@ -22,6 +22,7 @@ from socialmind.learning.training.finalists import individual_of
 from socialmind.learning.training.result import Training
 from socialmind.learning.training.teaching import evaluation_of
 from socialmind.mind import MindDescription
+from socialmind.runs.arrays_file import save_arrays
 from socialmind.runs.folders import MANIFEST
 from socialmind.sources.folders import model_folder, source_hash
 from socialmind.work.files import replace_file
@@ -96,7 +97,7 @@ def rescore(kept: Path, plan: TrainingPlan) -> list[Rescored]:
     others = [one for one in _rescored(Training(kept), plan) if one.now != one.before]
     for one in others:
         record, arrays = archive.load(one.file)
-        archive.save(one.file, {**record, "score": one.now}, arrays, compressed=True)
+        save_arrays(one.file, {**record, "score": one.now}, arrays, compressed=True)
     return others
 
 

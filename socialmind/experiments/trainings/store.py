@@ -19,6 +19,7 @@ from socialmind.learning.training.capsule import TrainingManifest
 from socialmind.learning.training.continuing import as_json
 from socialmind.learning.training.result import Training
 from socialmind.mind.files.packing import files_of
+from socialmind.runs.arrays_file import save_arrays
 from socialmind.runs.folders import FINISHED, INTERRUPTED, MANIFEST
 from socialmind.runs.sources import files_in
 from socialmind.sources.folders import model_folder, source_hash
@@ -71,12 +72,12 @@ def _keep_attempt(source: Path, target: Path) -> None:
         return
     target.mkdir(parents=True, exist_ok=True)
     for number in range(before + 1, record["done"] + 1):
-        archive.save(
+        save_arrays(
             result_file(target, number), *archive.load(result_file(source, number)), compressed=True
         )
     # Without the lesson in hand: it begins anew, and comes to the same.
     lasting = {name: one for name, one in arrays.items() if not name.startswith("teaching/")}
-    archive.save(target / CHECKPOINT, {**record, "in_hand": None}, lasting, compressed=True)
+    save_arrays(target / CHECKPOINT, {**record, "in_hand": None}, lasting, compressed=True)
 
 
 def _manifest(

@@ -10,19 +10,17 @@ from typing import Any, NoReturn
 import numpy as np
 
 from socialmind.errors import ModelError, nearest
-from socialmind.fields import Field
 from socialmind.language import hints, types
-from socialmind.language.networks import link_attribute
 from socialmind.language.nodes import Typed, call, constant, marked, written_number
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import RuleSource
 from socialmind.language.typing import operators, tables
+from socialmind.language.typing.attributes import typed_attribute
 from socialmind.language.typing.calls import neighbours
 from socialmind.language.typing.calls.built_in import BUILT_IN
 from socialmind.language.typing.calls.dispatch import typed_call
 from socialmind.language.typing.comparisons import typed_comparison
-from socialmind.language.typing.signatures import MATH_CONSTANTS
 
 _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
     (bool, (bool, np.bool_)),
@@ -31,7 +29,6 @@ _CONSTANTS: tuple[tuple[Callable[[Any], Any], tuple[type, ...]], ...] = (
     (str, (str,)),
 )
 """What a constant of an author's file may be; NumPy's numbers become Python's."""
-SCALARS: dict[type, types.Type] = {float: types.FLOAT, int: types.INT, bool: types.BOOL}
 _WRITTEN_NUMBERS = tuple(types.TextType(text) for text in ("inf", "-inf", "nan"))
 
 
@@ -215,7 +212,7 @@ class ExpressionTyper:
         if isinstance(value, int) and not -(2**63) <= value < 2**63:
             self.refuse(node, f"the number {value}", "write it as a float", "at most 64 bits")
         if isinstance(value, bool | int | float):
-            return constant(value, node), SCALARS[type(value)]
+            return constant(value, node), types.SCALARS[type(value)]
         if isinstance(value, str):
             return constant(value, node), types.TextType(value)
         if value is None:
@@ -316,125 +313,6 @@ class ExpressionTyper:
             return self.table(node, "(…)", values)
         return self.expression(node)
 
-    # Attributes -------------------------------------------------------------------------------
-
-    def _on_attribute(self, node: ast.Attribute) -> Typed:
-        if isinstance(node.value, ast.Name) and node.value.id not in self.variables:
-            module = self.source.names.get(node.value.id)
-            if isinstance(module, python_types.ModuleType):
-                return self.module_attribute(node, module)
-        base, kind = self.expression(node.value)
-        if isinstance(kind, types.MaybeRowType):
-            base, kind = neighbours.agent_there(base, kind)
-        new = ast.copy_location(ast.Attribute(base, node.attr, ast.Load()), node)
-        if kind == types.MODEL:
-            return self._model_attribute(new)
-        if isinstance(kind, types.RowType):
-            return self._agent_attribute(new, kind)
-        if isinstance(kind, types.PatchType):
-            if node.attr in ("x", "y"):
-                return marked(new, ("patch_place", node.attr)), types.INT
-            return self.field(new, self.shape.world.patch, kind, ("patch",))
-        if isinstance(kind, types.WorldType):
-            numbers = self.shape.world.numbers
-            if node.attr in numbers:
-                return marked(new, ("world_number", node.attr)), types.INT
-            remedy = hints.for_world(self, node.attr, tuple(numbers))
-            if node.attr == "patches":
-                remedy = "write `for patch in model.world.patches:`"
-            self.refuse(node, f"the world's {node.attr!r} as a value", remedy)
-        if isinstance(kind, types.PopulationType):
-            advice = hints.for_population(self, kind.population, node.attr)
-            self.refuse(node, f"{node.attr!r} of {kind}", advice)
-        return self.refuse(
-            node, f"{node.attr!r} of {kind}", "only agents, patches and the model have fields"
-        )
-
-    def module_attribute(self, node: ast.Attribute, module: python_types.ModuleType) -> Typed:
-        """Return a constant of `math`, or one of the author's own modules."""
-        name = f"{module.__name__}.{node.attr}"
-        names = self.program.module_names(module)
-        if node.attr not in names:
-            self.refuse(node, f"the unknown name {name!r}", nearest(node.attr, dir(module)))
-        if module.__name__ == "math" and node.attr not in MATH_CONSTANTS:
-            self.refuse(node, f"{name!r} as a value", f"call it: {name}(…)")
-        root = module.__name__.split(".")[0]
-        if root in MODULES:
-            self.refuse(node, f"{name!r} in a rule", MODULES[root])
-        return self.module_value(node, name, names[node.attr])
-
-    def _model_attribute(self, node: ast.Attribute) -> Typed:
-        name = node.attr
-        if name == "tick":
-            return marked(node, ("tick",)), types.INT
-        if name in self.shape.populations:
-            return marked(node, ("population", name)), types.PopulationType(name)
-        if name in self.shape.interactions:
-            return marked(node, ("interaction", name)), types.InteractionType(name)
-        if name == "world" and self.shape.world.commands:
-            return marked(node, ("world",)), types.WorldType()
-        fields = {**self.shape.parameters, **self.shape.variables}
-        if name not in fields:
-            found = f"the model's {name!r}, which it does not declare"
-            self.refuse(node, found, hints.for_model(self, name))
-        return self.field(node, fields, types.MODEL, ("model",))
-
-    def _agent_attribute(self, node: ast.Attribute, kind: types.RowType) -> Typed:
-        shape = self.shape.populations[kind.population]
-        if node.attr == "id":
-            return marked(node, ("id",)), types.INT
-        if node.attr == "mind" and shape.minded:
-            return marked(node, ("mind", shape.name)), types.MindType(shape.name)
-        if node.attr == "plan" and shape.minded:
-            steps = None if shape.steps is None else shape.name
-            return marked(node, ("plan", steps)), types.PlanType(shape.name)
-        if node.attr == "plan_ended" and shape.minded:
-            if shape.steps is None:
-                self.refuse(
-                    node,
-                    f"plan_ended of {kind}, whose plans are rules of one tick",
-                    "leave it out, or make a plan of several parts: sequence(sow, reap)",
-                )
-            return marked(node, ("plan_ended",)), types.BOOL
-        if node.attr == "hierarchy" and shape.hierarchy:
-            return marked(node, ("hierarchy", shape.name)), types.HierarchyType(shape.name)
-        if node.attr == "hierarchy":
-            self.refuse(
-                node,
-                f"the hierarchy of {kind}",
-                "give the population one: Population(…, hierarchy='mind', master='Collect')",
-            )
-        end = None if shape.links is None else link_attribute(node, shape.links, shape.name)
-        if end is not None:
-            return end
-        if node.attr in ("mind", "plan"):
-            self.refuse(
-                node,
-                f"the {node.attr} of {kind}",
-                "give the population a mind: Population(…, mind='scheme.yaml')",
-            )
-        return self.field(node, shape.fields, kind, ("agent", shape.name))
-
-    def field(
-        self, node: ast.Attribute, fields: Any, owner: types.AnyType, mark: tuple[Any, ...]
-    ) -> Typed:
-        """Return the reading of a declared field."""
-        found: Field | None = fields.get(node.attr)
-        if found is None:
-            if isinstance(owner, types.RowType):
-                advice = hints.for_agent(self, node, owner.population)
-            else:
-                advice = hints.declaring(node.attr, fields, "the class of the patches", self)
-            self.refuse(node, f"the unknown field {node.attr!r} of {owner}", advice)
-        kind: types.AnyType = SCALARS[found.kind]
-        if found.size is not None:
-            kind = types.ArrayType(SCALARS[found.kind], found.size)
-        elif found.optional:
-            kind = types.OptionalType(SCALARS[found.kind])
-        elif found.choices:
-            kind = types.ChoiceType(found.choices)
-        return marked(node, (*mark, found)), kind
-
     # Places in arrays and populations ---------------------------------------------------------
 
     def _on_subscript(self, node: ast.Subscript) -> Typed:
@@ -484,8 +362,9 @@ class ExpressionTyper:
         new = ast.copy_location(ast.Tuple([value for value, _ in items], ast.Load()), node)
         return new, types.TupleType(tuple(kind for _, kind in items))
 
-    # Operators, names of a scheme, calls -------------------------------------------------------
+    # Attributes, operators, calls, names of a scheme -------------------------------------------
 
+    _on_attribute = typed_attribute
     _on_unaryop = operators.typed_sign
     _on_binop = operators.typed_operation
     _on_boolop = operators.typed_logic

@@ -14,6 +14,7 @@ from socialmind.learning.episodes.learners import Halted
 from socialmind.learning.outcome import Outcome, filled
 from socialmind.mind.minds import Minds
 from socialmind.society.connection import connect, connected_arrays
+from socialmind.worlds.contract import address
 from socialmind.worlds.plane.ticks.lockstep_text import LOCKSTEP
 
 if TYPE_CHECKING:
@@ -69,10 +70,10 @@ class Batch:
                 copy = array.copy()
                 self._kept.append(copy)
                 if array.nbytes:
-                    copies.append((_address(copy), _address(array), array.nbytes))
+                    copies.append((address(copy), address(array), array.nbytes))
             self.copy_begin[lane + 1] = len(copies)
         self.copies = np.array(copies, np.int64)
-        self.contexts = np.array([_address(model.contexts) for model in self.models], np.int64)
+        self.contexts = np.array([address(model.contexts) for model in self.models], np.int64)
         self.job = np.full(lanes, -1, np.int64)
         self.module = self.models[0].engine.module
         self.work = np.zeros(1, LOCKSTEP)
@@ -121,7 +122,7 @@ class Batch:
             kept["_id"] = -1  # nobody has lived yet
         wanted = any(population is None for population, _ in episodes.recorded.values())
         rows[None] = np.zeros((jobs, 1) if wanted else (jobs, 0), self.models[0].contexts.dtype)
-        out = np.array([(_address(one), one.nbytes // jobs) for one in rows.values()], np.int64)
+        out = np.array([(address(one), one.nbytes // jobs) for one in rows.values()], np.int64)
         self.job[:] = -1
         work["lanes"], work["jobs"], work["next"] = len(self.models), jobs, 0
         work["limit"], work["failed"] = episodes.ticks, -1
@@ -133,17 +134,17 @@ class Batch:
             "weights": weights, "out": out, **words,
         }  # fmt: skip
         for name, array in arrays.items():
-            work[name] = _address(array)
+            work[name] = address(array)
         if not len(genomes) and episodes.skills:
             for name in episodes.skills:
                 minds.set_genome(name, episodes.description.skills[name].genome)
-        call, address = self.module.run_lanes.ctypes, _address(self.work)
+        call, work_at = self.module.run_lanes.ctypes, address(self.work)
         status = 1
         while status > 0:
             if episodes.stopped:
                 raise Halted
             begin = time.perf_counter()
-            status = call(address, self.rounds, 0)
+            status = call(work_at, self.rounds, 0)
             took = time.perf_counter() - begin
             self.rounds = max(
                 1, min(2 * self.rounds, MOST_ROUNDS, int(self.rounds * STRETCH / (took + 1e-9)))
@@ -202,7 +203,3 @@ class Batch:
 def _places(minds: Minds, skill: str) -> range:
     found = minds.assembly.genome_of(skill)
     return range(found.start, found.stop)
-
-
-def _address(array: NDArray[Any]) -> int:
-    return int(array.__array_interface__["data"][0])

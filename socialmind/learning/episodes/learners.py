@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.mind.description import MindDescription
+from socialmind.mind.modules import Skill
 from socialmind.mind.steering import Steering
 
 if TYPE_CHECKING:
@@ -68,17 +70,16 @@ class Learners:
             raise ModelError("a genome with a weight that is not finite", "finite numbers")
         return rows
 
-    def parts(self, genome: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-        """Return the weights of each skill that learns, cut out of a genome."""
-        sizes = [self.description.skills[name].genome_size for name in self.skills]
-        return dict(zip(self.skills, np.split(genome, np.cumsum(sizes)[:-1]), strict=True))
+    def skills_with(self, genome: NDArray[np.float64]) -> list[Skill]:
+        """Return the skills that learn, with the weights of a genome."""
+        return shared_out(genome, [self.description.skills[name] for name in self.skills])
 
     def steerings_with(self, genome: ArrayLike | None) -> dict[str, Steering]:
         """Return the minds of all populations, with a genome in that which learns."""
         steerings = dict(self.steerings)
         if genome is not None:
             row = self.rows(np.atleast_2d(np.asarray(genome)))[0]
-            mind = with_genomes(self.description, self.skills, row)
+            mind = self.description.with_modules(skills=self.skills_with(row))
             steerings[self.population] = replace(steerings[self.population], mind=mind)
         return steerings
 
@@ -119,9 +120,7 @@ def learners_of(
     steerings = model_class.steerings(given)
     led = steerings[name]
     mine = _described(led)
-    for one in skills:
-        mine.skill(one)
-    mine, top, drive = _filled(mine, skills), master or led.master, drive or led.drive
+    mine, top, drive = with_zeros(mine, skills), master or led.master, drive or led.drive
     if drive is not None and top is not None:
         mine = _ready(mine, top)
     steerings[name] = Steering(mine, top, drive)
@@ -159,16 +158,6 @@ def _described(steering: Steering) -> MindDescription:
     return mind if isinstance(mind, MindDescription) else MindDescription.load(mind)
 
 
-def _filled(description: MindDescription, skills: Sequence[str]) -> MindDescription:
-    """Return a mind whose learning skills have some genome."""
-    size = sum(description.skills[name].genome_size for name in skills)
-    unset = [name for name in skills if description.skills[name].genome is None]
-    if not unset:
-        return description
-    zeros = np.zeros(size)
-    return with_genomes(description, skills, zeros, only=unset)
-
-
 def _ready(description: MindDescription, master: str) -> MindDescription:
     """Return a mind without what is not learned yet and no part of the master's hierarchy.
 
@@ -185,26 +174,16 @@ def _ready(description: MindDescription, master: str) -> MindDescription:
     return description.with_modules(without=left) if left else description
 
 
-def with_genomes(
-    description: MindDescription,
-    skills: Sequence[str],
-    genome: NDArray[np.float64],
-    only: Sequence[str] | None = None,
-) -> MindDescription:
-    """Return a mind with other weights of some skills.
+def with_zeros(description: MindDescription, skills: Sequence[str]) -> MindDescription:
+    """Return a mind whose learning skills have weights, 0 where they are not set yet."""
+    chosen = [description.skill(name) for name in skills]
+    unset = [one for one in chosen if one.genome is None and one.genome_size]
+    zeros = [one.changed(genome=np.zeros(one.genome_size)) for one in unset]
+    return description.with_modules(skills=zeros) if zeros else description
 
-    Args:
-        description: the mind.
-        skills: whose genomes stand one after another in `genome`.
-        genome: (their sizes together,).
-        only: those to be replaced; all by default.
-    """
-    changed = []
-    first = 0
-    for name in skills:
-        skill = description.skills[name]
-        part = genome[first : first + skill.genome_size]
-        first += skill.genome_size
-        if only is None or name in only:
-            changed.append(replace(skill, genome=part))
-    return description.with_modules(skills=changed)
+
+def shared_out(genome: NDArray[np.float64], skills: Sequence[Skill]) -> list[Skill]:
+    """Return skills with the weights of a genome, in which theirs stand one after another's."""
+    places = pairwise(np.cumsum([0, *(skill.genome_size for skill in skills)]).tolist())
+    pairs = zip(skills, places, strict=True)
+    return [skill.changed(genome=genome[first:end]) for skill, (first, end) in pairs]

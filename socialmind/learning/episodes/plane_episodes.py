@@ -162,11 +162,8 @@ class Episodes:
         shape: tuple[int, int],
     ) -> Outcome:
         """Run one world after another."""
-        score, ticks, ended = (
-            np.zeros(len(keys)),
-            np.zeros(len(keys), int),
-            np.zeros(len(keys), int),
-        )
+        score = np.zeros(len(keys))
+        ticks, ended = np.zeros((2, len(keys)), int)
         fields: dict[str, list[Any]] = {name: [] for name in self.record}
         for job, (one, key) in enumerate(zip(individual.tolist(), keys.tolist(), strict=True)):
             model = self.model(key, rows[one] if len(rows) else None)

@@ -131,8 +131,8 @@ class SocietyEpisodes:
         model, start = self._worlds[seed]
         model.restore(start)
         if genome is not None:
-            for skill, part in self.learners.parts(genome).items():
-                model.tables[self.learners.population].minds.set_genome(skill, part)
+            for skill in self.learners.skills_with(genome):
+                model.tables[self.learners.population].minds.set_genome(skill.name, skill.genome)
         model.engine.set_up()
         said = []
         every = self.model_class.score_every or self.ticks

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.border.numbers import is_whole
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError
 from socialmind.learning.imprinting.controllers import (
     AnswerRecorder,
@@ -132,7 +132,7 @@ def imprint(
         raise skill.refused("to be trained on an empty recording", "one record or more")
     numbers = {"epochs": epochs, "batch": batch, "window": window, "starts": starts}
     for name, value in numbers.items():
-        _check_positive(name, value)
+        whole_number(value, name, 1, error=ModelError)
     if not rate > 0.0:
         raise ModelError(f"rate={rate!r} of training", "a number above 0")
     counts = len(skill.inputs), len(skill.outputs)
@@ -189,7 +189,7 @@ def imprint_in(
         ModelError: source, target or numbers do not fit.
     """
     for name, value in (("rounds", rounds), ("episodes", episodes), ("scored", scored)):
-        _check_positive(name, value)
+        whole_number(value, name, 1, error=ModelError)
     if not tolerance >= 0.0:
         raise ModelError(f"tolerance={tolerance!r} of imprinting", "a number, 0 or more")
     teacher = controller_of(source, skill)
@@ -231,7 +231,7 @@ def first_population(imprint: Imprint, size: int, spread: float, seed: int) -> N
     Returns:
         Shape (size, genome size); the first is the imprinted genome.
     """
-    _check_positive("size", size)
+    whole_number(size, "size", 1, error=ModelError)
     if not spread >= 0.0:
         raise ModelError(f"spread={spread!r} of a first population", "a number, 0 or more")
     genome = imprint.skill.genome
@@ -260,8 +260,3 @@ def _seeds(seed: int, purpose: int, number: int, count: int) -> list[int]:
     """Return the seeds that a round draws for a purpose, each below 2³²."""
     drawn = np.random.SeedSequence([seed, purpose, number]).generate_state(count)
     return [int(one) for one in drawn]
-
-
-def _check_positive(name: str, value: Any) -> None:
-    if not is_whole(value) or value < 1:
-        raise ModelError(f"{name}={value!r}", "a whole number, 1 or more")

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from socialmind.errors import ModelError, nearest
+from socialmind.errors import ModelError, nearest, of_model_file
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.optimisers.registry import OPTIMISERS, optimiser_named
 from socialmind.mind.files.evoagents import simbatch
@@ -14,15 +14,12 @@ from socialmind.mind.files.evoagents.text_file import Lines, text_of
 
 LEARNING = "LEARN2DSIM"
 """The type of task that is a lesson."""
-WHOLE = {
-    "BUDGET": "budget",
-    "FINALISTS": "finalists",
-    "FINALS": "finals",
-    "VALIDATION": "validation",
+FURTHER: Mapping[str, Callable[[Lines, str, str, int], Any]] = {
+    **dict.fromkeys(("BUDGET", "FINALISTS", "FINALS", "VALIDATION"), Lines.whole_number),
+    **dict.fromkeys(("WORLDS", "START"), lambda lines, value, key, line: value.lower()),
+    "SPREAD": Lines.number,
 }
-TEXTS = {"WORLDS": "worlds", "START": "start"}
-NUMBERS = {"SPREAD": "spread"}
-"""Further keys that are arguments of a lesson."""
+"""Further keys that are arguments of a lesson, and how their values are read."""
 
 Finder = Callable[[str, Callable[..., ModelError]], Any]
 
@@ -86,10 +83,8 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
     }
     if task.learning_method:
         arguments["optimiser"] = task.learning_method.upper()
-    try:
+    with of_model_file(path, places.get("LEARNINGMETHOD")):
         kind = optimiser_named(arguments.get("optimiser", Lesson.optimiser))
-    except ModelError as error:
-        raise _with_place(error, path, places.get("LEARNINGMETHOD")) from None
     given = {
         "generations": ("NUMGEN", task.generations),
         "repetitions": ("EVALREP", task.repetitions),
@@ -107,20 +102,14 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
     lines = Lines("", path)
     for key, value in task.others.items():
         line, name = places.get(key, 0), key.lower()
-        if key.upper() in WHOLE:
-            arguments[WHOLE[key.upper()]] = lines.whole_number(value, key, line)
-        elif key.upper() in TEXTS:
-            arguments[TEXTS[key.upper()]] = value.lower()
-        elif key.upper() in NUMBERS:
-            arguments[NUMBERS[key.upper()]] = lines.number(value, key, line)
+        if key.upper() in FURTHER:
+            arguments[name] = FURTHER[key.upper()](lines, value, key, line)
         elif name in kind.known_settings:
             amount = lines.number(value, key, line)
-            try:
+            with of_model_file(path, line):
                 settings[name] = kind.known_settings[name].checked(name, amount)
-            except ModelError as error:
-                raise _with_place(error, path, line) from None
         elif name not in anybody:
-            known = [*WHOLE, *TEXTS, *NUMBERS, *(one.upper() for one in kind.known_settings)]
+            known = [*FURTHER, *(one.upper() for one in kind.known_settings)]
             raise ModelError(
                 f"the key {key!r} of a lesson",
                 f"a setting of {kind.keyword} or another key of lessons",
@@ -128,11 +117,5 @@ def lesson_of(task: simbatch.Task, places: Mapping[str, int], path: Path, find: 
                 path,
                 line,
             )
-    try:
+    with of_model_file(path):
         return Lesson(**arguments, settings=settings)
-    except ModelError as error:
-        raise _with_place(error, path, None) from None
-
-
-def _with_place(error: ModelError, path: Path, line: int | None) -> ModelError:
-    return ModelError(error.found, error.expected, error.remedy, path, error.line or line)

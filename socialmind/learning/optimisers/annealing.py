@@ -27,6 +27,9 @@ class Annealing(Optimiser):
     exp(difference / temperature). After each generation the temperature and the size of the steps
     are multiplied by their factors.
 
+    Attributes:
+        temperature: the temperature now; 0 where it waits for scores that differ.
+
     >>> search = Annealing(2, seed=3, settings={"neighbours": 3, "temperature": 0.5})
     >>> search.ask().shape
     (4, 2)
@@ -58,13 +61,8 @@ class Annealing(Optimiser):
         """How many genomes a generation has."""
         return 1 + int(self.settings["neighbours"])
 
-    @property
-    def temperature(self) -> float:
-        """The temperature now; 0 where it waits for scores that differ."""
-        return self._temperature
-
     def _begin(self, first: NDArray[np.float64]) -> NDArray[np.float64]:
-        self._temperature = self.settings["temperature"]
+        self.temperature = self.settings["temperature"]
         self._step = self.settings["step"]
         given = first[: self.population] if len(first) else self._drawn(1)
         return np.concatenate([given, self._neighbours(given[0], self.population - len(given))])
@@ -72,19 +70,19 @@ class Annealing(Optimiser):
     def _advance(
         self, genomes: NDArray[np.float64], scores: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        if not self._temperature:
-            self._temperature = float(scores.std())
+        if not self.temperature:
+            self.temperature = float(scores.std())
         challenger = 1 + int(scores[1:].argmax())
         difference = float(scores[challenger] - scores[0])
         # Drawn in any case, so that the draws that follow do not hang on it.
         chance = self._generator.random()
         taken = difference >= 0.0 or (
-            self._temperature > 0.0 and chance < math.exp(difference / self._temperature)
+            self.temperature > 0.0 and chance < math.exp(difference / self.temperature)
         )
         stands = genomes[challenger if taken else 0]
-        if self._temperature:
+        if self.temperature:
             # Never down to 0, which stands for a temperature that is still to be found.
-            self._temperature = max(self._temperature * self.settings["cooling"], COLDEST)
+            self.temperature = max(self.temperature * self.settings["cooling"], COLDEST)
         self._step *= self.settings["narrowing"]
         return np.concatenate([stands[None], self._neighbours(stands, self.population - 1)])
 
@@ -96,8 +94,8 @@ class Annealing(Optimiser):
         return genome + np.where(steps, drawn, 0.0)
 
     def _own_state(self) -> State:
-        return {"temperature": self._temperature, "step": self._step}
+        return {"temperature": self.temperature, "step": self._step}
 
     def _restore_own(self, state: Mapping[str, Any]) -> None:
-        self._temperature = float(state["temperature"])
+        self.temperature = float(state["temperature"])
         self._step = float(state["step"])

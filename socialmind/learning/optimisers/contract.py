@@ -31,7 +31,7 @@ class Optimiser(ABC):
     A generation is drawn as soon as the one before is judged, so that the state holds it: an
     optimiser that is restored between `ask` and `tell` gives the generation in hand once more.
 
-    Subclasses say `keyword` and `known_settings`, and write `population`, `_begin`, `_advance`,
+    Subclasses say `keyword` and `known_settings`, and write `_begin`, `_advance`,
     `_own_state` and `_restore_own`; all that they draw is drawn from `_generator`. Those whose
     individuals are graphs say `graphs`, and write `_checked_size`, `_checked_first`,
     `_genomes_state`, `_restore_genomes` and `_check_fits` too.
@@ -43,6 +43,10 @@ class Optimiser(ABC):
         settings: values by name, others than the defaults of `known_settings`.
         first: individuals to begin from, the foremost first, shape (k, size); where they are
             graphs, a list. They stand at the head of the first generation, as many as fit into it.
+
+    Attributes:
+        generation: how many generations were told.
+        best_score: the score of the best individual; minus infinity before the first is told.
 
     Raises:
         ModelError: an argument is outside its range.
@@ -76,20 +80,15 @@ class Optimiser(ABC):
         self.settings = MappingProxyType(checked(self.known_settings, settings or {}))
         self._generator = np.random.default_rng(whole("seed", seed, 0))
         self._asked = False
-        self._generation = 0
-        self._best_score = -math.inf
+        self.generation = 0
+        self.best_score = -math.inf
         self._genomes: Generation = self._begin(self._checked_first(first))
         self._best: Any = copy.copy(self._genomes[0])
 
     @property
-    @abstractmethod
     def population(self) -> int:
-        """How many genomes a generation has."""
-
-    @property
-    def generation(self) -> int:
-        """How many generations were told."""
-        return self._generation
+        """How many individuals a generation has."""
+        return int(self.settings["population"])
 
     @property
     def best(self) -> Any:
@@ -98,14 +97,9 @@ class Optimiser(ABC):
         Raises:
             ModelError: no generation was told yet.
         """
-        if not self._generation:
+        if not self.generation:
             raise ModelError("no best genome before the first generation is told")
         return copy.copy(self._best)
-
-    @property
-    def best_score(self) -> float:
-        """Its score; minus infinity before the first generation is told."""
-        return self._best_score
 
     def ask(self) -> Generation:
         """Return the genomes of the generation, shape (population, size), or a list of graphs.
@@ -115,7 +109,7 @@ class Optimiser(ABC):
         """
         if self._asked:
             raise ModelError(
-                f"generation {self._generation} asked for twice", "ask, then tell", "tell scores"
+                f"generation {self.generation} asked for twice", "ask, then tell", "tell scores"
             )
         self._asked = True
         return copy.copy(self._genomes)
@@ -139,17 +133,17 @@ class Optimiser(ABC):
         if wrong.size:
             raise ModelError(f"the score {told[wrong[0]]} of genome {wrong[0]}", "a finite number")
         leader = int(told.argmax())
-        if told[leader] > self._best_score:
-            self._best, self._best_score = copy.copy(self._genomes[leader]), float(told[leader])
+        if told[leader] > self.best_score:
+            self._best, self.best_score = copy.copy(self._genomes[leader]), float(told[leader])
         self._genomes = self._advance(self._genomes, told)
-        self._generation += 1
+        self.generation += 1
         self._asked = False
 
     def state(self) -> State:
         """Return all that `restore` needs, as arrays and numbers."""
         return {
-            "generation": self._generation,
-            "best_score": self._best_score,
+            "generation": self.generation,
+            "best_score": self.best_score,
             "generator": words_of(self._generator),
             **self._genomes_state(),
             **self._own_state(),
@@ -176,8 +170,8 @@ class Optimiser(ABC):
         self._generator = generator_at(state["generator"])
         self._restore_own(state)
         self._restore_genomes(state)
-        self._generation = int(state["generation"])
-        self._best_score = float(state["best_score"])
+        self.generation = int(state["generation"])
+        self.best_score = float(state["best_score"])
         self._asked = False
 
     @abstractmethod

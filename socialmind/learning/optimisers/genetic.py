@@ -64,11 +64,6 @@ class Genetic(Optimiser):
         }
     )
 
-    @property
-    def population(self) -> int:
-        """How many genomes a generation has."""
-        return int(self.settings["population"])
-
     def _begin(self, first: NDArray[np.float64]) -> NDArray[np.float64]:
         elite = int(self.settings["elite"])
         if elite >= self.population:

@@ -138,11 +138,6 @@ class Neat(Optimiser):
         """
         return cls((len(skill.inputs), len(skill.outputs)), seed, settings, first)
 
-    @property
-    def population(self) -> int:
-        """How many graphs a generation has."""
-        return int(self.settings["population"])
-
     def _checked_size(self, size: Any) -> tuple[int, int]:
         if not isinstance(size, Sequence) or len(size) != 2:
             raise ModelError(

@@ -11,37 +11,30 @@ import numpy as np
 
 from coglogo_py.border.errors import CogLogoError, one_line
 from socialmind.errors import SocialmindError
-from socialmind.runs.arrays_file import load_arrays, save_arrays
+from socialmind.runs.arrays_file import load_arrays
+from socialmind.runs.record import Expected, Fields, check_record
 
-_RECORD = "record"
-
-
-def save(
-    path: Path, record: Mapping[str, Any], arrays: Mapping[str, Any], compressed: bool = False
-) -> None:
-    """Write the file: whenever the process is killed, the one before or this one stands there.
-
-    Args:
-        path: where.
-        record: what JSON can hold.
-        arrays: by name; numbers and texts, no Python objects.
-        compressed: smaller, and slower to write; it is read all the same.
-    """
-    save_arrays(path, _RECORD, record, arrays, compressed)
+ANYTHING = Fields({})
 
 
-def load(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+def load(path: Path, expected: Expected = ANYTHING) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """Return the record and the arrays of a file.
 
+    Args:
+        path: the file.
+        expected: what its record holds.
+
     Raises:
-        SocialmindError: the file is no such file, or cut off.
+        SocialmindError: the file is no such file, cut off, or holds something else.
     """
     try:
-        return load_arrays(path, _RECORD)
+        record, arrays = load_arrays(path)
     except (OSError, ValueError) as error:
         raise SocialmindError(
             f"{path}: not a whole file of a training ({error}); take it from a copy of the folder"
         ) from error
+    check_record(record, expected, str(path))
+    return record, arrays
 
 
 @contextmanager

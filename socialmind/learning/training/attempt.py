@@ -12,7 +12,7 @@ A file of a lesson counts once the checkpoint says so.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -26,7 +26,7 @@ from socialmind.learning.training.finalists import arrays_of
 from socialmind.learning.training.teaching import Result, Teaching
 from socialmind.mind.functions.neat.graph import NeatGraph
 from socialmind.runs import record as kinds
-from socialmind.runs.record import check_record
+from socialmind.runs.arrays_file import save_arrays
 from socialmind.work.workers import Stop
 
 CHECKPOINT = "checkpoint.npz"
@@ -66,6 +66,9 @@ class Attempt:
         number: of the attempt, from 1; its draws hang on it.
         course: what is learned.
 
+    Attributes:
+        position: where in the curriculum it is; None behind the end.
+
     Raises:
         SocialmindError: its files are not whole.
     """
@@ -78,7 +81,7 @@ class Attempt:
         self.done = 0
         self.seconds = 0.0
         self._item_ticks = 0
-        self._at: Position | None = Position()
+        self.position: Position | None = Position()
         self._teaching: Teaching | None = None
         if (folder / CHECKPOINT).exists():
             with archive.reading(folder / CHECKPOINT):
@@ -87,12 +90,7 @@ class Attempt:
     @property
     def finished(self) -> bool:
         """Whether all lessons are done."""
-        return self._at is None
-
-    @property
-    def position(self) -> Position | None:
-        """Where in the curriculum it is; None behind the end."""
-        return self._at
+        return self.position is None
 
     @property
     def generation(self) -> int:
@@ -117,11 +115,11 @@ class Attempt:
         Raises:
             Stopped: `stop` said so; the last checkpoint stands.
         """
-        while self._at is not None:
+        while self.position is not None:
             begun = time.perf_counter()
             if self._teaching is None:
-                self._teaching = self._taught(self._at)
-            teaching, position = self._teaching, self._at
+                self._teaching = self._taught(self.position)
+            teaching, position = self._teaching, self.position
             while not (teaching.over or self._cycle_over):
                 teaching.advance(evaluators, stop)
                 self.seconds += max(0.0, time.perf_counter() - begun)
@@ -136,7 +134,7 @@ class Attempt:
     @property
     def _cycle_over(self) -> bool:
         """Whether the budget of the cycle in hand is used up."""
-        cycle = None if self._at is None else self.course.curriculum.cycle_at(self._at)
+        cycle = None if self.position is None else self.course.curriculum.cycle_at(self.position)
         if cycle is None or cycle.budget is None or self.generation == 0:
             return False
         in_hand = 0 if self._teaching is None else self._teaching.ticks
@@ -150,7 +148,7 @@ class Attempt:
     def _conclude(self, teaching: Teaching, result: Result) -> None:
         """Freeze what a lesson has given, and turn to the next one."""
         self.mind = self.mind.with_modules(skills=teaching.learned(result.winner))
-        position = self._at or Position()
+        position = self.position or Position()
         write_result(self.folder, self.done + 1, teaching.lesson, position, result)
         self.done += 1
         self._item_ticks += result.ticks
@@ -162,8 +160,8 @@ class Attempt:
         """Turn to the lesson behind a position."""
         cycle = self.course.curriculum.cycle_at(position)
         over = cycle is not None and cycle.budget is not None and self._item_ticks >= cycle.budget
-        self._at = self.course.curriculum.next(position, over)
-        if self._at is not None and self._at.item != position.item:
+        self.position = self.course.curriculum.next(position, over)
+        if self.position is not None and self.position.item != position.item:
             self._item_ticks = 0
 
     def _checkpoint(self, last: Position | None = None) -> None:
@@ -183,7 +181,7 @@ class Attempt:
             if isinstance(skill.function, NeatGraph)
         }
         record = {
-            "position": self._at,
+            "position": self.position,
             "last": last,
             "done": self.done,
             "item_ticks": self._item_ticks,
@@ -195,7 +193,7 @@ class Attempt:
         if self._teaching is not None:
             arrays |= archive.under("teaching/", self._teaching.state())
         self.folder.mkdir(parents=True, exist_ok=True)
-        archive.save(self.folder / CHECKPOINT, record, arrays)
+        save_arrays(self.folder / CHECKPOINT, record, arrays)
 
     def _restore(self) -> None:
         record, arrays = load_checkpoint(self.folder)
@@ -211,12 +209,12 @@ class Attempt:
         self.seconds = record["seconds"]
         self._item_ticks = record["item_ticks"]
         if record["position"] is not None:
-            self._at = Position(*record["position"])
+            self.position = Position(*record["position"])
         else:
             # A cycle may go round more often than when the attempt was finished.
             self._turn_from(Position(*record["last"]))
-        if record["in_hand"] and self._at is not None:
-            self._teaching = self._taught(self._at, resumed=True)
+        if record["in_hand"] and self.position is not None:
+            self._teaching = self._taught(self.position, resumed=True)
             self._teaching.restore(archive.part(arrays, "teaching/"))
 
     def _news(self, teaching: Teaching, position: Position) -> News:
@@ -262,9 +260,7 @@ def load_checkpoint(folder: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     Raises:
         SocialmindError: the file is not what a training wrote.
     """
-    record, arrays = archive.load(folder / CHECKPOINT)
-    check_record(record, _CHECKPOINT, str(folder / CHECKPOINT))
-    return record, arrays
+    return archive.load(folder / CHECKPOINT, _CHECKPOINT)
 
 
 def load_result(folder: Path, number: int) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -273,10 +269,18 @@ def load_result(folder: Path, number: int) -> tuple[dict[str, Any], dict[str, An
     Raises:
         SocialmindError: the file is not what a training wrote.
     """
-    path = result_file(folder, number)
-    record, arrays = archive.load(path)
-    check_record(record, _RESULT, str(path))
-    return record, arrays
+    return archive.load(result_file(folder, number), _RESULT)
+
+
+def results_of(folder: Path) -> Iterator[tuple[Path, dict[str, Any], dict[str, Any]]]:
+    """Yield the file, the record and the arrays of each lesson that an attempt has finished.
+
+    Raises:
+        SocialmindError: a file is not what a training wrote.
+    """
+    if (folder / CHECKPOINT).is_file():
+        for number in range(1, load_checkpoint(folder)[0]["done"] + 1):
+            yield result_file(folder, number), *load_result(folder, number)
 
 
 def write_result(
@@ -306,7 +310,7 @@ def write_result(
         **archive.under("best/", arrays_of(result.best)),
     }
     folder.mkdir(parents=True, exist_ok=True)
-    archive.save(result_file(folder, number), record, arrays)
+    save_arrays(result_file(folder, number), record, arrays)
 
 
 def result_file(folder: Path, number: int) -> Path:

@@ -16,7 +16,6 @@ from socialmind.runs import record as kinds
 from socialmind.runs.record import within
 
 KIND = "training"
-HOME = "trainings"
 MIND = "mind"
 _CHANGES = kinds.Fields(
     dict.fromkeys(("generations", "budget", "cycles"), kinds.optional(kinds.whole(1))),
@@ -99,25 +98,7 @@ class TrainingCapsule(folders.ManifestFolder[TrainingManifest]):
     """
 
     MANIFEST_CLASS = TrainingManifest
-
-    @classmethod
-    def create(
-        cls, out: Path | None, manifest: TrainingManifest, mind: Mapping[str, bytes]
-    ) -> TrainingCapsule:
-        """Make a training's folder; it appears whole or not at all.
-
-        Args:
-            out: a path where nothing is, or an empty folder; None for the next free number under
-                ``trainings/``.
-            manifest: what the training is.
-            mind: the files of the mind that learning begins from.
-
-        Raises:
-            SocialmindError: the folder holds something, or cannot be written.
-        """
-        files = {f"{MIND}/{name}": content for name, content in mind.items()}
-        files[folders.MANIFEST] = manifest.content()
-        return cls(folders.make_folder(out, HOME, manifest.model["name"] or KIND, files))
+    HOME = "trainings"
 
     @property
     def mind(self) -> Path:

@@ -12,7 +12,7 @@ from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
-from socialmind.learning.training.attempt import Attempt, load_result
+from socialmind.learning.training.attempt import Attempt, results_of
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
 from socialmind.learning.training.course import TrainingCourse, curriculum_of
 from socialmind.mind.description import MindDescription
@@ -42,9 +42,8 @@ def check_folder(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
     )
     for number in range(1, manifest.attempts + 1):
         if capsule.attempt(number).exists():
-            attempt = Attempt(capsule.attempt(number), number, course)
-            for lesson in range(1, attempt.done + 1):
-                load_result(attempt.folder, lesson)
+            Attempt(capsule.attempt(number), number, course)
+            list(results_of(capsule.attempt(number)))
 
 
 def with_changes(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curriculum:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -200,6 +200,5 @@ def _minds_in(model: str | Path | type[Model] | None) -> list[tuple[Any, Path]]:
     if model is None:
         return []
     cls = model if isinstance(model, type) else load_model(model)
-    populations: Mapping[str, Any] = cls.populations
-    given: Iterable[Any] = (one.hierarchy for one in populations.values())
+    given = [one.hierarchy for one in cls.populations.values()]
     return [(one, cls.folder()) for one in given if one is not None]

@@ -10,12 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from socialmind.learning.training import archive
-from socialmind.learning.training.attempt import (
-    CHECKPOINT,
-    load_checkpoint,
-    load_result,
-    result_file,
-)
+from socialmind.learning.training.attempt import CHECKPOINT, load_checkpoint, results_of
 from socialmind.learning.training.teaching import COLUMNS, VALIDATED
 from socialmind.work.files import make_room
 
@@ -59,9 +54,8 @@ def _lessons(folder: Path) -> list[tuple[int, str, np.ndarray]]:
         return []
     record, arrays = load_checkpoint(folder)
     found = []
-    for number in range(1, record["done"] + 1):
-        told, own = load_result(folder, number)
-        with archive.reading(result_file(folder, number)):
+    for file, told, own in results_of(folder):
+        with archive.reading(file):
             found.append((told["cycle"], told["lesson"], _rows(own["rows"])))
     if record["in_hand"] is not None:
         with archive.reading(folder / CHECKPOINT):

@@ -9,7 +9,6 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from coglogo_py.border.numbers import whole_number
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning.episodes.evaluation import COMPILED, PYMUNK
@@ -18,7 +17,7 @@ from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training import continuing
 from socialmind.learning.training.attempt import Attempt, News
-from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
+from socialmind.learning.training.capsule import MIND, TrainingCapsule, TrainingManifest
 from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curriculum_of, mind_of
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
@@ -27,7 +26,7 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of
 from socialmind.model import Model
 from socialmind.runs import folders
-from socialmind.runs.execution import NO_ROOM, no_room
+from socialmind.runs.execution import NO_ROOM, no_room, whole
 from socialmind.runs.sources import model_source
 from socialmind.sources.trust import programs_in, remember, require
 from socialmind.work.files import remove
@@ -108,12 +107,12 @@ def learn(
         SocialmindError: lessons and mind do not fit together, a folder in use, …
         TrainingInterrupted: Ctrl-C; all but the generation in hand is safe, `resume` goes on.
     """
-    attempts = _whole("attempts", attempts)
+    attempts = whole("attempts", attempts, 1)
     generations, budget, cycles = (
-        None if value is None else _whole(name, value)
+        None if value is None else whole(name, value, 1)
         for name, value in (("generations", generations), ("budget", budget), ("cycles", cycles))
     )
-    seed = _whole("seed", seed, 0, 2**64 - 1)
+    seed = whole("seed", seed, 0, 2**64 - 1)
     if engine not in (COMPILED, PYMUNK):
         raise SocialmindError(f"engine {engine!r}; expected {COMPILED} or {PYMUNK}")
     target = None if out is None else Path(out)
@@ -142,7 +141,8 @@ def learn(
         versions=folders.versions(),
         platforms=[folders.fingerprint()],
     )
-    capsule = TrainingCapsule.create(target, manifest, files)
+    copy = {f"{MIND}/{path}": content for path, content in files.items()}
+    capsule = TrainingCapsule.create(target, manifest, copy)
     with capsule.locked():
         _go(capsule, curriculum, workers, cluster, on_generation, on_lesson)
     return capsule.folder
@@ -181,8 +181,8 @@ def resume(
         SocialmindError: no training's folder, in use, or its model or lessons were changed since.
         TrainingInterrupted: Ctrl-C; all but the generation in hand is safe.
     """
-    attempts = None if attempts is None else _whole("attempts", attempts)
-    cycles = None if cycles is None else _whole("cycles", cycles)
+    attempts = None if attempts is None else whole("attempts", attempts, 1)
+    cycles = None if cycles is None else whole("cycles", cycles, 1)
     capsule = TrainingCapsule(folder)
     with capsule.locked():
         manifest = capsule.manifest
@@ -315,8 +315,3 @@ def _chosen(lessons: Any) -> list[str] | None:
         str(Path(one).absolute()) if one.endswith(SIMBATCH) and Path(one).is_file() else one
         for one in texts
     ]
-
-
-def _whole(name: str, value: Any, low: int = 1, high: int | None = None) -> int:
-    """Return a whole number as Python's, which a manifest can hold."""
-    return whole_number(value, name, low, high, SocialmindError)

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from socialmind.learning.episodes.learners import shared_out
 from socialmind.learning.training import archive
 from socialmind.mind.functions.neat.graph import NeatGraph
 from socialmind.mind.modules import Skill
@@ -42,9 +43,7 @@ class Individual:
         """Return the skills that learned, with what was found."""
         if self.graph is not None:
             return [skills[0].changed(function=self.graph, genome=self.genome)]
-        ends = np.cumsum([skill.genome_size for skill in skills])
-        parts = np.split(self.genome, ends[:-1])
-        return [skill.changed(genome=own) for skill, own in zip(skills, parts, strict=True)]
+        return shared_out(self.genome, skills)
 
 
 class Finalists:

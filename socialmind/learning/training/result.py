@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from socialmind.errors import SocialmindError
 from socialmind.learning.training import archive
-from socialmind.learning.training.attempt import (
-    CHECKPOINT,
-    load_checkpoint,
-    load_result,
-    result_file,
-)
+from socialmind.learning.training.attempt import CHECKPOINT, load_checkpoint, results_of
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
 from socialmind.learning.training.curve import read_curve
 from socialmind.learning.training.finalists import Individual, individual_of
@@ -85,8 +80,8 @@ class Training:
 
         rows = []
         for attempt in self.attempts:
-            for number, (record, arrays) in enumerate(self._results(attempt), 1):
-                with archive.reading(result_file(self._capsule.attempt(attempt), number)):
+            for file, record, arrays in results_of(self._capsule.attempt(attempt)):
+                with archive.reading(file):
                     winner = individual_of(archive.part(arrays, "winner/"))
                     best = individual_of(archive.part(arrays, "best/"))
                     rows.append(
@@ -115,11 +110,12 @@ class Training:
         Raises:
             SocialmindError: the attempt has not finished such a lesson.
         """
-        results = [one for one in self._results(attempt) if one[0]["lesson"] == lesson]
-        if not results:
-            raise SocialmindError(f"{self.folder}: attempt {attempt} has not finished {lesson}")
-        with archive.reading(self._capsule.attempt(attempt)):
-            return individual_of(archive.part(results[-1][1], "best/"))
+        results = list(results_of(self._capsule.attempt(attempt)))
+        for file, record, arrays in reversed(results):
+            if record["lesson"] == lesson:
+                with archive.reading(file):
+                    return individual_of(archive.part(arrays, "best/"))
+        raise SocialmindError(f"{self.folder}: attempt {attempt} has not finished {lesson}")
 
     def mind(self, attempt: int = 1, after: str | None = None) -> MindDescription:
         """Return the mind that an attempt has learned.
@@ -132,24 +128,17 @@ class Training:
         Raises:
             SocialmindError: the attempt has not finished this lesson, or none.
         """
-        results = self._results(attempt)
-        names = [record["lesson"] for record, _ in results]
+        results = list(results_of(self._capsule.attempt(attempt)))
+        names = [record["lesson"] for _, record, _ in results]
         if not names or (after is not None and after not in names):
             what = "no lesson" if after is None else f"no lesson called {after}"
             raise SocialmindError(f"{self.folder}: attempt {attempt} has finished {what}")
         last = max(place for place, name in enumerate(names) if name == (after or names[-1]))
         require(programs_in(self._capsule.mind), self._trust, f"{self.folder}: its copy of a mind")
         mind = MindDescription.load(self._capsule.mind)
-        for number, (record, arrays) in enumerate(results[: last + 1], 1):
-            with archive.reading(result_file(self._capsule.attempt(attempt), number)):
+        for file, record, arrays in results[: last + 1]:
+            with archive.reading(file):
                 winner = individual_of(archive.part(arrays, "winner/"))
                 skills = [mind.skill(name) for name in record["skills"]]
                 mind = mind.with_modules(skills=winner.given_to(skills))
         return mind
-
-    def _results(self, attempt: int) -> list[tuple[dict[str, Any], dict[str, Any]]]:
-        folder = self._capsule.attempt(attempt)
-        if not (folder / CHECKPOINT).is_file():
-            return []
-        record, _ = load_checkpoint(folder)
-        return [load_result(folder, one) for one in range(1, record["done"] + 1)]

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, nearest
 from socialmind.learning.episodes.evaluation import Evaluation
 from socialmind.learning.episodes.evaluators import Evaluators
+from socialmind.learning.episodes.learners import with_zeros
 from socialmind.learning.lessons import keys
 from socialmind.learning.lessons.lesson import FIXED, KNOWN, Lesson
 from socialmind.learning.optimisers.contract import Optimiser
@@ -239,14 +240,8 @@ class Teaching:
 
 def evaluation_of(lesson: Lesson, mind: MindDescription, engine: str) -> Evaluation:
     """Return how a lesson's individuals are evaluated."""
-    learning = [mind.skill(name) for name in lesson.skills]
     # Weights that are not set yet are exchanged for those of individuals in any case.
-    begun = [
-        skill.changed(genome=np.zeros(skill.genome_size))
-        for skill in learning
-        if skill.genome is None and skill.genome_size
-    ]
-    mind = mind.with_modules(skills=begun)
+    mind = with_zeros(mind, lesson.skills)
     return Evaluation(
         lesson.environment,
         mind.on_stand_ins(lesson.master, lesson.stand_ins) if lesson.stand_ins else mind,
@@ -276,16 +271,13 @@ def check_fits(lesson: Lesson, mind: MindDescription, learned: Sequence[str]) ->
             "a class",
             "write the lesson into a model's lessons.py",
         )
-    names = (lesson.master, *lesson.skills)
-    for name in names:
-        try:
-            mind.skill(name)
-        except ModelError as error:
+    for name in (lesson.master, *lesson.skills):
+        if name not in mind.skills:
             raise lesson.refused(
                 f"of the skill {name!r}, which the mind {mind.name!r} has not",
                 "one of its skills",
-                error.remedy,
-            ) from None
+                nearest(name, mind.skills),
+            )
     below = mind.below(lesson.master)
     for one in lesson.stand_ins:
         if one.name not in below or one.name in (lesson.master, *lesson.skills):

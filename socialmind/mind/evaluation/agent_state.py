@@ -11,10 +11,10 @@ from socialmind.mind.kernel.layout import OBSERVED
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from socialmind.mind.contract import SkillMinds
     from socialmind.mind.description import MindDescription
     from socialmind.mind.evaluation.arrays import Assembly
     from socialmind.mind.evaluation.state import State
-    from socialmind.mind.population_minds import PopulationMinds
 
 Name = TypeVar("Name")
 
@@ -111,7 +111,7 @@ class AgentState(Readings):
         slot: the agent's place in the population's arrays.
     """
 
-    def __init__(self, minds: PopulationMinds, slot: int) -> None:
+    def __init__(self, minds: SkillMinds, slot: int) -> None:
         self._minds = minds
         self._slot = slot
         self.assembly = minds.assembly

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, written_at
 from socialmind.mind.modules import Skill, Variable
 
 
@@ -45,11 +45,9 @@ def failure_of_regulation(variable: Variable, agent: int) -> ModelError:
 
 def failure_of_drive(drive: Callable[..., None] | None, agent: int) -> ModelError:
     """Return the error of a drive that failed."""
-    code = getattr(drive, "__code__", None)
     return ModelError(
         f"the drive {getattr(drive, '__name__', drive)!r} failed for agent {agent}",
         None,
         "a Hierarchy with this agent's sensors and variables shows why",
-        None if code is None else code.co_filename,
-        None if code is None else code.co_firstlineno,
+        *written_at(drive),
     )

@@ -208,12 +208,6 @@ def _address(array: NDArray[Any]) -> int:
     return int(array.__array_interface__["data"][0])
 
 
-def copied(state: State) -> dict[str, NDArray[Any]]:
-    """Return copies of the arrays of a state by name."""
-    arrays = zip(State._fields, state, strict=True)
-    return {name: array.copy() for name, array in arrays if name != "nodes"}
-
-
 def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
     """Return a state with the arrays of a copy.
 
@@ -247,7 +241,7 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
 
 def kept(state: State, societies: Iterable[Society]) -> dict[str, NDArray[Any]]:
     """Return copies of all arrays that change, those of cogniton schemes too, by name."""
-    arrays = copied(state)
+    arrays = {n: one.copy() for n, one in state._asdict().items() if n != "nodes"}
     for number, society in enumerate(societies):
         arrays |= {f"scheme_{number}.{name}": one for name, one in society.state().items()}
     return arrays
@@ -257,10 +251,5 @@ def restore_societies(societies: Iterable[Society], arrays: Mapping[str, NDArray
     """Give the cogniton schemes of minds the arrays that `kept` returned."""
     for number, society in enumerate(societies):
         begin = f"scheme_{number}."
-        society.restore(
-            {
-                name.removeprefix(begin): one
-                for name, one in arrays.items()
-                if name.startswith(begin)
-            }
-        )
+        own = {name: one for name, one in arrays.items() if name.startswith(begin)}
+        society.restore({name.removeprefix(begin): one for name, one in own.items()})

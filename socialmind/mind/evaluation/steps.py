@@ -13,7 +13,7 @@ from typing import Any
 
 from coglogo_py import Society
 from socialmind.compiling.modules import compiled_module
-from socialmind.errors import ModelError, nearest
+from socialmind.errors import ModelError
 from socialmind.mind.code.drive import AgentHierarchy, tables_of
 from socialmind.mind.code.steps_text import steps_text
 from socialmind.mind.evaluation.arrays import Assembly
@@ -22,6 +22,7 @@ from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.kernel.layout import State
 from socialmind.mind.modules import Skill
+from socialmind.mind.names import unknown
 from socialmind.mind.regulation import Regulated
 
 
@@ -69,7 +70,7 @@ class Steps:
         skills = [assembly.description.skills[name] for name in assembly.skills]
         self._skills = [(number, skill) for number, skill in enumerate(skills)]
         self._functions = {
-            number: programs[assembly.programs.index(_program_of(skill, skill.function))]
+            number: programs[assembly.structure.skill_number[number]]
             for number, skill in self._skills
             if isinstance(skill.function, Programmed)
         }
@@ -87,8 +88,7 @@ class Steps:
         """
         known = self._places[part]
         if name not in known:
-            hint = nearest(name, known) if known else f"there is no {part}"
-            raise ModelError(f"the unknown {part} {name!r}", remedy=hint)
+            raise unknown(part, name, known)
         return known[name]
 
     def evaluate(self, agent: int) -> None:
@@ -166,10 +166,6 @@ class Steps:
         value, memory = found if isinstance(found, tuple) else (found, known["memory"])
         state.values[agent, place, 0] = _held(value, function.__name__, variable)
         state.memory[agent, place, 0] = memory
-
-
-def _program_of(skill: Skill, function: Programmed) -> tuple[Programmed, int, int]:
-    return function, len(skill.inputs), len(skill.outputs)
 
 
 def _held(value: Any, function: str, owner: Any) -> float:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from coglogo_py import CognitiveScheme, SchemeError
-from socialmind.errors import ModelError
+from coglogo_py import CognitiveScheme
+from socialmind.errors import ModelError, of_model_file
 from socialmind.mind.files.evoagents.text_file import field, write_text
 from socialmind.mind.files.python_file import Function, function_text, source_file
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
@@ -73,12 +73,8 @@ def write(texts: Mapping[Path, str], schemes: Mapping[Path, CognitonScheme]) -> 
     for file, text in texts.items():
         write_text(file, text)
     for file, function in schemes.items():
-        try:
+        with of_model_file(file):
             if file.is_file() and CognitiveScheme.load(file) == function.scheme:
                 continue
             file.parent.mkdir(parents=True, exist_ok=True)
             function.scheme.save(file)
-        except SchemeError as error:
-            raise ModelError(
-                error.found, error.expected, error.remedy, error.file or file, error.line
-            ) from None

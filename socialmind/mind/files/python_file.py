@@ -20,11 +20,11 @@ from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, written_at
 from socialmind.language.syntax import parsed
 from socialmind.mind.files.evoagents.text_file import inside, is_file, text_of
 from socialmind.sources.folders import MODEL_FILE
-from socialmind.sources.loading import PRIVATE, load_file
+from socialmind.sources.loading import PRIVATE, load_file, tree_of
 
 Function = Callable[..., Any]
 
@@ -100,14 +100,8 @@ def runs_programs() -> bool:
 
 def _outlines(path: Path) -> dict[str, FunctionType]:
     """Return the functions that a file defines, by their heads alone; nothing of it is run."""
-    try:
-        tree = parsed(text_of(path))
-    except SyntaxError as error:
-        raise ModelError(f"not valid Python ({error.msg})", file=path, line=error.lineno) from None
-    except ValueError as error:  # null bytes
-        raise ModelError(f"not a Python file ({error})", file=path) from None
     heads: dict[str, FunctionType] = {}
-    for node in tree.body:
+    for node in tree_of(text_of(path), path).body:
         if isinstance(node, ast.FunctionDef):
             given = node.args
             for one in (*given.posonlyargs, *given.args, *given.kwonlyargs):
@@ -195,9 +189,8 @@ def function_text(function: Function, called: str = "") -> str:
 
 def source_file(function: Function) -> Path | None:
     """Return the file that defines a function; None where there is none, as at a prompt."""
-    code = getattr(function, "__code__", None)
-    file = None if code is None else Path(code.co_filename)
-    return file if file is not None and file.is_file() else None
+    file, _ = written_at(function)
+    return Path(file) if file is not None and Path(file).is_file() else None
 
 
 def _is_of_a_mind(function: FunctionType, file: Path) -> bool:
@@ -300,11 +293,9 @@ def _written_number(value: float) -> str:
 
 
 def _refused(function: FunctionType, what: str) -> ModelError:
-    code = function.__code__
     return ModelError(
         f"the function {function.__name__!r}, {what}",
         "a plain function of numbers, modules and further functions",
         "write it into a file of its own in the mind's folder",
-        code.co_filename,
-        code.co_firstlineno,
+        *written_at(function),
     )

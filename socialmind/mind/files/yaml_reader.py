@@ -12,9 +12,8 @@ from typing import TypeVar
 
 import yaml
 
-from coglogo_py import SchemeError
 from coglogo_py.files.yaml_nodes import NOTHING, Nodes, composed
-from socialmind.errors import ModelError, nearest
+from socialmind.errors import ModelError, nearest, of_model_file
 from socialmind.mind.files.evoagents import ades, genome_file, network_lines, text_file
 from socialmind.mind.files.evoagents.folder_reader import whole
 from socialmind.mind.files.evoagents.vardesc import SHARED
@@ -117,11 +116,8 @@ def parse(text: str, file: str | Path, kind: Callable[..., AMind]) -> AMind:
     >>> parse(text, "seeker.yaml", MindDescription).skills["Seek"].function
     a perceptron of 2 hidden layers
     """
-    try:
+    with of_model_file(remedy=ades.GENERAL_REMEDY):
         return _Mind(text, file).description(kind)
-    except SchemeError as error:
-        remedy = error.remedy or ades.GENERAL_REMEDY
-        raise ModelError(error.found, error.expected, remedy, error.file, error.line) from None
 
 
 class _Mind:
@@ -165,18 +161,9 @@ class _Mind:
             pairs = list(self.nodes.entries(node, where))
         modules = []
         for name, key, value in pairs:
-            try:
+            with self.lines.placing(_line(key), ades.GENERAL_REMEDY):
                 modules.append(read(name, value, _line(key)))
-            except ModelError as error:
-                raise self._placed(error, key) from None
         return modules
-
-    def _placed(self, error: ModelError, node: yaml.Node, where: str = "") -> ModelError:
-        """Return an error of a module at its line, with a remedy."""
-        if error.file not in (None, self.file):
-            return error
-        line = error.line or _line(node)
-        return self.lines.placed(error, line, ades.GENERAL_REMEDY, "" if error.file else where)
 
     def _typed(
         self, node: yaml.Node, where: str, fields: tuple[str, ...]
@@ -292,13 +279,11 @@ class _Mind:
         given = self.nodes.fields(node, where, SKILL_FIELDS)
         if "function" not in given:
             raise self.nodes.error(key, f"{where} without function", "function:", "add function:")
-        try:
-            inputs = self._links(given, "inputs", ades.read_input, where)
+        with self.lines.placing(_line(key), ades.GENERAL_REMEDY, f"in {where}"):
+            inputs = self._links(given, "inputs", Input.parse, where)
             outputs = self._links(given, "outputs", Output.parse, where)
             function = self._internal(given["function"], len(inputs), len(outputs), where)
             return Skill(name, inputs, outputs, function, None, self.file, _line(key))
-        except ModelError as error:
-            raise self._placed(error, key, f"in {where}") from None
 
     def _links(
         self,
@@ -325,7 +310,7 @@ class _Mind:
             source = self._needed(given, ades.SCHEME, where, node)
             entries = self.nodes.entries(given.get("cognitons", NOTHING), f"cognitons of {where}")
             cognitons = {
-                str(ades.read_input(text, _line(key))): self._word(value, f"the cogniton of {text}")
+                str(Input.parse(text, _line(key))): self._word(value, f"the cogniton of {text}")
                 for text, key, value in entries
             }
             folder = Path(self.file).parent

@@ -14,7 +14,7 @@ from socialmind.mind.files.companion_files import Texts, add_function, file_name
 from socialmind.mind.files.evoagents import genome_file
 from socialmind.mind.files.evoagents.ades import CLASS, SCHEME, program_name, scheme_name
 from socialmind.mind.files.evoagents.network_lines import network_lines
-from socialmind.mind.files.evoagents.vardesc import SHARED
+from socialmind.mind.files.evoagents.vardesc import SHARED, check_shared
 from socialmind.mind.files.yaml_reader import GENOMES, GRAPH, KERNELS
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.contract import InternalFunction
@@ -23,7 +23,7 @@ from socialmind.mind.functions.influence_network import InfluenceNetwork
 from socialmind.mind.functions.neat.graph import NeatGraph
 from socialmind.mind.functions.programmed import Programmed
 from socialmind.mind.modules import Actuator, Modules, Sensor, Skill, Variable
-from socialmind.mind.regulation import Counter, Regulated, Simple
+from socialmind.mind.regulation import Counter, Regulated
 
 FUNCTIONS, SCHEMES = ".functions", ".schemes"
 """The ends of the names of the folders that hold programs and schemes."""
@@ -96,12 +96,7 @@ class _Writer:
             fields["default"] = _number(variable.default)
         kind = regulation.keyword
         if variable.group is not None:
-            if regulation != Simple():
-                raise ModelError(
-                    f"the variable {variable.name!r}, shared by a group and {regulation}",
-                    "a simple variable where it is shared",
-                    "share a simple variable and regulate another",
-                )
+            check_shared(variable)
             kind = SHARED
             fields["group"] = _text(variable.group)
         if isinstance(regulation, Counter):

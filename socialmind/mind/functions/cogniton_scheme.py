@@ -105,9 +105,5 @@ class CognitonScheme(InternalFunction):
                 line=skill.line,
             )
 
-    def genome_size(self, inputs: int, outputs: int) -> int:
-        """Return 0: a scheme has no weights."""
-        return 0
-
     def __repr__(self) -> str:
         return f"the cogniton scheme {self.scheme.name!r}"

@@ -74,10 +74,6 @@ class Programmed(InternalFunction):
                 f"{len(skill.inputs)}, one for each input, or one parameter called {INPUTS!r}",
             )
 
-    def genome_size(self, inputs: int, outputs: int) -> int:
-        """Return 0: a program has no weights."""
-        return 0
-
     @property
     def name(self) -> str:
         """The function's name."""

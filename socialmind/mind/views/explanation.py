@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from socialmind.errors import ModelError
 from socialmind.mind.evaluation.agent_state import Readings
+from socialmind.text_table import aligned
 
 WIDTH = 100
 """Columns of text, at most."""
@@ -309,14 +310,7 @@ def _command_lines(kind: str, commands: Sequence[Command], absent: str) -> list[
             alone = one.by_skills
             said = "nothing" if alone is None else _number(alone)
             rows.append((name, command, f"(drive: the skills alone give {said})", "", "", ""))
-    widths = [max(len(row[column]) for row in rows) for column in range(6)]
-    return [
-        _GAP.join(
-            text.ljust(width) if column in (0, 2) else text.rjust(width)
-            for column, (text, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in rows
-    ]
+    return aligned(rows, right=(1, 3, 4, 5))
 
 
 def _number(value: float) -> str:

@@ -12,15 +12,11 @@ import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
-from typing import TYPE_CHECKING
 
 from matplotlib.textpath import TextPath
 
 from socialmind.mind.evaluation.agent_state import Readings
 from socialmind.mind.views.layering import SPACE, Box, Layering, Link, layered, layers_of
-
-if TYPE_CHECKING:
-    pass
 
 Point = tuple[float, float]
 Curve = tuple[Point, ...]

@@ -22,7 +22,12 @@ from socialmind.language.arithmetic import brought_back
 from socialmind.values import fitted, fitted_column
 from socialmind.worlds.grid import geometry
 from socialmind.worlds.grid.fields import diffused, share_of
-from socialmind.worlds.grid.geometry import patch_index, patches_in_radius
+from socialmind.worlds.grid.patches_near import (
+    count_around,
+    nth_around,
+    patch_index,
+    patches_in_radius,
+)
 from socialmind.worlds.grid.rasters import raster
 
 HERE = Path()
@@ -298,8 +303,8 @@ class PatchWorld:
 
     def _around(self, who: Any, steps: int, four: int) -> list[PatchRow]:
         place = float(who.x), float(who.y), steps, four, *self._space
-        count = geometry.count_around(*place)
-        return [self.row_class(self, geometry.nth_around(one, *place)) for one in range(count)]
+        count = count_around(*place)
+        return [self.row_class(self, nth_around(one, *place)) for one in range(count)]
 
     @property
     def patches(self) -> Iterator[PatchRow]:

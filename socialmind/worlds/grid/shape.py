@@ -15,10 +15,10 @@ from socialmind.worlds.grid import one_per_patch
 from socialmind.worlds.grid.geometry import COMMANDS, LOOKING
 from socialmind.worlds.grid.patches import PatchForm
 
-_BEFORE = """from socialmind.worlds.grid import geometry as _geometry
+_BEFORE = """from socialmind.worlds.grid import patches_near as _near
 
-_patch_index = _inner(_geometry.patch_index)
-_patches_in_radius = _inner(_geometry.patches_in_radius)
+_patch_index = _inner(_near.patch_index)
+_patches_in_radius = _inner(_near.patches_in_radius)
 PATCH = DTYPE
 
 
@@ -26,8 +26,8 @@ PATCH = DTYPE
 def _patches(_model):
     return carray(_as_pointer(_model._patches), (WIDTH * HEIGHT,), PATCH)"""
 
-_AROUND = """_count_around = _geometry.count_around
-_nth_around = _geometry.nth_around
+_AROUND = """_count_around = _near.count_around
+_nth_around = _near.nth_around
 
 
 @_inner

@@ -6,7 +6,7 @@ from typing import Any
 
 from numba.extending import register_jitable
 
-from socialmind.worlds.grid.geometry import axis_around, place_on
+from socialmind.worlds.grid.patches_near import axis_around, place_on
 
 
 @register_jitable

@@ -7,6 +7,7 @@ from socialmind.experiments.trainings.rechecking import recheck, rescore
 from socialmind.experiments.trainings.store import differences, keep
 from socialmind.learning import Training
 from socialmind.learning.training import archive
+from socialmind.runs.arrays_file import save_arrays
 
 
 def edited(whole, home):
@@ -30,7 +31,7 @@ def test_one_that_does_not_is_refused(whole, tiny_plans, tmp_path):
     edited(whole, tmp_path)
     path = tmp_path / "tiny" / "attempts" / "2" / "lesson-002.npz"
     record, arrays = archive.load(path)
-    archive.save(path, {**record, "score": record["score"] + 1e-9}, arrays)
+    save_arrays(path, {**record, "score": record["score"] + 1e-9}, arrays)
     with pytest.raises(SocialmindError, match=r"attempt 2 comes to .* in the finals of GoToDropZ"):
         recheck(tmp_path / "tiny", plan)
     assert differences(Training(tmp_path / "tiny"), plan) == ["the model's source"]
@@ -45,7 +46,7 @@ def test_where_the_scoring_was_mended_scores_are_taken_as_they_are_today(
     edited(whole, tmp_path)
     path = tmp_path / "tiny" / "attempts" / "2" / "lesson-002.npz"
     record, arrays = archive.load(path)
-    archive.save(path, {**record, "score": record["score"] - 0.5}, arrays)
+    save_arrays(path, {**record, "score": record["score"] - 0.5}, arrays)
     (found,) = rescore(tmp_path / "tiny", plan)
     assert (found.attempt, found.lesson) == (2, "GoToDropZone")
     assert (found.before, found.now) == (record["score"] - 0.5, record["score"])

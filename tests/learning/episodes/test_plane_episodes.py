@@ -10,7 +10,6 @@ import pytest
 
 from socialmind import Model, ModelError, Population, RuleError, SocialmindError, each
 from socialmind.agents.bookkeeping import NEXT_ID
-from socialmind.learning.episodes.learners import with_genomes
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription, Perceptron, Programmed, Skill
 from socialmind.sources.loading import load_file
@@ -143,7 +142,8 @@ def test_by_pymunk_a_short_episode_is_nearly_the_same(genomes):
 
 
 def test_without_genomes_the_mind_is_judged_as_it_is(genomes, outcome):
-    mind = with_genomes(MENAGERIE.COLLECTOR, ["Collect"], genomes[2])
+    collect = MENAGERIE.COLLECTOR.skill("Collect").changed(genome=genomes[2])
+    mind = MENAGERIE.COLLECTOR.with_modules(skills=[collect])
     one = episodes(hierarchy=mind)
     assert one.run(None, SEEDS).score.tolist() == outcome.score[2:].tolist()
     fixed = episodes(hierarchy=mind, skill=None)

@@ -262,7 +262,7 @@ ONE = Recording([[0.5, 0.5]], [[0.5, 0.5]])
         ),
         (
             lambda: imprint(seeker(Perceptron()), ONE, 1, epochs=0),
-            "found epochs=0; expected a whole number, 1 or more",
+            "epochs: found 0; expected a whole number, 1 or more",
         ),
         (
             lambda: imprint(seeker(Perceptron()), ONE, 1, rate=0.0),

@@ -419,7 +419,7 @@ def test_a_broken_environment_leaves_a_folder_that_says_so(lesson, robot, slopes
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"attempts": 0}, "attempts: found 0; expected a whole number, 1 or more"),
+        ({"attempts": 0}, "attempts: found 0; expected a whole number, 1 … "),
         ({"seed": -1}, "seed: found -1"),
         ({"engine": "jet"}, "engine 'jet'; expected compiled or pymunk"),
         ({"mind": "nowhere"}, "nowhere: no such folder"),

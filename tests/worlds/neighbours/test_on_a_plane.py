@@ -5,7 +5,6 @@ from pathlib import Path
 import numpy as np
 
 from socialmind import each
-from socialmind.learning.episodes.learners import with_genomes
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.sources.loading import load_file
 
@@ -34,7 +33,8 @@ class Meeting(MENAGERIE.Menagerie):
 
 def meeting(seed, **given):
     genome = np.random.default_rng(seed).normal(0, 0.5, 15)
-    mind = with_genomes(MENAGERIE.COLLECTOR, ["Collect"], genome)
+    collect = MENAGERIE.COLLECTOR.skill("Collect").changed(genome=genome)
+    mind = MENAGERIE.COLLECTOR.with_modules(skills=[collect])
     return Meeting(seed=seed, hierarchy={"collectors": mind}, **given)
 
 

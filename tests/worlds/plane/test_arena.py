@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from socialmind import Agent, Model, ModelError, Population, RuleError, SocialmindError, each
-from socialmind.learning.episodes.learners import with_genomes
 from socialmind.sources.loading import load_file
 from socialmind.worlds.plane import (
     BALL,
@@ -35,7 +34,8 @@ def menagerie(seed, **arguments):
     """The small world with a bit of everything; its collectors nearly go to balls."""
     left, right, claw = [1, 0, 0, 0, 0.25], [-1, 0, 0, 0, 1.25], [0, 0.8, 0, -1, 0.1]
     genome = np.random.default_rng(seed).normal([*left, *right, *claw], 0.1)
-    mind = with_genomes(MENAGERIE.COLLECTOR, ["Collect"], genome)
+    collect = MENAGERIE.COLLECTOR.skill("Collect").changed(genome=genome)
+    mind = MENAGERIE.COLLECTOR.with_modules(skills=[collect])
     return MENAGERIE.Menagerie(seed=seed, hierarchy={"collectors": mind}, **arguments)
 
 

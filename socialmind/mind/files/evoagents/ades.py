@@ -12,8 +12,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from coglogo_py import CognitiveScheme, SchemeError
-from socialmind.errors import ModelError
+from coglogo_py import CognitiveScheme
+from socialmind.errors import ModelError, of_model_file
 from socialmind.mind.files.evoagents.network_lines import NEURAL, network_lines, network_of
 from socialmind.mind.files.evoagents.text_file import Line, Lines, field, inside, is_file, one_line
 from socialmind.mind.files.python_file import load_beside
@@ -27,8 +27,6 @@ from socialmind.mind.modules import Skill
 INPUT, OUTPUT = "input", "output"
 CLASS, SCHEME, COGNITON = "class", "scheme", "cogniton"
 FUNCTIONS = (NEURAL, Programmed.keyword, CognitonScheme.keyword)
-MOST_TICKS = 100_000
-"""Beyond this a history is a slip of the pen."""
 GENERAL_REMEDY = "correct it; docs/minds_files.md shows the form"
 
 Link = TypeVar("Link", Input, Output)
@@ -56,7 +54,7 @@ def parse(text: str, file: str | Path) -> Skill:
             repr(name.text), "the name of the skill", "begin with its name", name.number
         )
     where = f"in the skill {name.text!r}"
-    inputs = _links(lines, INPUT, read_input, where)
+    inputs = _links(lines, INPUT, Input.parse, where)
     outputs = _links(lines, OUTPUT, Output.parse, where)
     keyword = lines.take(f"{' or '.join(FUNCTIONS)} {where}", "name its internal function")
     if keyword.text not in FUNCTIONS:
@@ -64,7 +62,7 @@ def parse(text: str, file: str | Path) -> Skill:
         counted = f"do the numbers after {INPUT}: and {OUTPUT}: count its lines?"
         raise lines.unexpected(f"{' or '.join(FUNCTIONS)} {where}", counted)
     given = lines.rest()
-    try:
+    with lines.placing(name.number, GENERAL_REMEDY, where):
         function: InternalFunction
         if keyword.text == NEURAL:
             function = network_of(lines, given, len(inputs), len(outputs), keyword.number)
@@ -73,27 +71,6 @@ def parse(text: str, file: str | Path) -> Skill:
         else:
             function = _scheme(lines, given, inputs, keyword)
         return Skill(name.text, inputs, outputs, function, None, lines.file, name.number)
-    except ModelError as error:
-        if error.file is None:
-            raise lines.placed(error, error.line or name.number, GENERAL_REMEDY, where) from None
-        if error.remedy is None:
-            raise ModelError(
-                error.found, error.expected, GENERAL_REMEDY, error.file, error.line
-            ) from None
-        raise
-
-
-def read_input(text: str, line: int) -> Input:
-    """Return the input that a text writes, with a history of a length that can be kept.
-
-    Raises:
-        ModelError: it is none, or the history is longer than `MOST_TICKS`.
-    """
-    ticks = "".join(text.split(":")[2:]).strip()
-    if ticks.isdecimal() and (len(ticks) > 9 or int(ticks) > MOST_TICKS):
-        shown = ticks if len(ticks) < 20 else f"{ticks[:9]}…"
-        raise ModelError(f"{shown} ticks back", f"1 … {MOST_TICKS}", line=line)
-    return Input.parse(text, line)
 
 
 def _links(
@@ -117,11 +94,9 @@ def _links(
         if line.fields[0] == OUTPUT or line.text in FUNCTIONS:
             lines.put_back()
             raise lines.unexpected(expected, remedy)
-        try:
+        form = "SE:S1 or SH:S1:5" if keyword == INPUT else "MO:M1 or SK:Avoid"
+        with lines.placing(line.number, f"write it as {form}", where):
             links.append(parse_link(line.text, line.number))
-        except ModelError as error:
-            form = "SE:S1 or SH:S1:5" if keyword == INPUT else "MO:M1 or SK:Avoid"
-            raise lines.placed(error, line.number, f"write it as {form}", where) from None
     return links
 
 
@@ -212,12 +187,8 @@ def scheme_function(
         raise ModelError(
             f"the scheme {source!r}", "a file that there is", f"write {path}", named_in, line
         )
-    try:
+    with of_model_file(path):
         return CognitonScheme(CognitiveScheme.load(path), cognitons, source)
-    except SchemeError as error:
-        raise ModelError(
-            error.found, error.expected, error.remedy, error.file or path, error.line
-        ) from None
 
 
 def written(skill: Skill) -> str:

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from socialmind.errors import ModelError
 from socialmind.mind.files.evoagents.text_file import Line, Lines, field
 from socialmind.mind.modules import Actuator, Sensor
 
@@ -33,18 +32,12 @@ def parse(text: str, file: str | Path) -> tuple[tuple[Sensor, ...], tuple[Actuat
     ('proxSensor', 0.5)
     """
     lines = Lines(text, file)
-    _keyword(lines, SENSORS, "begin with SENSORS, then one name:type a line")
+    lines.keyword(SENSORS, "begin with SENSORS, then one name:type a line")
     sensors = []
     while lines.next is not None and lines.next.text != ACTUATORS:
         sensors.append(_sensor(lines, lines.take("a sensor")))
-    _keyword(lines, ACTUATORS, "after the sensors, write ACTUATORS, even if there are none")
+    lines.keyword(ACTUATORS, "after the sensors, write ACTUATORS, even if there are none")
     return tuple(sensors), tuple(_actuator(lines, line) for line in lines.rest())
-
-
-def _keyword(lines: Lines, keyword: str, remedy: str) -> None:
-    if lines.next is None or lines.next.text != keyword:
-        raise lines.unexpected(keyword, remedy)
-    lines.take(keyword)
 
 
 def _fields(lines: Lines, line: Line, what: str, form: str) -> tuple[str, ...]:
@@ -64,10 +57,8 @@ def _fields(lines: Lines, line: Line, what: str, form: str) -> tuple[str, ...]:
 
 def _sensor(lines: Lines, line: Line) -> Sensor:
     name, kind, *parameters = _fields(lines, line, "a sensor", "name:type(:parameters)")
-    try:
+    with lines.placing(line.number, "write it as S1:proxSensor"):
         return Sensor(name, kind, tuple(parameters), lines.file, line.number)
-    except ModelError as error:
-        raise lines.placed(error, line.number, "write it as S1:proxSensor") from None
 
 
 def _actuator(lines: Lines, line: Line) -> Actuator:
@@ -76,10 +67,8 @@ def _actuator(lines: Lines, line: Line) -> Actuator:
     if further:
         what = f"the neutral command of the actuator {name!r}"
         neutral = lines.number(further[0], what, line.number)
-    try:
+    with lines.placing(line.number, "write it as M1:propeller:0.5"):
         return Actuator(name, kind, neutral, tuple(further[1:]), lines.file, line.number)
-    except ModelError as error:
-        raise lines.placed(error, line.number, "write it as M1:propeller:0.5") from None
 
 
 def written(sensors: Iterable[Sensor], actuators: Iterable[Actuator]) -> str:

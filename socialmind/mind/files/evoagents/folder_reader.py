@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, of_model_file
 from socialmind.mind.files.evoagents import ades, botdesc, genome_file, simbatch, vardesc
 from socialmind.mind.files.evoagents.ades import GENERAL_REMEDY
 from socialmind.mind.files.evoagents.simbatch import Task
@@ -63,12 +63,8 @@ def whole(
     Raises:
         ModelError: they do not fit together; with a remedy for files.
     """
-    try:
+    with of_model_file(remedy=GENERAL_REMEDY):
         return kind(name, sensors, actuators, variables, skills)
-    except ModelError as error:
-        raise ModelError(
-            error.found, error.expected, error.remedy or GENERAL_REMEDY, error.file, error.line
-        ) from None
 
 
 def agent_file(folder: Path) -> Path:

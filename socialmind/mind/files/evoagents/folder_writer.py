@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from socialmind.errors import ModelError
-from socialmind.mind.files.companion_files import Texts, add_function, file_name, write
+from socialmind.mind.files.companion_files import add_function, file_name, write
 from socialmind.mind.files.evoagents import ades, botdesc, genome_file, simbatch, vardesc
 from socialmind.mind.files.evoagents.folder_reader import (
     ADES,
@@ -23,7 +23,7 @@ from socialmind.mind.files.evoagents.simbatch import Task
 from socialmind.mind.files.evoagents.text_file import write_text
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
 from socialmind.mind.functions.programmed import Programmed
-from socialmind.mind.modules import Modules, Skill
+from socialmind.mind.modules import Modules
 from socialmind.mind.regulation import Regulated
 
 
@@ -47,7 +47,8 @@ def write_folder(description: Modules, path: Path) -> None:
         if skill.genome is not None:
             texts[folder / f"{skill.name}{GENOME}"] = genome_file.written(skill)
         if isinstance(skill.function, Programmed):
-            _add_program(skill, skill.function, folder, texts)
+            names = ades.program_name(skill.function), skill.name
+            add_function(skill.function.function, folder, texts, names)
         if isinstance(skill.function, CognitonScheme):
             schemes[folder / ades.scheme_name(skill, skill.function)] = skill.function
     write(texts, schemes)
@@ -86,7 +87,3 @@ def _refuse_strangers(description: Modules, path: Path, agent: Path) -> None:
             "take it out, or save into another folder",
             stranger,
         )
-
-
-def _add_program(skill: Skill, function: Programmed, folder: Path, texts: Texts) -> None:
-    add_function(function.function, folder, texts, (ades.program_name(function), skill.name))

@@ -46,45 +46,23 @@ def parse(text: str, file: str | Path, skill: Skill) -> Skill:
     array([ 0.1, -2. ])
     """
     lines = Lines(text, file)
-    _check_version(lines)
-    _check_field(lines, "skill", skill.name, f"is it the file of {skill.name!r}?")
+    other = lines.next is not None and lines.next.text.startswith(FORMAT + " ")
+    begin = f"begin with {FORMAT} {VERSION}; is it a file of weights?"
+    wrong_version = "read it with the version of socialmind that wrote it" if other else begin
+    lines.keyword(f"{FORMAT} {VERSION}", wrong_version, CUT_OFF)
+    lines.keyword(f"skill:{skill.name}", f"is it the file of {skill.name!r}?", CUT_OFF)
     retrain = "train the skill again, or give it back the inputs and outputs it had"
-    _check_field(lines, "inputs", str(len(skill.inputs)), retrain)
-    _check_field(lines, "outputs", str(len(skill.outputs)), retrain)
+    lines.keyword(f"inputs:{len(skill.inputs)}", retrain, CUT_OFF)
+    lines.keyword(f"outputs:{len(skill.outputs)}", retrain, CUT_OFF)
     function = _function(lines, skill)
     skill = skill.changed(function=function, genome=None)
     genome = _weights(lines, skill)
     return skill.changed(genome=genome)
 
 
-def _check_version(lines: Lines) -> None:
-    expected = f"{FORMAT} {VERSION}"
-    line = lines.take(expected, CUT_OFF)
-    if line.text != expected:
-        lines.put_back()
-        other = line.text.startswith(FORMAT + " ")
-        raise lines.unexpected(
-            expected,
-            "read it with the version of socialmind that wrote it"
-            if other
-            else f"begin with {expected}; is it a file of weights?",
-        )
-
-
-def _check_field(lines: Lines, keyword: str, value: str, remedy: str) -> None:
-    expected = f"{keyword}:{value}"
-    line = lines.take(expected, CUT_OFF)
-    if line.fields != (keyword, value):
-        lines.put_back()
-        raise lines.unexpected(expected, remedy)
-
-
 def _function(lines: Lines, skill: Skill) -> InternalFunction:
     """Take the lines of the function; it must be the skill's."""
-    begun = lines.take(NEURAL, CUT_OFF)
-    if begun.text != NEURAL:
-        lines.put_back()
-        raise lines.unexpected(NEURAL, "after it come the lines of the network")
+    begun = lines.keyword(NEURAL, "after it come the lines of the network", CUT_OFF)
     given = []
     while (line := lines.next) is not None and line.fields[0] != WEIGHTS:
         if NUMBER.fullmatch(line.text):
@@ -106,11 +84,8 @@ def _function(lines: Lines, skill: Skill) -> InternalFunction:
 
 def _weights(lines: Lines, skill: Skill) -> NDArray[np.float64]:
     size = skill.genome_size
-    head = lines.take(f"{WEIGHTS}:{size}", CUT_OFF)
-    if head.fields != (WEIGHTS, str(size)):
-        lines.put_back()
-        counted = f"{len(skill.inputs)} inputs, {len(skill.outputs)} outputs and {skill.function}"
-        raise lines.unexpected(f"{WEIGHTS}:{size}, for {counted}", "train the skill again")
+    counted = f"{len(skill.inputs)} inputs, {len(skill.outputs)} outputs and {skill.function}"
+    lines.keyword(f"{WEIGHTS}:{size}", f"so many have {counted}: train the skill again", CUT_OFF)
     weights = np.empty(size)
     for place in range(size):
         expected = f"weight {place + 1} of {size} of the skill {skill.name!r}"
@@ -121,14 +96,9 @@ def _weights(lines: Lines, skill: Skill) -> NDArray[np.float64]:
             remedy = CUT_OFF if line.text == END else "write a finite number, as 0.5"
             raise lines.unexpected(f"{expected}, a finite number", remedy)
         weights[place] = weight
-    line = lines.take(END, CUT_OFF)
-    if line.text != END or lines.next is not None:
-        if line.text != END:
-            lines.put_back()
-        raise lines.unexpected(
-            f"{END} after {size} weights" if line.text != END else f"nothing after {END}",
-            "take out what is too much",
-        )
+    lines.keyword(END, f"take out what is more than {size} weights", CUT_OFF)
+    if lines.next is not None:
+        raise lines.unexpected(f"nothing after {END}", "take out what is too much")
     return weights
 
 

@@ -75,7 +75,7 @@ def network_of(
             "take the line out, or change the type",
             graph[0].number,
         )
-    try:
+    with lines.placing(place, f"correct what follows {TYPE}:{kind}"):
         if kind == NeatGraph.keyword:
             return _graph(lines, graph, inputs, outputs)
         fields = parameters.hidden()
@@ -84,10 +84,6 @@ def network_of(
         if kind == InfluenceNetwork.keyword:
             fields |= _branches(parameters, inputs)
         return NETWORKS[kind](**fields)
-    except ModelError as error:
-        if error.file is not None:
-            raise
-        raise lines.placed(error, place, f"correct what follows {TYPE}:{kind}") from None
 
 
 class _Parameters:
@@ -322,7 +318,8 @@ def _graph(lines: Lines, given: Sequence[Line], inputs: int, outputs: int) -> Ne
     except ModelError as error:
         # Blank lines and comments between them do not count as lines of the graph.
         place = given[error.line or 0].number
-        raise lines.placed(error, place, "correct the line of the graph") from None
+        remedy = error.remedy or "correct the line of the graph"
+        raise lines.error(error.found, error.expected, remedy, place) from None
 
 
 def network_lines(function: InternalFunction) -> list[str]:

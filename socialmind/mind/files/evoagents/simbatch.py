@@ -131,10 +131,8 @@ def parse(text: str, file: str | Path) -> Task:
             fields[NUMBERS[key]] = lines.whole_number(value, key, places[key])
         else:
             others[key] = value
-    try:
+    with lines.placing(places[TYPE], "choose one of them"):
         return Task(OTHER_NAMES.get(kind, kind), **fields, others=others)
-    except ModelError as error:
-        raise lines.placed(error, places[TYPE], "choose one of them") from None
 
 
 def written(task: Task) -> str:

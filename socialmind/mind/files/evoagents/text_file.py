@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
-from coglogo_py import SchemeError
 from coglogo_py.border.errors import shown
 from coglogo_py.files.reading import MOST_BYTES, text_in
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, of_model_file
 
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", re.A)
 WHOLE_NUMBER = re.compile(r"[0-9]{1,9}", re.A)
@@ -98,6 +99,23 @@ class Lines:
         self.taken += 1
         return line
 
+    def keyword(self, expected: str, remedy: str, if_cut: str | None = None) -> Line:
+        """Take the next line, which is to be this one.
+
+        Args:
+            expected: the line, blanks around its fields aside.
+            remedy: what to do where it is another one.
+            if_cut: what to do where the file ends.
+
+        Raises:
+            ModelError: so it is.
+        """
+        if self.next is None:
+            raise self.unexpected(expected, if_cut or remedy)
+        if self.next.fields != tuple(expected.split(":")):
+            raise self.unexpected(expected, remedy)
+        return self.take(expected)
+
     def put_back(self) -> None:
         """Make the line just taken the next one again."""
         self.taken -= 1
@@ -121,12 +139,23 @@ class Lines:
         """Return an error at a line of the file."""
         return ModelError(found, expected, remedy, self.file, line)
 
-    def placed(
-        self, error: ModelError, line: int | None, remedy: str, where: str = ""
-    ) -> ModelError:
-        """Return an error of a module at its line, with a remedy where it has none."""
-        found = f"{error.found} {where}".strip()
-        return self.error(found, error.expected, error.remedy or remedy, line)
+    @contextmanager
+    def placing(self, line: int | None, remedy: str, where: str = "") -> Iterator[None]:
+        """Make something of a line: what is wrong with it says where it stands and what to do.
+
+        Args:
+            line: of errors that name none.
+            remedy: what to do about errors that do not say it.
+            where: the place in words, for errors that do not know the file.
+        """
+        try:
+            yield
+        except ModelError as error:
+            if error.file not in (None, self.file):
+                raise
+            found = error.found if error.file else f"{error.found} {where}".strip()
+            place = error.line or line
+            raise self.error(found, error.expected, error.remedy or remedy, place) from None
 
     def number(self, text: str, what: str, line: int) -> float:
         """Return a finite number."""
@@ -161,12 +190,8 @@ def text_of(path: Path, most: int = MOST_BYTES) -> str:
     Raises:
         ModelError: there is no such file, it is too large, or it is not text in UTF-8.
     """
-    try:
+    with of_model_file():
         return text_in(path, most)
-    except SchemeError as error:
-        raise ModelError(
-            error.found, error.expected, error.remedy, error.file, error.line
-        ) from None
 
 
 def inside(

@@ -79,13 +79,9 @@ def _variable(lines: Lines, line: Line) -> Variable:
     if further and further[0]:
         default = lines.number(further[0], f"the default of the variable {name!r}", line.number)
     group = further[1] if kind == SHARED else None
-    try:
+    with lines.placing(line.number, f"write {form}"):
         regulation = _regulation(lines, line, kind, further[1:])
         return Variable(name, regulation, default, group, lines.file, line.number)
-    except ModelError as error:
-        if error.file not in (None, lines.file):
-            raise
-        raise lines.placed(error, line.number, f"write {form}") from None
 
 
 def _regulation(lines: Lines, line: Line, kind: str, further: tuple[str, ...]) -> Regulation:
@@ -135,12 +131,7 @@ def _line(variable: Variable, file: str) -> str:
     default = "" if variable.default is None else repr(float(variable.default))
     fields = [field(variable.name, f"the name of {what}")]
     if variable.group is not None:
-        if regulation != Simple():
-            raise ModelError(
-                f"{what}, shared by a group and regulated by {regulation}",
-                "a simple variable where it is shared",
-                "share a simple variable and regulate another",
-            )
+        check_shared(variable)
         fields += [SHARED, default, field(variable.group, f"the group of {what}")]
     elif isinstance(regulation, Counter):
         fields += [regulation.keyword, default, str(regulation.maximum)]
@@ -151,3 +142,18 @@ def _line(variable: Variable, file: str) -> str:
     else:
         fields += [regulation.keyword, *([default] if default else [])]
     return ":".join(fields)
+
+
+def check_shared(variable: Variable) -> None:
+    """Refuse a variable of a group that files cannot hold.
+
+    Raises:
+        ModelError: it is not a simple one.
+    """
+    if variable.regulation != Simple():
+        raise ModelError(
+            f"the variable {variable.name!r}, shared by a group and regulated by "
+            f"{variable.regulation}",
+            "a simple variable where it is shared",
+            "share a simple variable and regulate another",
+        )

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.errors import ModelError
+from socialmind.errors import ModelError, of_model_file
 from socialmind.mind.functions import network
 from socialmind.mind.functions.contract import InternalFunction
 from socialmind.mind.functions.draft import NetworkDraft
@@ -21,7 +20,6 @@ from socialmind.mind.functions.perceptron import check_whole
 if TYPE_CHECKING:
     from socialmind.mind.modules import Skill
 
-Made = TypeVar("Made")
 Weights = Sequence[float] | NDArray[np.float64]
 
 FORWARD, RECURRENT, MINIMAL = "feed-forward", "recurrent", "minimal"
@@ -265,11 +263,14 @@ class NeatGraph(InternalFunction):
         if not written:
             raise ModelError("a NEAT graph without lines", "one or more", file=file, line=first)
         (start, header), *rest = written
-        fields = _at(file, start, partial(_header, header))
-        neurons = tuple(
-            _at(file, line, partial(GraphNeuron.from_line, text)) for line, text in rest
-        )
-        return _at(file, start, lambda: cls(**fields, neurons=neurons))
+        with of_model_file(file, start):
+            fields = _header(header)
+        neurons = []
+        for line, text in rest:
+            with of_model_file(file, line):
+                neurons.append(GraphNeuron.from_line(text))
+        with of_model_file(file, start):
+            return cls(**fields, neurons=tuple(neurons))
 
     def __repr__(self) -> str:
         if self.inputs is None:
@@ -304,14 +305,6 @@ def _neuron(draft: NetworkDraft, neuron: GraphNeuron, nodes: Mapping[int, int]) 
         aggregation=network.NEAT_AGGREGATIONS[neuron.aggregation],
         response=float(neuron.response),
     )
-
-
-def _at(file: str | None, line: int, make: Callable[[], Made]) -> Made:
-    """Return what is made of a line; an error in it names file and line."""
-    try:
-        return make()
-    except ModelError as error:
-        raise ModelError(error.found, error.expected, error.remedy, file, line) from None
 
 
 def _header(line: str) -> dict[str, Any]:
