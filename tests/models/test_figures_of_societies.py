@@ -23,6 +23,8 @@ CASES = [
     ("wolves_sheep", {"n_sheep": 0, "n_wolves": 0}, "numbers", 2),
     ("herds", {}, "herds", 4),
     ("herds", {"n_cows": 1}, "herds", 4),
+    ("ant_foraging", {}, "ants", 4),
+    ("ant_foraging", {"bridge": True, "n_ants": 1, "leaving": 0.0}, "ants", 4),
     ("wolf_cow", {}, "wolf_cow", 3),
     ("wolf_cow", {"n_bulls": 0, "n_wolves": 0}, "wolf_cow", 3),
 ]
