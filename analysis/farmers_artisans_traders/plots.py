@@ -12,6 +12,7 @@ from socialmind.drawing import style as paper
 from .villages import CULTURES
 
 COLOURS = dict(zip(CULTURES, (paper.PURPLE, paper.GOLD, paper.GREY), strict=True))
+MARKS = dict(zip(CULTURES, ("o", "^", "x"), strict=True))
 
 
 def draw(societies: pd.DataFrame, villages: pd.DataFrame) -> Figure:
@@ -40,8 +41,8 @@ def _mixes(axes: Axes, villages: pd.DataFrame) -> None:
         people = rows["people"] + rng.uniform(-0.25, 0.25, len(rows))
         number = rows["artisans_last"] * rows["people"]
         axes.plot(
-            people, number, "o", color=COLOURS[culture], markersize=2.6, alpha=0.7, mew=0,
-            label=culture,
+            people, number, MARKS[culture], color=COLOURS[culture], markersize=2.8, alpha=0.7,
+            mew=0.6 * (MARKS[culture] == "x"), label=culture,
         )  # fmt: skip
     most = float(villages["people"].max())
     own = villages[villages["culture"] == next(iter(CULTURES))]
@@ -80,7 +81,8 @@ def _persistence(axes: Axes, villages: pd.DataFrame) -> None:
         axes.plot(
             rows["artisans_third"] - rows["others_third"],
             rows["artisans_last"] - rows["others_last"],
-            "o", color=COLOURS[culture], markersize=2.6, alpha=0.7, mew=0,
+            MARKS[culture], color=COLOURS[culture], markersize=2.8, alpha=0.7,
+            mew=0.6 * (MARKS[culture] == "x"),
         )  # fmt: skip
     axes.axline((0, 0), slope=1, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
     axes.set_xlabel("village less society, third quarter")

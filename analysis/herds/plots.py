@@ -14,7 +14,11 @@ from socialmind.catalogue import load_figures, load_model
 from socialmind.drawing import style as paper
 
 SHOWN = "participation 4"
-COLOURS = {SHOWN: paper.BLUE, "participation 0": paper.GREY, "participation 40": paper.RED}
+LINES = {
+    SHOWN: (paper.BLUE, "-"),
+    "participation 0": (paper.GREY, (0, (4, 2))),
+    "participation 40": (paper.RED, "-."),
+}
 MAP_SEED = 0
 LONGEST = 1_200
 """Ticks of a herd's life that are drawn."""
@@ -54,14 +58,17 @@ def _map(axes: Axes, looks: pd.DataFrame) -> None:
 def _sizes(axes: Axes, looks: pd.DataFrame) -> None:
     own = looks[looks["setting"] == SHOWN]
     scale = paper.time_axis(axes, list(own["tick"].unique()))
-    for column, colour, label in (
-        ("in_herds", paper.INK, "in a herd"), ("largest", paper.BLUE, "in the largest"),
-        ("herds", paper.RED, "herds"),
+    for column, colour, dashes, label in (
+        ("in_herds", paper.INK, "-", "in a herd"), ("largest", paper.BLUE, "--", "in the largest"),
+        ("herds", paper.RED, "-.", "herds"),
     ):  # fmt: skip
         seeds = own.pivot_table(index="tick", columns="seed", values=column)
         low, high = np.quantile(seeds, (0.1, 0.9), axis=1)
         axes.fill_between(seeds.index / scale, low, high, color=colour, alpha=0.15, linewidth=0)
-        axes.plot(seeds.index / scale, seeds.mean(axis=1), color=colour, linewidth=0.9, label=label)
+        axes.plot(
+            seeds.index / scale, seeds.mean(axis=1), color=colour, linewidth=0.9, linestyle=dashes,
+            label=label,
+        )  # fmt: skip
     axes.set_ylim(0, 17)
     axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
     axes.set_ylabel("cows; herds (number)")
@@ -70,9 +77,11 @@ def _sizes(axes: Axes, looks: pd.DataFrame) -> None:
 
 
 def _lives(axes: Axes, curves: Mapping[str, tuple[list[float], list[float]]]) -> None:
-    for setting, colour in COLOURS.items():
+    for setting, (colour, dashes) in LINES.items():
         ages, shares = curves[setting]
-        axes.step(ages, shares, where="post", color=colour, linewidth=1, label=setting)
+        axes.step(
+            ages, shares, where="post", color=colour, linewidth=1, linestyle=dashes, label=setting
+        )
     axes.set_xlim(0, LONGEST)
     axes.set_ylim(0, 1.02)
     axes.set_xlabel("age of a herd (ticks)")

@@ -62,6 +62,23 @@ def life(herds: pd.DataFrame) -> Interval | None:
     return interval_of(seeds, combine=lambda ticks, ended: ticks / ended if ended else math.nan)
 
 
+def longer(herds: pd.DataFrame, others: pd.DataFrame) -> Interval | None:
+    """Return by how many ticks herds live longer than those of another setting, on the same seeds.
+
+    Args:
+        herds: a row for each, of one setting.
+        others: the same of the other.
+
+    Returns:
+        The difference of their mean lives; None where in one of them no herd ended.
+    """
+    sums = [part.groupby("seed")[["life", "ended"]].sum() for part in (herds, others)]
+    pairs = pd.concat(sums, axis=1, join="inner").to_numpy(float)
+    if not len(pairs) or not pairs[:, 1].any() or not pairs[:, 3].any():
+        return None
+    return interval_of(pairs, combine=lambda a, b, c, d: a / b - c / d if b and d else math.nan)
+
+
 def surviving(lives: ArrayLike, ended: ArrayLike) -> tuple[list[float], list[float]]:
     """Return the share of herds that live longer, by age (Kaplan and Meier, 1958).
 
@@ -117,12 +134,15 @@ def as_markdown(pastures: pd.DataFrame, herds: pd.DataFrame, ticks: int) -> str:
             title = SHOWN[name][0]
             one = compared(of[setting][name], of["participation 0"][name]).difference
             lines.append(f"- {setting}, {title}: {shown(one)}")
+        more = longer(own[setting], own["participation 0"])
+        if more is not None:
+            lines.append(f"- {setting}, ticks that a herd lives, mean: {shown(more, 0)}")
     return "\n".join(lines) + "\n"
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--seeds", type=int, default=10)
+    parser.add_argument("--seeds", type=int, default=30)
     parser.add_argument("--ticks", type=int, default=1_500)
     parser.add_argument("--workers", type=int, help="processes at a time")
     parser.add_argument("--out", type=Path, default=HERE, help="folder for what is written")

@@ -34,6 +34,38 @@ AFTER = 5_000
 # Castes with fixed thresholds ---------------------------------------------------------------------
 
 
+def answering(threshold: float, stimulus: float, seed: int, ticks: int) -> dict[str, float]:
+    """Measure how much a hundred workers work where the stimulus stays as it is.
+
+    Args:
+        threshold: of all workers.
+        stimulus: of the one task.
+        seed: of every draw.
+        ticks: that are measured, after a quarter as many that are not.
+
+    Returns:
+        The share of time that they work.
+    """
+    options = {**CASTES, "threshold": threshold, "demand": 0.0, "efficiency": 0.0}
+    colony = load_model("thresholds")(seed, **options)
+    colony.tasks.stimulus = stimulus
+    colony.advance(ticks // 4)
+    before = colony.workers.done[:, 0].sum()
+    colony.advance(ticks)
+    work = (colony.workers.done[:, 0].sum() - before) / (ticks * len(colony.workers))
+    return {"threshold": threshold, "stimulus": stimulus, "seed": seed, "work": float(work)}
+
+
+def works(stimulus: float, threshold: float, p: float = 0.2) -> float:
+    """Return the share of time that a worker works at a stimulus, T / (T + p).
+
+    >>> works(8.0, 8.0)
+    0.7142857142857143
+    """
+    response = stimulus**2 / (stimulus**2 + threshold**2)
+    return response / (response + p)
+
+
 def caste(majors: int, seed: int, ticks: int) -> dict[str, float]:
     """Measure how much each caste works.
 
@@ -77,16 +109,12 @@ def expected(share: float, p: float = 0.2, wanted: float = 1 / 3) -> tuple[float
     (0.333, 0.333)
     """
 
-    def works(stimulus: float, threshold: float) -> float:
-        response = stimulus**2 / (stimulus**2 + threshold**2)
-        return response / (response + p)
-
     low, high = 0.0, 1000.0
     for _ in range(60):
         middle = (low + high) / 2
-        done = share * works(middle, MAJORS) + (1 - share) * works(middle, MINORS)
+        done = share * works(middle, MAJORS, p) + (1 - share) * works(middle, MINORS, p)
         low, high = (middle, high) if done < wanted else (low, middle)
-    return round(works(low, MAJORS), 3), round(works(low, MINORS), 3)
+    return round(works(low, MAJORS, p), 3), round(works(low, MINORS, p), 3)
 
 
 # Specialists out of equals ------------------------------------------------------------------------
@@ -148,9 +176,10 @@ def absence(workers: int, forgets: bool, away: int, seed: int) -> dict[str, Any]
         seed: of every draw.
 
     Returns:
-        Changes since the removal, in shares of the range of thresholds or of workers: of those
-        who stayed, at the return; of all, `AFTER` ticks later. And the ticks from the return until
-        the split is the wanted one for 1,000 ticks; infinite for never.
+        Of those who stayed: their thresholds for the task at the removal and at the return, in
+        shares of the range, and how many are specialists of it then. Of all, `AFTER` ticks later:
+        what is another than before the removal, in shares of the range or of workers. And the ticks
+        from the return until the split is the wanted one for 1,000 ticks; infinite for never.
     """
     options = {"remove_at": REMOVED_AT, "return_at": REMOVED_AT + away} if away else {}
     colony = load_model("thresholds")(seed, n_workers=workers, forgetting_away=forgets, **options)
@@ -158,7 +187,7 @@ def absence(workers: int, forgets: bool, away: int, seed: int) -> dict[str, Any]
     before, roles = thresholds_of(colony), colony.roles()
     colony.advance(away)
     gone = colony.workers.away if away else roles == 0
-    stayed = np.abs(thresholds_of(colony) - before)[~gone]
+    at_return, stand_ins = thresholds_of(colony), colony.roles() == 0
     seen = []
     for _ in range(AFTER // EVERY):
         colony.advance(EVERY)
@@ -172,13 +201,45 @@ def absence(workers: int, forgets: bool, away: int, seed: int) -> dict[str, Any]
         "away": away,
         "seed": seed,
         "removed": int(gone.sum()),
-        "stayed_change": float(stayed[:, 0].mean()),
+        "stayed_before": float(before[~gone, 0].mean()),
+        "stayed_return": float(at_return[~gone, 0].mean()),
+        "stand_ins": float(stand_ins[~gone].sum()),
         "change": float(np.abs(thresholds_of(colony) - before).mean()),
         "other_role": float((again != roles).mean()),
         "lost_role": float((again != roles)[gone].mean()) if gone.any() else np.nan,
         "stayed_other_role": float((again != roles)[~gone].mean()),
         "settled_again": float(settled),
     }
+
+
+def absence_told(away: int, seed: int, before: int, after: int, every: int) -> pd.DataFrame:
+    """Follow the thresholds for task 0 of five workers, of whom the specialists are taken away.
+
+    Args:
+        away: ticks until they are brought back.
+        seed: of every draw.
+        before, after: ticks that are told before the removal, and after the return.
+        every: ticks between two rows of a worker.
+
+    Returns:
+        A row for each worker and tick from the removal on: its threshold and whether it is one of
+        those who are taken away.
+    """
+    colony = load_model("thresholds")(seed, remove_at=REMOVED_AT, return_at=REMOVED_AT + away)
+    colony.advance(REMOVED_AT - before)
+    rows = []
+    for since in range(-before, away + after + 1, every):
+        colony.advance(REMOVED_AT + since - colony.tick)
+        rows.append(
+            pd.DataFrame(
+                {
+                    "since": since, "agent": colony.workers.id, "away": colony.workers.away,
+                    "threshold": colony.workers.thresholds[:, 0],
+                }
+            )
+        )  # fmt: skip
+    told = pd.concat(rows, ignore_index=True)
+    return told.assign(removed=told.groupby("agent")["away"].transform("any"))
 
 
 def thresholds_of(colony: Any) -> Any:

@@ -3,8 +3,8 @@
     python -m analysis.thresholds.study
     python -m analysis.thresholds.study --seeds 10 --out /tmp/thresholds
 
-Writes castes.csv, specialists.csv and absences.csv (a row for each colony), tables.md, and the
-figure as study.pdf and .png.
+Writes answers.csv, castes.csv, specialists.csv and absences.csv (a row for each colony), tables.md,
+and the figure as study.pdf and .png.
 """
 
 from __future__ import annotations
@@ -19,10 +19,21 @@ from socialmind.drawing import style as paper
 from socialmind.experiments.measures.intervals import interval_of
 from socialmind.work.side_by_side import side_by_side
 
-from .colonies import AFTER, absence, caste, expected, specialists
+from .colonies import (
+    AFTER,
+    MAJORS,
+    MINORS,
+    absence,
+    answering,
+    caste,
+    expected,
+    specialists,
+    works,
+)
 from .plots import draw
 
 HERE = Path(__file__).parent / "results"
+STIMULI = (0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0)
 SHARES = (0, 5, 10, 20, 30, 40, 50, 60, 70, 80, 90, 95, 100)
 SIZES = (5, 20)
 ABSENCES = (0, 30, 100, 200, 300, 500, 1000, 3000)
@@ -39,7 +50,9 @@ COURSE = {
     "settling_ticks": "ticks until settled, of those that settle",
 }
 ABSENT = {
-    "stayed_change": "change of θ for the task, of those who stayed, at the return",
+    "stayed_before": "θ for the task, of those who stayed, at the removal",
+    "stayed_return": "at the return",
+    "stand_ins": "specialists of it among them, then",
     "change": f"change of all θ, {AFTER:,} ticks after it",
     "other_role": "workers with another role",
     "lost_role": "of those who were away",
@@ -51,6 +64,11 @@ def run(seeds: int, ticks: int, workers: int | None) -> dict[str, pd.DataFrame]:
     """Run all colonies and return a table for each part."""
     each = range(seeds)
     parts = {
+        "answers": (
+            answering,
+            [(threshold, stimulus, seed, ticks // 20) for threshold in (MINORS, MAJORS)
+             for stimulus in STIMULI for seed in each],
+        ),
         "castes": (caste, [(majors, seed, ticks // 5) for majors in SHARES for seed in each]),
         "specialists": (
             specialists,
@@ -81,11 +99,24 @@ def cell(values: pd.Series, digits: int = 2) -> str:
 
 
 def as_markdown(tables: dict[str, pd.DataFrame]) -> str:
-    """Return all three parts as tables: means, in brackets intervals of 95 %."""
+    """Return all four parts as tables: means, in brackets intervals of 95 %."""
     castes, special, away = (tables[name] for name in ("castes", "specialists", "absences"))
+    answers = tables["answers"].pivot_table(index=["stimulus", "seed"], columns="threshold")["work"]
     seeds = special["seed"].nunique()
     lines = [
         f"{seeds} seeds; means, in brackets intervals of 95 % over seeds.",
+        "",
+        "## Share of time at work, by the stimulus, fixed thresholds",
+        "",
+        "| stimulus | θ = 1 | T / (T + p) | θ = 8 | T / (T + p) |",
+        "|---|---|---|---|---|",
+    ]
+    for stimulus, rows in answers.groupby("stimulus"):
+        cells = []
+        for threshold in (MINORS, MAJORS):
+            cells += [cell(rows[threshold], 3), f"{works(float(stimulus), threshold):.3f}"]
+        lines.append(f"| {stimulus:g} | {' | '.join(cells)} |")
+    lines += [
         "",
         "## Castes, fixed thresholds",
         "",

@@ -13,6 +13,8 @@ from socialmind.experiments.measures.intervals import interval_of
 from .pastures import BULLS, EARLY, SETTINGS
 
 COLOURS = dict(zip(SETTINGS, (paper.RED, paper.PURPLE, paper.BLUE), strict=True))
+DASHES = dict(zip(SETTINGS, ("-", ":", "--"), strict=True))
+MARKERS = dict(zip(SETTINGS, ("o", "^", "s"), strict=True))
 SHOWN = 3
 """Bulls in the panel of cows over time."""
 
@@ -50,8 +52,9 @@ def _cows(axes: Axes, looks: pd.DataFrame) -> None:
         low, high = np.quantile(seeds, (0.1, 0.9), axis=1)
         axes.fill_between(seeds.index / scale, low, high, color=colour, alpha=0.18, linewidth=0)
         axes.plot(
-            seeds.index / scale, seeds.mean(axis=1), color=colour, linewidth=0.9, label=setting
-        )
+            seeds.index / scale, seeds.mean(axis=1), color=colour, linestyle=DASHES[setting],
+            linewidth=0.9, marker=MARKERS[setting], markersize=2.6, markevery=5, label=setting,
+        )  # fmt: skip
     axes.set_ylim(0, 1.4 * axes.get_ylim()[1])  # room for the legend
     axes.set_ylabel("cows")
     axes.legend(loc="upper right")
@@ -70,7 +73,7 @@ def _by_bulls(axes: Axes, pastures: pd.DataFrame, measure: str) -> None:
                          for one in found]).T  # fmt: skip
         spans = np.abs(ends - means)
         axes.errorbar(
-            BULLS, means, yerr=spans, color=colour, linewidth=0.9, marker="o", markersize=2.6,
-            elinewidth=0.8, capsize=1.5, label=setting,
+            BULLS, means, yerr=spans, color=colour, linewidth=0.9, linestyle=DASHES[setting],
+            marker=MARKERS[setting], markersize=2.6, elinewidth=0.8, capsize=1.5, label=setting,
         )  # fmt: skip
     axes.set_ylim(bottom=0)

@@ -83,7 +83,7 @@ def as_markdown(pastures: pd.DataFrame, ticks: int) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--seeds", type=int, default=10)
+    parser.add_argument("--seeds", type=int, default=30)
     parser.add_argument("--ticks", type=int, default=1_000)
     parser.add_argument("--workers", type=int, help="processes at a time")
     parser.add_argument("--out", type=Path, default=HERE, help="folder for what is written")

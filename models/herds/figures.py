@@ -16,7 +16,12 @@ if TYPE_CHECKING:
     from socialmind.experiments import Run
 
 SIZE = 33  # of the world, in patches
-COLOURS = (paper.BLUE, paper.RED, paper.GOLD, paper.PURPLE)
+LARGEST = (
+    (paper.BLUE, "o"),
+    (paper.RED, "s"),
+    (paper.GOLD, "^"),
+    (paper.PURPLE, "D"),
+)  # colours and marks of the largest herds
 MAPS = 3
 
 
@@ -71,7 +76,7 @@ def herds(series: pd.DataFrame, agents: pd.DataFrame) -> Figure:
 
 
 def map_of_cows(axes: Axes, cows: pd.DataFrame) -> None:
-    """Draw cows where they are, with a colour for each of the four largest herds; stars lead.
+    """Draw cows where they are: colours and marks for the four largest herds; stars lead.
 
     Args:
         axes: to draw on.
@@ -79,13 +84,12 @@ def map_of_cows(axes: Axes, cows: pd.DataFrame) -> None:
     """
     low = -(SIZE // 2) - 0.5
     largest = cows.loc[cows["herd"] >= 0, "herd"].value_counts(sort=True).index.tolist()
-    colours = dict(zip(largest, COLOURS, strict=False))
-    for leading, marker, size in ((False, "o", 12), (True, "*", 50)):
-        some = cows[cows["leading"].astype(bool) == leading]
+    looks = dict(zip(largest, LARGEST, strict=False))
+    for (herd, leading), some in cows.groupby(["herd", "leading"]):
+        colour, mark = looks.get(herd, (paper.GREY if herd >= 0 else "white", "o"))
         axes.scatter(
-            some["x"].to_numpy(float), some["y"].to_numpy(float), marker=marker, s=size,
-            c=[colours.get(herd, paper.GREY if herd >= 0 else "white") for herd in some["herd"]],
-            edgecolors=paper.INK, linewidths=0.4, zorder=3,
+            some["x"].to_numpy(float), some["y"].to_numpy(float), marker="*" if leading else mark,
+            s=50 if leading else 12, c=colour, edgecolors=paper.INK, linewidths=0.4, zorder=3,
         )  # fmt: skip
     axes.spines[["top", "right"]].set_visible(True)
     axes.set(xlim=(low, low + SIZE), ylim=(low, low + SIZE), aspect="equal")

@@ -39,6 +39,16 @@ def test_the_mean_life_counts_the_ticks_of_those_that_still_live():
     assert STUDY.life(pd.DataFrame(rows[1:2])) is None
 
 
+def test_lives_are_compared_seed_by_seed():
+    def herds(lives):
+        return pd.DataFrame({"seed": [0, 0, 1], "life": lives, "ended": [True, False, True]})
+
+    more = STUDY.longer(herds([100, 40, 60]), herds([50, 20, 30]))
+    assert more.mean == pytest.approx(200 / 2 - 100 / 2)
+    none = herds([9, 9, 9]).assign(ended=False)
+    assert STUDY.longer(herds([9, 9, 9]), none) is None
+
+
 def test_a_pasture_and_its_herds():
     pasture, herds, looks = PASTURES.lived("participation 4", 1, 600)
     assert len(looks) == 60

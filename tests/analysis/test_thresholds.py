@@ -20,6 +20,12 @@ def test_a_colony_of_one_caste_works_as_much_as_is_wanted(share, threshold):
     assert works == pytest.approx(response / (response + 0.2), abs=1e-3)
 
 
+@pytest.mark.parametrize(("threshold", "stimulus"), [(1.0, 0.3), (8.0, 3.0), (8.0, 100.0)])
+def test_workers_answer_a_stimulus_as_told(threshold, stimulus):
+    row = COLONIES.answering(threshold, stimulus, seed=1, ticks=2000)
+    assert row["work"] == pytest.approx(COLONIES.works(stimulus, threshold), abs=0.01)
+
+
 def test_castes_work_as_in_an_endless_colony():
     row = COLONIES.caste(80, seed=1, ticks=2000)
     major, minor = COLONIES.expected(0.8)
@@ -33,6 +39,22 @@ def test_nobody_away_and_nothing_changes():
     assert row["other_role"] == 0
     assert row["change"] < 0.05
     assert row["settled_again"] <= 200
+
+
+def test_others_stand_in_for_those_who_are_away():
+    row = COLONIES.absence(5, forgets=True, away=1000, seed=2)
+    assert row["stayed_before"] > 0.9
+    assert row["stayed_return"] < 0.7
+    assert row["stand_ins"] >= 1
+    told = COLONIES.absence_told(away=1000, seed=2, before=100, after=100, every=50)
+    assert told["since"].unique().tolist() == list(range(-100, 1101, 50))
+    removed = told[told["removed"]]
+    assert removed["agent"].nunique() == row["removed"] == 2
+    # Away they forget by 1 a tick.
+    mean = removed.groupby("since")["threshold"].mean()
+    assert mean[900] - mean[100] == pytest.approx(800)
+    stayed = told[~told["removed"] & (told["since"] == 1000)]["threshold"].mean()
+    assert (stayed - 1) / 999 == pytest.approx(row["stayed_return"], abs=0.01)
 
 
 def test_work_and_roles_are_recorded():

@@ -23,6 +23,10 @@ CASES = [
     ("wolves_sheep", {"n_sheep": 0, "n_wolves": 0}, "numbers", 2),
     ("herds", {}, "herds", 4),
     ("herds", {"n_cows": 1}, "herds", 4),
+    ("ant_foraging", {}, "ants", 4),
+    ("ant_foraging", {"bridge": True, "n_ants": 1, "leaving": 0.0}, "ants", 4),
+    ("termites", {}, "piles", 5),
+    ("termites", {"density": 0.0, "n_termites": 1, "world_size": 3}, "piles", 5),
     ("wolf_cow", {}, "wolf_cow", 3),
     ("wolf_cow", {"n_bulls": 0, "n_wolves": 0}, "wolf_cow", 3),
 ]
@@ -42,6 +46,7 @@ def test_figures_are_drawn(name, parameters, figure, panels, ticks):
         series=pd.DataFrame(series),
         agents=pd.concat(agents, ignore_index=True),
         parameters=society.parameter_values(),
+        seed=1,
     )
     with warnings.catch_warnings():
         warnings.simplefilter("error")
