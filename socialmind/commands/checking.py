@@ -15,9 +15,8 @@ from coglogo_py.border.errors import shown
 from socialmind.agents.heeding import check_conditions
 from socialmind.catalogue import load_model
 from socialmind.commands.checking_minds import is_mind, print_mind, tell, tell_programs
-from socialmind.errors import ModelError, SocialmindError
+from socialmind.errors import SocialmindError
 from socialmind.fields import place_of_field
-from socialmind.language.syntax import parsed
 from socialmind.mind.code.mind_code import check_program
 from socialmind.mind.files.evoagents.text_file import inside
 from socialmind.mind.lint import findings
