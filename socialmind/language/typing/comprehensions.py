@@ -192,6 +192,8 @@ def _written_out(
     names = _names_in(node)
     marks = {mark: _free(mark.lower(), names) for mark in ("FOUND", "COUNT", "NEXT", "LEAST")}
     marks["ONE"] = _free("one", names)
+    in_any_order = _counts(name, value, generators)
+    value, generators = _without_branch(name, value, generators)
     before, body, behind = (_block(text, {**parts, "VALUE": value}, marks, node) for text in texts)
     for generator in reversed(generators):
         for condition in reversed(generator.ifs):
@@ -210,13 +212,29 @@ def _written_out(
     title = f"{name}_in_{typer.source.name}"
     tree = ast.FunctionDef(title, arguments, body, [], None, None)
     ast.fix_missing_locations(ast.copy_location(tree, node))
-    if _counts(name, value, generators):
+    if in_any_order:
         tree.in_any_order = frozenset(one.iter for one in generators)  # type: ignore[attr-defined]
     around = typer.source
     # What tells functions of a program apart is the expression itself: it has no function of its
     # own, and two of them in one rule are two.
     key: Any = node.args[0]
     return RuleSource(key, title, around.file, node.lineno, tree, around.names, around.state)
+
+
+def _without_branch(
+    name: str, value: ast.expr, generators: list[ast.comprehension]
+) -> tuple[ast.expr, list[ast.comprehension]]:
+    """Return `sum(1 for … if a == b)` as `sum(int(a == b) for …)`.
+
+    So processors need not guess whether to add.
+    """
+    last = generators[-1]
+    one = isinstance(value, ast.Constant) and value.value == 1 and type(value.value) is int
+    if name != "sum" or not one or len(last.ifs) != 1 or not isinstance(last.ifs[0], ast.Compare):
+        return value, generators
+    added = ast.copy_location(ast.Call(ast.Name("int", ast.Load()), last.ifs, []), value)
+    plain = ast.comprehension(last.target, last.iter, [], last.is_async)
+    return added, [*generators[:-1], plain]
 
 
 def _counts(name: str, value: ast.expr, generators: list[ast.comprehension]) -> bool:
