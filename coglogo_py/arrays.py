@@ -19,6 +19,16 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 UnsignedInts = NDArray[np.uint64]
 
+NEXT_MIND = 0
+NEXT_GROUP = 1
+FREE_MINDS = 2
+FREE_INSTANCES = 3
+ALIVE = 4
+SEED_LOW = 5
+SEED_HIGH = 6
+STREAM = 7
+"""Positions in `MindArrays.counters`."""
+
 
 class SchemeArrays(NamedTuple):
     """A cognitive scheme as read-only arrays; link rows are the cognitons, then the culturons."""
@@ -78,5 +88,13 @@ class MindArrays(NamedTuple):
     """(N,) stack of free mind slots, the next one on top."""
     free_instances: Ints
     """(M,) stack of free instance rows, the next one on top."""
+    instance_chains: Ints
+    """(M, 2) rows by identity: the first row of each chain, and the row behind each in its own."""
     counters: Ints
     """(8,) next mind id, next group id, free minds, free instances, alive, seed (two), stream."""
+
+
+INDEX = ("instance_chains",)
+"""Those of `MindArrays` that are no state: they follow from the others."""
+STATE = tuple(name for name in MindArrays._fields if name not in INDEX)
+"""Those that are."""

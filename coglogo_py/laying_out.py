@@ -205,6 +205,7 @@ def mind_arrays(scheme: SchemeArrays, capacity: int, seed: int, stream: int = 0)
         culturons=np.zeros((instances, len(scheme.culturon_start))),
         free_minds=np.arange(capacity - 1, -1, -1, dtype=np.int64),
         free_instances=np.arange(instances - 1, -1, -1, dtype=np.int64),
+        instance_chains=np.full((instances, 2), -1, np.int64),
         counters=counters,
     )
 
@@ -233,6 +234,7 @@ def grown(scheme: SchemeArrays, minds: MindArrays, capacity: int) -> MindArrays:
         stack[added : added + free] = old[:free]
         stack[added + free :] = 0
         larger.counters[count] = added + free
+    kernel.index_instances(larger)
     return larger
 
 

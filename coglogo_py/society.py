@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.arrays import MindArrays
+from coglogo_py.arrays import STATE, MindArrays
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.errors import CogLogoError
 from coglogo_py.border.memory import check_memory
@@ -183,7 +183,7 @@ class Society(Closed):
 
     def state(self) -> dict[str, np.ndarray]:
         """Return a copy of all that the minds and groups hold, by the names in `MindArrays`."""
-        return {name: array.copy() for name, array in self.minds._asdict().items()}
+        return {name: getattr(self.minds, name).copy() for name in STATE}
 
     def restore(self, state: Mapping[str, np.ndarray]) -> None:
         """Go back to a state of a society of the same scheme; its seed and stream come along.
@@ -196,22 +196,20 @@ class Society(Closed):
         Raises:
             CogLogoError: the arrays are not those of a society with this scheme; nothing changed.
         """
-        missing = [name for name in MindArrays._fields if name not in state]
+        missing = [name for name in STATE if name not in state]
         if missing:
             raise CogLogoError(f"the state of a society lacks {', '.join(missing)}")
         capacity = max(1, np.size(state["mind_id"]))
         fitting = mind_arrays(self.arrays, capacity, seed=0)
-        for name, fit in fitting._asdict().items():
-            found = np.asarray(state[name])
+        for name in STATE:
+            fit, found = getattr(fitting, name), np.asarray(state[name])
             if found.shape != fit.shape or found.dtype != fit.dtype:
                 raise CogLogoError(
                     f"{name} in the state of a society with scheme {self.scheme.name!r}: "
                     f"expected {fit.dtype} of shape {fit.shape}, "
                     f"found {found.dtype} of shape {found.shape}; was it another scheme's?"
                 )
-        minds = MindArrays(
-            **{name: np.array(state[name], order="C") for name in MindArrays._fields}
-        )
+        minds = fitting._replace(**{name: np.array(state[name], order="C") for name in STATE})
         arrays = self.arrays
         odd = oddity(minds, len(arrays.group_culturons), len(arrays.role_group))
         if odd is not None:
@@ -219,6 +217,7 @@ class Society(Closed):
                 f"{odd} in the state of a society with scheme {self.scheme.name!r}: found numbers "
                 "that no such society has; take what state() returned"
             )
+        kernel.index_instances(minds)
         self._hold(minds)
         low, high = self.minds.counters[[kernel.SEED_LOW, kernel.SEED_HIGH]].tolist()
         for one in self.sharing or (self,):

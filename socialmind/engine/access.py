@@ -263,6 +263,7 @@ def population_text(
     leaving: Sequence[str] = (),
     sought: bool = False,
     reconsiders: bool = False,
+    lists: Sequence[str] = (),
 ) -> str:
     """Return the functions by which compiled rules reach a population.
 
@@ -272,6 +273,7 @@ def population_text(
         leaving: the lines by which an agent that dies leaves the world and its networks.
         sought: whether rules look for its agents.
         reconsiders: whether its agents reconsider their plans.
+        lists: the lists of its agents in groups that rules ask for.
     """
     name = population.name
     parts = []
@@ -302,10 +304,12 @@ def population_text(
             "HATCHED_MIND": (
                 f"agent._mind = _kernel.hatch("
                 f"_scheme_{name}(_model), _minds_{name}(_model), parent._mind, keep_groups)"
+                + _following(name, lists, "    ")
             ),
             "DEAD_MIND": (
-                f"_kernel.die(_scheme_{name}(_model), _minds_{name}(_model), agent._mind)\n"
-                f"        agent._mind = -1"
+                f"_kernel.die(_scheme_{name}(_model), _minds_{name}(_model), agent._mind)"
+                + _following(name, lists, "        ")
+                + "\n        agent._mind = -1"
             ),
         }
         parts += [text.replace("NAME", name) for text in _decision(own_maker, population.weighed)]
@@ -314,7 +318,9 @@ def population_text(
             parts.append(PLAN_STEPS.replace("NAME", name))
         if reconsiders:
             parts.append(reconsidering_text(population, own_maker))
-        parts += [_command_text(name, command) for command in MIND if command != "choose_next_plan"]
+        parts += [
+            _command_text(name, command, lists) for command in MIND if command != "choose_next_plan"
+        ]
     if population.hierarchy:
         fills |= {
             "NEW_HIERARCHY": f"_begin_hierarchy_{name}(_model, slot)",
@@ -352,13 +358,25 @@ def _decision(own_maker: bool, weighed: bool) -> list[str]:
 _WITH_SCHEME = ("feed_back_from_plan", "create_and_join_group", "join_group")
 
 
-def _command_text(population: str, command: str) -> str:
+_MOVING = ("create_and_join_group", "join_group", "leave_group", "leave_all_groups")
+"""The commands after which a mind may be in other groups."""
+
+
+def _following(population: str, lists: Sequence[str], indent: str) -> str:
+    """Return the lines by which the lists of agents in groups follow what one has done."""
+    return "".join(f"\n{indent}_{kind}_follow_{population}(_model, agent)" for kind in lists)
+
+
+def _command_text(population: str, command: str, lists: Sequence[str]) -> str:
     arguments = "".join(
         f", {one.part if isinstance(one, Named) else 'value'}" for one in MIND[command].arguments
     )
     scheme = f"_scheme_{population}(_model), " if command in _WITH_SCHEME else ""
-    return (
-        f"@_inner\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
-        f"    return _kernel.{command}({scheme}_minds_{population}(_model), "
+    head = f"@_inner\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
+    called = (
+        f"_kernel.{command}({scheme}_minds_{population}(_model), "
         f"_mind_place_{population}(agent){arguments})"
     )
+    if not lists or command not in _MOVING:
+        return f"{head}    return {called}"
+    return f"{head}    done = {called}{_following(population, lists, '    ')}\n    return done"

@@ -7,6 +7,7 @@ data that the loop finds through the model's record, so a sweep over them compil
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from socialmind.compiling.aggregates import aggregate_name, aggregate_text
 from socialmind.compiling.layout import dtype_text, model_dtype
@@ -29,7 +30,7 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             puts its function into the module as `_own_<population>`.
     """
     shape = program.shape
-    record = dtype_text(model_dtype(shape, program.world_columns, program.sought))
+    record = dtype_text(model_dtype(shape, *_asked(program)))
     parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
     parts.append(world.before)
@@ -48,11 +49,16 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             leaving += links.ending_links(name, networks)
         sought, reconsiders = name in program.sought, name in program.reconsidered
         own = name in own_makers
-        parts.append(population_text(population, own, leaving, sought, reconsiders))
+        kinds = [kind for of, kind in program.gathered if of == name]
+        parts.append(population_text(population, own, leaving, sought, reconsiders, kinds))
     if program.sought:
         from socialmind.worlds.neighbours.text import text
 
         parts.append(text(shape, program.sought))
+    if program.gathered:
+        from socialmind.society.groups import text as groups
+
+        parts += [groups.HEAD, *(groups.lists_text(*one) for one in program.gathered)]
     parts += [THERE.replace("NAME", name) for name in program.perhaps_nobody]
     for name, what, field in program.aggregates:
         parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
@@ -75,13 +81,19 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
     parts += [_phase_text(shape, phase, program.sought) for phase in phases]
     parts += _births_text(program.at_birth)
     listing = "".join(f"    _near_list_{name}(_model)\n" for name in program.sought)
-    setup = listing + _calls(program.setup) + _founders(program.at_birth)
-    schedule = listing + _calls(program.schedule)
+    lists = "".join(f"    _{kind}_list_{name}(_model)\n" for name, kind in program.gathered)
+    setup = listing + lists + _calls(program.setup) + _founders(program.at_birth)
+    schedule = listing + lists.replace("_list_", "_begin_tick_") + _calls(program.schedule)
     tick = world.tick.replace("PHASES", schedule)
     parts.append(world.stages.replace("PHASES", schedule))
     parts.append(_loops_text(shape, program, setup, tick))
     parts.append(world.after.replace("SETUP", setup or "    pass"))
     return "\n\n\n".join(part for part in parts if part) + "\n"
+
+
+def _asked(program: Program) -> tuple[Any, ...]:
+    """Return what the record of a model holds because its rules ask for it."""
+    return program.world_columns, program.sought, program.gathered
 
 
 _SOME = """@_inner

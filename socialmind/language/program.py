@@ -94,6 +94,7 @@ class Program:
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
         self.births: list[str] = []
         self._sought: list[str] = []
+        self._gathered: list[tuple[str, str]] = []
         self.patches_sought = False
         self.world_calls: list[tuple[str, ...]] = []
         self.aggregates: list[tuple[str, str, Field]] = []
@@ -237,6 +238,16 @@ class Program:
     def sought(self) -> tuple[str, ...]:
         """The populations whose agents rules look for."""
         return tuple(self._sought)
+
+    def gathers(self, population: str, lists: str) -> None:
+        """Note that rules ask who of a population is in a group ("members"), or asks to be."""
+        if (population, lists) not in self._gathered:
+            self._gathered.append((population, lists))
+
+    @property
+    def gathered(self) -> tuple[tuple[str, str], ...]:
+        """The populations, and of which of their lists rules ask."""
+        return tuple(self._gathered)
 
     @cached_property
     def loops_over_found(self) -> int:

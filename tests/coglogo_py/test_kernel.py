@@ -383,6 +383,27 @@ def test_a_group_is_found_after_others_dissolved():
     assert kernel.find_group(minds, 0, -1) == -1
 
 
+def test_groups_are_found_whatever_began_and_ended():
+    arrays, minds = arrays_of(scheme_of(groups=(HERD,)), capacity=8)
+    slots = [kernel.new_mind(arrays, minds) for _ in range(8)]
+    rng, longest = np.random.default_rng(1), 0
+    for step in range(600):
+        slot = slots[rng.integers(8)]
+        if not kernel.create_and_join_group(arrays, minds, slot, 0, 0):
+            kernel.leave_group(minds, slot, 0)
+        if step == 300:
+            minds = grown(arrays, minds, 20)
+        rows = {int(one): row for row, one in enumerate(minds.instance_id) if one >= 0}
+        newest = int(minds.counters[kernel.NEXT_GROUP])
+        for identity in (*rows, int(rng.integers(-1, newest + 1))):
+            assert kernel.find_group(minds, 0, identity) == rows.get(identity, -1)
+        at, length = minds.instance_chains[rng.integers(len(minds.instance_chains)), 0], 0
+        while at >= 0:
+            at, length = minds.instance_chains[at, 1], length + 1
+        longest = max(longest, length)
+    assert 1 < longest < 6
+
+
 @pytest.mark.parametrize("plan", [-1, 2])
 def test_feed_back_from_no_plan_is_refused(plan):
     arrays, minds = arrays_of(scheme_of())
