@@ -76,6 +76,10 @@ class MindArrays(NamedTuple):
     """(N, G) the role it plays there; -1: none."""
     participation: Floats
     """(N, G) its degree of participation there."""
+    asked_id: Ints
+    """(N, G) identity of the instance that the mind asks to join, which may be gone; -1: none."""
+    asked_role: Ints
+    """(N, G) the role that it asks for; -1: none."""
     instance_id: Ints
     """(M,) identity of the group instance; -1: the row is free."""
     instance_group: Ints
@@ -98,3 +102,5 @@ INDEX = ("instance_chains",)
 """Those of `MindArrays` that are no state: they follow from the others."""
 STATE = tuple(name for name in MindArrays._fields if name not in INDEX)
 """Those that are."""
+ASKED = ("asked_id", "asked_role")
+"""Those of them that a state may lack: it does where nobody asks for anything."""

@@ -30,18 +30,25 @@ from coglogo_py.compiled.machine_code import kept, key_of_file
 from coglogo_py.groups.instances import add_to_culturon_value as add_to_culturon_value
 from coglogo_py.groups.instances import add_to_group_attribute as add_to_group_attribute
 from coglogo_py.groups.instances import add_to_participation as add_to_participation
+from coglogo_py.groups.instances import ask_to_join as ask_to_join
+from coglogo_py.groups.instances import asked_row as asked_row
 from coglogo_py.groups.instances import create_and_join_group as create_and_join_group
 from coglogo_py.groups.instances import enter as enter
+from coglogo_py.groups.instances import expel as expel
 from coglogo_py.groups.instances import find_group as find_group
+from coglogo_py.groups.instances import forget_requests as forget_requests
+from coglogo_py.groups.instances import get_asked_group_id as get_asked_group_id
 from coglogo_py.groups.instances import get_culturon_value as get_culturon_value
 from coglogo_py.groups.instances import get_group_attribute as get_group_attribute
 from coglogo_py.groups.instances import get_group_id as get_group_id
 from coglogo_py.groups.instances import get_group_role_id as get_group_role_id
 from coglogo_py.groups.instances import get_participation as get_participation
+from coglogo_py.groups.instances import grant_entry as grant_entry
 from coglogo_py.groups.instances import index_instances as index_instances
 from coglogo_py.groups.instances import join_group as join_group
 from coglogo_py.groups.instances import leave_all_groups as leave_all_groups
 from coglogo_py.groups.instances import leave_group as leave_group
+from coglogo_py.groups.instances import refuse_entry as refuse_entry
 from coglogo_py.groups.instances import set_culturon_value as set_culturon_value
 from coglogo_py.groups.instances import set_group_attribute as set_group_attribute
 from coglogo_py.groups.instances import set_participation as set_participation
@@ -116,6 +123,7 @@ def die(scheme: SchemeArrays, minds: MindArrays, slot: int) -> None:
     if minds.mind_id[slot] < 0:
         return
     leave_all_groups(minds, slot)
+    forget_requests(minds, slot)
     minds.mind_id[slot] = -1
     minds.draws[slot] = 0
     for cogniton in range(minds.values.shape[1]):

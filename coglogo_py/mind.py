@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.border.errors import MindError
+from coglogo_py.border.errors import MindError, shown
 from coglogo_py.border.numbers import number, whole_number
 from coglogo_py.compiled.own_maker import checked_choice, checked_probabilities
 from coglogo_py.receipts.receipt import Receipt, receipt_of
@@ -292,6 +292,67 @@ class Mind:
         """Return the identity of the group in which the mind plays this very role, or -1."""
         positions = self.society.names.role(group, role)
         return int(self._try(kernel.get_group_role_id, *positions))
+
+    def ask_to_join(self, group: str, role: str, id: int) -> bool:
+        """Ask to join a group in a role; one of its members may grant it.
+
+        A mind has one open request a type of group: a new one takes the place of the last. It ends
+        when it is granted or refused, when the mind joins a group of this type or dies, and with
+        the group.
+
+        Args:
+            group: its type.
+            role: the role to play in it.
+            id: its identity.
+
+        Returns:
+            Whether such a group lives and the mind is in none of this type.
+        """
+        positions = self.society.names.role(group, role)
+        identity = whole_number(id, f"ask_to_join {group!r}, id", error=MindError)
+        return bool(self._try_with_scheme(kernel.ask_to_join, *positions, identity))
+
+    def get_asked_group_id(self, group: str) -> int:
+        """Return the identity of the group of this type that the mind asks to join, or -1."""
+        return int(self._try(kernel.get_asked_group_id, self.society.names.group(group)))
+
+    def grant_entry(self, group: str, other: Mind) -> bool:
+        """Let another mind join the group that this one is in, in the role that it asks for.
+
+        Returns:
+            Whether it took effect: not unless the other asks to join that very group.
+        """
+        return self._with_other(kernel.grant_entry, group, other, "grant_entry")
+
+    def refuse_entry(self, group: str, other: Mind) -> bool:
+        """End another mind's request to join the group that this one is in.
+
+        Returns:
+            Whether there was one.
+        """
+        return self._with_other(kernel.refuse_entry, group, other, "refuse_entry")
+
+    def expel(self, group: str, other: Mind) -> bool:
+        """Let another mind leave the group that both are in; without members it dissolves.
+
+        Returns:
+            Whether the other was in it.
+        """
+        return self._with_other(kernel.expel, group, other, "expel")
+
+    def _with_other(
+        self, operation: Callable[..., bool], group: str, other: object, command: str
+    ) -> bool:
+        """Carry out what a mind does to another of its culture."""
+        position = self.society.names.group(group)
+        if not isinstance(other, Mind):
+            raise MindError(f"{command} {group!r}: found {shown(other)}; expected a mind")
+        if other.society.minds is not self.society.minds:
+            raise MindError(
+                f"{command} {group!r}: {other!r} shares no groups with {self!r}; give both one "
+                "society, or one culture"
+            )
+        return bool(self._try(operation, position, other.slot))
 
     def set_participation(self, group: str, value: float) -> None:
         """Set the degree of participation in a group; without effect outside it."""

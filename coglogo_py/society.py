@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.arrays import STATE, MindArrays
+from coglogo_py.arrays import ASKED, STATE, MindArrays
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.errors import CogLogoError
 from coglogo_py.border.memory import check_memory
@@ -131,6 +131,7 @@ class Society(Closed):
         minds.group_slot[slots] = -1
         minds.role[slots] = -1
         minds.participation[slots] = 0.0
+        minds.asked_id[slots] = minds.asked_role[slots] = -1
         minds.counters[kernel.FREE_MINDS] -= count
         minds.counters[kernel.NEXT_MIND] += count
         minds.counters[kernel.ALIVE] += count
@@ -183,7 +184,9 @@ class Society(Closed):
 
     def state(self) -> dict[str, np.ndarray]:
         """Return a copy of all that the minds and groups hold, by the names in `MindArrays`."""
-        return {name: getattr(self.minds, name).copy() for name in STATE}
+        asking = (self.minds.asked_id >= 0).any()
+        held = (name for name in STATE if asking or name not in ASKED)
+        return {name: getattr(self.minds, name).copy() for name in held}
 
     def restore(self, state: Mapping[str, np.ndarray]) -> None:
         """Go back to a state of a society of the same scheme; its seed and stream come along.
@@ -196,12 +199,13 @@ class Society(Closed):
         Raises:
             CogLogoError: the arrays are not those of a society with this scheme; nothing changed.
         """
-        missing = [name for name in STATE if name not in state]
+        held = [name for name in STATE if name in state or name not in ASKED]
+        missing = [name for name in held if name not in state]
         if missing:
             raise CogLogoError(f"the state of a society lacks {', '.join(missing)}")
         capacity = max(1, np.size(state["mind_id"]))
         fitting = mind_arrays(self.arrays, capacity, seed=0)
-        for name in STATE:
+        for name in held:
             fit, found = getattr(fitting, name), np.asarray(state[name])
             if found.shape != fit.shape or found.dtype != fit.dtype:
                 raise CogLogoError(
@@ -209,7 +213,7 @@ class Society(Closed):
                     f"expected {fit.dtype} of shape {fit.shape}, "
                     f"found {found.dtype} of shape {found.shape}; was it another scheme's?"
                 )
-        minds = fitting._replace(**{name: np.array(state[name], order="C") for name in STATE})
+        minds = fitting._replace(**{name: np.array(state[name], order="C") for name in held})
         arrays = self.arrays
         odd = oddity(minds, len(arrays.group_culturons), len(arrays.role_group))
         if odd is not None:

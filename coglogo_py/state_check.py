@@ -55,6 +55,8 @@ def oddity(minds: MindArrays, groups: int, roles: int) -> str | None:
         "mind_id": int(counters[kernel.NEXT_MIND]),
         "group_slot": instances,
         "role": roles,
+        "asked_id": int(counters[kernel.NEXT_GROUP]),
+        "asked_role": roles,
         "instance_id": int(counters[kernel.NEXT_GROUP]),
         "instance_group": groups,
     }

@@ -94,6 +94,7 @@ def enter(minds: MindArrays, slot: int, group: int, role: int, row: int) -> None
     minds.role[slot, group] = role
     minds.participation[slot, group] = 1.0
     minds.members[row] += 1
+    _forget_request(minds, slot, group)
 
 
 @_operation
@@ -209,6 +210,96 @@ def leave_all_groups(minds: MindArrays, slot: int) -> None:
     minds = borrowed(minds)
     for group in range(minds.group_slot.shape[1]):
         leave_group(minds, slot, group)
+
+
+# --------------------------------------------------------------------------- asking for entry
+
+
+@_inner
+def _forget_request(minds: MindArrays, slot: int, group: int) -> None:
+    """Let a mind ask for no instance of a group any more."""
+    minds.asked_id[slot, group] = -1
+    minds.asked_role[slot, group] = -1
+
+
+@_inner
+def forget_requests(minds: MindArrays, slot: int) -> None:
+    """Let a mind ask for nothing any more."""
+    for group in range(minds.asked_id.shape[1]):
+        _forget_request(minds, slot, group)
+
+
+@_operation
+def ask_to_join(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, role: int, identity: int
+) -> bool:
+    """Ask to join the instance with this identity, instead of what was asked for before.
+
+    False, and nothing changes, when no such instance lives or the mind is in a group of this type.
+    """
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    if scheme.role_group[role] != group:
+        raise ValueError("ask_to_join: the role is of another group")
+    if minds.group_slot[slot, group] >= 0 or find_group(minds, group, identity) < 0:
+        return False
+    minds.asked_id[slot, group] = identity
+    minds.asked_role[slot, group] = role
+    return True
+
+
+@_inner
+def asked_row(minds: MindArrays, slot: int, group: int) -> int:
+    """Return the row of the living instance that a mind asks to join, or -1."""
+    return find_group(minds, group, minds.asked_id[slot, group])
+
+
+@_operation
+def get_asked_group_id(minds: MindArrays, slot: int, group: int) -> int:
+    """Return the identity of the instance that the mind asks to join, -1 for none that lives."""
+    minds = borrowed(minds)
+    return minds.asked_id[slot, group] if asked_row(minds, slot, group) >= 0 else -1
+
+
+@_inner
+def _asks_into_mine(minds: MindArrays, slot: int, group: int, other: int) -> bool:
+    """Return whether another mind asks to join the instance that this one is in."""
+    row = minds.group_slot[slot, group]
+    return row >= 0 and minds.asked_id[other, group] == minds.instance_id[row]
+
+
+@_operation
+def grant_entry(minds: MindArrays, slot: int, group: int, other: int) -> bool:
+    """Let another mind join the instance that this one is in, in the role that it asks for.
+
+    False, and nothing changes, when it does not ask for that very instance.
+    """
+    minds = borrowed(minds)
+    if not _asks_into_mine(minds, slot, group, other):
+        return False
+    role = minds.asked_role[other, group]
+    enter(minds, other, group, role, minds.group_slot[slot, group])
+    return True
+
+
+@_operation
+def refuse_entry(minds: MindArrays, slot: int, group: int, other: int) -> bool:
+    """End another mind's request to join the instance that this one is in; False without one."""
+    minds = borrowed(minds)
+    if not _asks_into_mine(minds, slot, group, other):
+        return False
+    _forget_request(minds, other, group)
+    return True
+
+
+@_operation
+def expel(minds: MindArrays, slot: int, group: int, other: int) -> bool:
+    """Let another mind leave the instance that both are in; False when it is not in it."""
+    minds = borrowed(minds)
+    row = minds.group_slot[slot, group]
+    if row < 0 or minds.group_slot[other, group] != row:
+        return False
+    leave_group(minds, other, group)
+    return True
 
 
 # --------------------------------------------------------------------------- what they hold

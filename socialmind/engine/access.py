@@ -15,7 +15,7 @@ from socialmind.compiling.layout import (
 )
 from socialmind.engine.plans_text import PLAN_STEPS, WEIGHED, reconsidering_text
 from socialmind.language.shape import PopulationShape
-from socialmind.language.typing.signatures import MIND, Named
+from socialmind.language.typing.signatures import MIND, OTHER, Named
 
 AGENTS = """from socialmind.agents import bookkeeping as _bookkeeping
 from socialmind.mind.kernel import weights as _weights
@@ -319,7 +319,9 @@ def population_text(
         if reconsiders:
             parts.append(reconsidering_text(population, own_maker))
         parts += [
-            _command_text(name, command, lists) for command in MIND if command != "choose_next_plan"
+            _command_text(name, command, lists)
+            for command, signature in MIND.items()
+            if command != "choose_next_plan" and OTHER not in signature.arguments
         ]
     if population.hierarchy:
         fills |= {
@@ -355,16 +357,36 @@ def _decision(own_maker: bool, weighed: bool) -> list[str]:
     return [*([_WEIGH] if weighed else []), choose, steps]
 
 
-_WITH_SCHEME = ("feed_back_from_plan", "create_and_join_group", "join_group")
+_WITH_SCHEME = ("feed_back_from_plan", "create_and_join_group", "join_group", "ask_to_join")
 
 
-_MOVING = ("create_and_join_group", "join_group", "leave_group", "leave_all_groups")
-"""The commands after which a mind may be in other groups."""
+_MOVING = (
+    "create_and_join_group",
+    "join_group",
+    "leave_group",
+    "leave_all_groups",
+    "ask_to_join",
+)
+"""The commands after which a mind may be in other groups, or ask to be."""
+
+_WITH_OTHER = """@_inner
+def _mind_COMMAND_OTHER_NAME(_model, agent, group, other):
+    done = _kernel.COMMAND(
+        _minds_NAME(_model), _mind_place_NAME(agent), group, _mind_place_OTHER(other)
+    )FOLLOWING
+    return done"""
 
 
-def _following(population: str, lists: Sequence[str], indent: str) -> str:
+def with_other_text(population: str, command: str, other: str, lists: Sequence[str]) -> str:
+    """Return what minds of a population do to those of another, whose lists follow."""
+    following = _following(other, lists, "    ", "other")
+    text = _WITH_OTHER.replace("FOLLOWING", following).replace("COMMAND", command)
+    return text.replace("OTHER", other).replace("NAME", population)
+
+
+def _following(population: str, lists: Sequence[str], indent: str, agent: str = "agent") -> str:
     """Return the lines by which the lists of agents in groups follow what one has done."""
-    return "".join(f"\n{indent}_{kind}_follow_{population}(_model, agent)" for kind in lists)
+    return "".join(f"\n{indent}_{kind}_follow_{population}(_model, {agent})" for kind in lists)
 
 
 def _command_text(population: str, command: str, lists: Sequence[str]) -> str:

@@ -14,7 +14,7 @@ from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
 from socialmind.engine import interactions_text
-from socialmind.engine.access import AGENTS, THERE, population_text
+from socialmind.engine.access import AGENTS, THERE, population_text, with_other_text
 from socialmind.engine.plans_text import call_text, plans_text
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
@@ -51,6 +51,9 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         own = name in own_makers
         kinds = [kind for of, kind in program.gathered if of == name]
         parts.append(population_text(population, own, leaving, sought, reconsiders, kinds))
+    for name, command, other in program.between_minds:
+        kinds = [kind for of, kind in program.gathered if of == other]
+        parts.append(with_other_text(name, command, other, kinds))
     if program.sought:
         from socialmind.worlds.neighbours.text import text
 

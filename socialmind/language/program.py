@@ -82,6 +82,8 @@ class Program:
 
     Attributes:
         made: what the rooms above made of it, by whose it is: as long as the program is in force.
+        between_minds: what minds do to those of others: whose minds, the command, and to whose;
+            with file and line.
 
     Raises:
         ModelError: a rule outside the language, with file, line and what to write instead.
@@ -95,6 +97,7 @@ class Program:
         self.births: list[str] = []
         self._sought: list[str] = []
         self._gathered: list[tuple[str, str]] = []
+        self.between_minds: dict[tuple[str, str, str], tuple[str, int]] = {}
         self.patches_sought = False
         self.world_calls: list[tuple[str, ...]] = []
         self.aggregates: list[tuple[str, str, Field]] = []
@@ -243,6 +246,10 @@ class Program:
         """Note that rules ask who of a population is in a group ("members"), or asks to be."""
         if (population, lists) not in self._gathered:
             self._gathered.append((population, lists))
+
+    def acts_on_others(self, call: tuple[str, str, str], typer: Any, node: ast.AST) -> None:
+        """Note that minds of a population do something to those of another, and where first."""
+        self.between_minds.setdefault(call, (typer.source.file, getattr(node, "lineno", 0)))
 
     @property
     def gathered(self) -> tuple[tuple[str, str], ...]:

@@ -30,6 +30,7 @@ COGNITON, GROUP, ROLE, CULTURON = (
 )
 ATTRIBUTE = Named("attribute")
 PLAN = Named("plan")
+OTHER = Type("the mind of another")
 CHOSEN = Type("the plan that was chosen")
 
 MIND: dict[str, Signature] = {
@@ -49,6 +50,11 @@ MIND: dict[str, Signature] = {
     "get_group_role_id": Signature((GROUP, ROLE), INT),
     "leave_group": Signature((GROUP,), NONE),
     "leave_all_groups": Signature((), NONE),
+    "ask_to_join": Signature((GROUP, ROLE, INT), BOOL),
+    "get_asked_group_id": Signature((GROUP,), INT),
+    "grant_entry": Signature((GROUP, OTHER), BOOL),
+    "refuse_entry": Signature((GROUP, OTHER), BOOL),
+    "expel": Signature((GROUP, OTHER), BOOL),
     "set_culturon_value": Signature((GROUP, CULTURON, FLOAT), NONE),
     "add_to_culturon_value": Signature((GROUP, CULTURON, FLOAT), NONE),
     "get_culturon_value": Signature((GROUP, CULTURON), FLOAT),

@@ -22,6 +22,7 @@ import numpy as np
 from numba.extending import register_jitable
 from numpy.typing import NDArray
 
+from coglogo_py import kernel
 from socialmind.agents.bookkeeping import ENTRIES
 from socialmind.worlds.neighbours.kernel import in_order
 
@@ -34,6 +35,8 @@ TOP, STALE, BOTTOM = 0, 1, 2
 @register_jitable
 def list_of(minds: Any, mind: int, group: int, asking: bool) -> int:
     """Return the row of the instance whose list a mind belongs into, or −1."""
+    if asking:
+        return kernel.asked_row(minds, mind, group)
     return minds.group_slot[mind, group]
 
 
@@ -94,15 +97,21 @@ def list_all(
 
 @register_jitable
 def gather(
-    heads: Any, entries: Any, found: Any, rows: Any, minds: Any, group: int, row: int
+    heads: Any, entries: Any, found: Any, rows: Any, minds: Any, group: int, row: int, asking: bool
 ) -> int:  # fmt: skip
-    """Push the identities of all in the list of a row; return where they end on the stack."""
+    """Push the identities of all in the list of a row; return where they end on the stack.
+
+    Those who asked for an instance that has ended stay in the list of its row until they do
+    something else; they are passed over.
+    """
     groups = minds.group_slot.shape[1]
     end = found[TOP]
     one = heads[row] if row >= 0 else -1
     while one >= 0:
-        found[end] = rows[one // groups]._id
-        end += 1
+        agent = rows[one // groups]
+        if not asking or minds.asked_id[agent._mind, group] == minds.instance_id[row]:
+            found[end] = agent._id
+            end += 1
         one = entries[one, NEXT]
     return end
 

@@ -70,6 +70,7 @@ def _KIND_of_NAME(_model, group, identity):
         minds,
         group,
         _kernel.find_group(minds, group, identity),
+        ASKING,
     )
 
 

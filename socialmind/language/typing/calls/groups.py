@@ -11,7 +11,7 @@ from socialmind.language.nodes import Typed, call, constant, marked
 if TYPE_CHECKING:
     from socialmind.language.typer import Typer
 
-SETS = {"members_of": "members"}
+SETS = {"members_of": "members", "asking": "asking"}
 """What populations with minds are asked, and which lists answer."""
 
 
