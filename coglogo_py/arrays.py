@@ -49,6 +49,9 @@ class SchemeArrays(NamedTuple):
     """(R, K) whether the role holds the culturon."""
     group_culturons: Ints
     """(G, 2) first culturon of the group, and the one after its last."""
+    group_within: Ints
+    """(G, 2) the group that an instance may lie in an instance of, and the role there; -1: none.
+    (0, 2) where no group lies in another."""
     link_begin: Ints
     """(P+1,) each plan's first link from a cogniton, and the end of the last plan's."""
     link_cogniton: UnsignedInts
@@ -85,9 +88,11 @@ class MindArrays(NamedTuple):
     instance_group: Ints
     """(M,) the group that it is an instance of; -1: the row is free."""
     members: Ints
-    """(M,) number of its members."""
+    """(M,) number of its members; the instances that lie in it are members too."""
     culturons: Floats
     """(M, K) value of each culturon; only those of its own group count."""
+    within: Ints
+    """(M,) row of the instance that it lies in; -1: none. (0,) where no group lies in another."""
     free_minds: Ints
     """(N,) stack of free mind slots, the next one on top."""
     free_instances: Ints

@@ -33,12 +33,14 @@ from coglogo_py.groups.instances import add_to_participation as add_to_participa
 from coglogo_py.groups.instances import ask_to_join as ask_to_join
 from coglogo_py.groups.instances import asked_row as asked_row
 from coglogo_py.groups.instances import create_and_join_group as create_and_join_group
+from coglogo_py.groups.instances import enclose_group as enclose_group
 from coglogo_py.groups.instances import enter as enter
 from coglogo_py.groups.instances import expel as expel
 from coglogo_py.groups.instances import find_group as find_group
 from coglogo_py.groups.instances import forget_requests as forget_requests
 from coglogo_py.groups.instances import get_asked_group_id as get_asked_group_id
 from coglogo_py.groups.instances import get_culturon_value as get_culturon_value
+from coglogo_py.groups.instances import get_enclosing_group_id as get_enclosing_group_id
 from coglogo_py.groups.instances import get_group_attribute as get_group_attribute
 from coglogo_py.groups.instances import get_group_id as get_group_id
 from coglogo_py.groups.instances import get_group_role_id as get_group_role_id
@@ -49,9 +51,11 @@ from coglogo_py.groups.instances import join_group as join_group
 from coglogo_py.groups.instances import leave_all_groups as leave_all_groups
 from coglogo_py.groups.instances import leave_group as leave_group
 from coglogo_py.groups.instances import refuse_entry as refuse_entry
+from coglogo_py.groups.instances import release_group as release_group
 from coglogo_py.groups.instances import set_culturon_value as set_culturon_value
 from coglogo_py.groups.instances import set_group_attribute as set_group_attribute
 from coglogo_py.groups.instances import set_participation as set_participation
+from coglogo_py.groups.instances import standing as standing
 from coglogo_py.streams import LOW_32, MIND_STREAMS, uniforms
 
 if TYPE_CHECKING:
@@ -215,10 +219,9 @@ def _weigh(
                 weight += link_weight[link] * value
                 is_open |= link_opens[link]
         for group in range(group_slot.shape[1]):
-            row = group_slot[slot, group]
+            row, role, by = standing(scheme, minds, slot, group)
             if row >= 0:
-                role = minds.role[slot, group]
-                participation = minds.participation[slot, group]
+                participation = minds.participation[slot, by]
                 for culturon in range(group_culturons[group, 0], group_culturons[group, 1]):
                     if role_culturons[role, culturon]:
                         link = n_cognitons + culturon
@@ -408,7 +411,7 @@ def feed_back_from_plan(
 ) -> None:
     """Add `value` times its reinforcement link to every active cogniton and group's culturon.
 
-    In the groups that the mind is in, the culturons of all roles change, not scaled by its
+    In the groups that the mind stands in, the culturons of all roles change, not scaled by its
     participation.
     """
     scheme, minds = borrowed(scheme), borrowed(minds)
@@ -429,7 +432,7 @@ def feed_back_from_plan(
                 elif not math.isfinite(result):
                     raise ValueError("feed_back_from_plan: a result is beyond the largest number")
         for group in range(minds.group_slot.shape[1]):
-            row = minds.group_slot[slot, group]
+            row = standing(scheme, minds, slot, group)[0]
             if row >= 0:
                 for culturon in range(
                     scheme.group_culturons[group, 0], scheme.group_culturons[group, 1]

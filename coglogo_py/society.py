@@ -185,7 +185,10 @@ class Society(Closed):
     def state(self) -> dict[str, np.ndarray]:
         """Return a copy of all that the minds and groups hold, by the names in `MindArrays`."""
         asking = (self.minds.asked_id >= 0).any()
-        held = (name for name in STATE if asking or name not in ASKED)
+        left_out = () if asking else ASKED
+        if not len(self.minds.within):
+            left_out = (*left_out, "within")
+        held = (name for name in STATE if name not in left_out)
         return {name: getattr(self.minds, name).copy() for name in held}
 
     def restore(self, state: Mapping[str, np.ndarray]) -> None:
@@ -199,7 +202,8 @@ class Society(Closed):
         Raises:
             CogLogoError: the arrays are not those of a society with this scheme; nothing changed.
         """
-        held = [name for name in STATE if name in state or name not in ASKED]
+        unsaid = ASKED if len(self.arrays.group_within) else (*ASKED, "within")
+        held = [name for name in STATE if name in state or name not in unsaid]
         missing = [name for name in held if name not in state]
         if missing:
             raise CogLogoError(f"the state of a society lacks {', '.join(missing)}")
@@ -215,7 +219,7 @@ class Society(Closed):
                 )
         minds = fitting._replace(**{name: np.array(state[name], order="C") for name in held})
         arrays = self.arrays
-        odd = oddity(minds, len(arrays.group_culturons), len(arrays.role_group))
+        odd = oddity(minds, arrays.group_within, len(arrays.role_group))
         if odd is not None:
             raise CogLogoError(
                 f"{odd} in the state of a society with scheme {self.scheme.name!r}: found numbers "

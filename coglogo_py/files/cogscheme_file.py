@@ -303,6 +303,12 @@ def written(scheme: Scheme) -> str:
                 "none: a CogLogo file holds no attributes of groups",
                 "save it as .yaml",
             )
+        if group.within is not None:
+            raise SchemeError(
+                f"the group {group.name!r} within {group.within[0]!r}",
+                "none: a CogLogo file holds no groups in others",
+                "save it as .yaml",
+            )
     if scheme.plans != scheme.linked_plans:
         raise SchemeError(
             f"the plans' own order {list(scheme.plans)}",

@@ -21,6 +21,7 @@ FIRST, NEXT = 0, 1
 
 _KEY = key_of_file("coglogo_groups", __file__)
 _operation = kept(_KEY, no_cfunc_wrapper=True)
+_inlined = kept(_KEY, no_cfunc_wrapper=True, forceinline=True)
 _inner = kept(_KEY, no_cfunc_wrapper=True, no_cpython_wrapper=True, forceinline=True)
 
 # --------------------------------------------------------------------------- by identity
@@ -83,6 +84,108 @@ def find_group(minds: MindArrays, group: int, identity: int) -> int:
     return row if row >= 0 and minds.instance_group[row] == group else -1
 
 
+# --------------------------------------------------------------------------- groups in groups
+
+
+@_inlined
+def standing(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int
+) -> tuple[int, int, int]:
+    """Return where a mind stands in a type of group: the instance's row, the role, and by what.
+
+    That is the type itself, where the mind is a member; else the first of its own groups, in the
+    scheme's order, that lies in such an instance, at once or further out, without passing a type
+    that the mind is itself in a group of. The row is -1 where it stands nowhere.
+    """
+    row = minds.group_slot[slot, group]
+    role = minds.role[slot, group]
+    if row >= 0 or scheme.group_within.shape[0] == 0:
+        return row, role, group
+    for own in range(minds.group_slot.shape[1]):
+        row = minds.group_slot[slot, own]
+        at = own
+        while row >= 0 and at != group:
+            role = scheme.group_within[at, 1]
+            at = scheme.group_within[at, 0]
+            row = minds.within[row]
+            if row >= 0 and at != group and minds.group_slot[slot, at] >= 0:
+                row = -1
+        if row >= 0:
+            return row, role, own
+    return -1, -1, group
+
+
+@_inner
+def _lay(minds: MindArrays, row: int, around: int) -> None:
+    """Let an instance lie in another, as a member of it."""
+    minds.within[row] = around
+    minds.members[around] += 1
+
+
+@_inner
+def _lose_member(minds: MindArrays, row: int) -> None:
+    """Let an instance have a member less; without any it ends, and what it lies in loses it."""
+    counters = minds.counters
+    while row >= 0:
+        minds.members[row] -= 1
+        if minds.members[row] > 0:
+            return
+        _out_of_chain(minds, row)
+        minds.instance_id[row] = -1
+        minds.instance_group[row] = -1
+        for culturon in range(minds.culturons.shape[1]):
+            minds.culturons[row, culturon] = 0.0
+        minds.free_instances[counters[FREE_INSTANCES]] = row
+        counters[FREE_INSTANCES] += 1
+        around = -1
+        if minds.within.shape[0] > 0:
+            around = minds.within[row]
+            minds.within[row] = -1
+        row = around
+
+
+@_operation
+def enclose_group(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, identity: int
+) -> bool:
+    """Let the instance that the mind is in lie in the one with this identity.
+
+    False, and nothing changes, when the mind is in none, or its instance lies in one already.
+    """
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    if scheme.group_within.shape[0] == 0 or scheme.group_within[group, 0] < 0:
+        raise ValueError("enclose_group: groups of this type lie in no others")
+    around = find_group(minds, scheme.group_within[group, 0], identity)
+    if around < 0:
+        raise ValueError("enclose_group: no living group of the type around it has this id")
+    row = minds.group_slot[slot, group]
+    if row < 0 or minds.within[row] >= 0:
+        return False
+    _lay(minds, row, around)
+    return True
+
+
+@_operation
+def release_group(minds: MindArrays, slot: int, group: int) -> None:
+    """Let the instance that the mind is in lie in no other any more."""
+    minds = borrowed(minds)
+    row = minds.group_slot[slot, group]
+    if row >= 0 and minds.within.shape[0] > 0 and minds.within[row] >= 0:
+        around = minds.within[row]
+        minds.within[row] = -1
+        _lose_member(minds, around)
+
+
+@_operation
+def get_enclosing_group_id(minds: MindArrays, slot: int, group: int) -> int:
+    """Return the identity of the instance that the mind's instance lies in, or -1."""
+    minds = borrowed(minds)
+    row = minds.group_slot[slot, group]
+    if row < 0 or minds.within.shape[0] == 0 or minds.within[row] < 0:
+        return -1
+    return minds.instance_id[minds.within[row]]
+
+
 # --------------------------------------------------------------------------- membership
 
 
@@ -116,6 +219,10 @@ def create_and_join_group(
     minds.instance_group[row] = group
     for culturon in range(scheme.group_culturons[group, 0], scheme.group_culturons[group, 1]):
         minds.culturons[row, culturon] = scheme.culturon_start[culturon]
+    if scheme.group_within.shape[0] > 0 and scheme.group_within[group, 0] >= 0:
+        around = standing(scheme, minds, slot, scheme.group_within[group, 0])[0]
+        if around >= 0:
+            _lay(minds, row, around)
     enter(minds, slot, group, role, row)
     return True
 
@@ -192,16 +299,7 @@ def leave_group(minds: MindArrays, slot: int, group: int) -> None:
     minds.group_slot[slot, group] = -1
     minds.role[slot, group] = -1
     minds.participation[slot, group] = 0.0
-    minds.members[row] -= 1
-    if minds.members[row] == 0:
-        _out_of_chain(minds, row)
-        minds.instance_id[row] = -1
-        minds.instance_group[row] = -1
-        for culturon in range(minds.culturons.shape[1]):
-            minds.culturons[row, culturon] = 0.0
-        counters = minds.counters
-        minds.free_instances[counters[FREE_INSTANCES]] = row
-        counters[FREE_INSTANCES] += 1
+    _lose_member(minds, row)
 
 
 @_operation
@@ -307,26 +405,26 @@ def expel(minds: MindArrays, slot: int, group: int, other: int) -> bool:
 
 @_operation
 def set_culturon_value(
-    minds: MindArrays, slot: int, group: int, culturon: int, value: float
+    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, culturon: int, value: float
 ) -> None:
-    """Set a culturon of the instance that the mind is in, for all its members."""
-    minds = borrowed(minds)
+    """Set a culturon of the instance that the mind stands in, for all its members."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
     if not math.isfinite(value):
         raise ValueError("set_culturon_value: the value must be a finite number")
-    row = minds.group_slot[slot, group]
+    row = standing(scheme, minds, slot, group)[0]
     if row >= 0:
         minds.culturons[row, culturon] = value
 
 
 @_operation
 def add_to_culturon_value(
-    minds: MindArrays, slot: int, group: int, culturon: int, value: float
+    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, culturon: int, value: float
 ) -> None:
-    """Add to a culturon of the instance that the mind is in, for all its members."""
-    minds = borrowed(minds)
+    """Add to a culturon of the instance that the mind stands in, for all its members."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
     if not math.isfinite(value):
         raise ValueError("add_to_culturon_value: the value must be a finite number")
-    row = minds.group_slot[slot, group]
+    row = standing(scheme, minds, slot, group)[0]
     if row >= 0:
         result = minds.culturons[row, culturon] + value
         if not math.isfinite(result):
@@ -335,10 +433,12 @@ def add_to_culturon_value(
 
 
 @_operation
-def get_culturon_value(minds: MindArrays, slot: int, group: int, culturon: int) -> float:
-    """Return a culturon's value in the instance that the mind is in, 0.0 outside the group."""
-    minds = borrowed(minds)
-    row = minds.group_slot[slot, group]
+def get_culturon_value(
+    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, culturon: int
+) -> float:
+    """Return a culturon's value in the instance that the mind stands in, 0.0 outside the group."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    row = standing(scheme, minds, slot, group)[0]
     return minds.culturons[row, culturon] if row >= 0 else 0.0
 
 

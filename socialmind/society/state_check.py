@@ -85,7 +85,7 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
                 raise _refused(model, f"{name}.rows", f"no {field.name} of the model's")
     if table.society is not None:
         for part in STATE:
-            if part not in ASKED or f"{name}.minds.{part}" in state:
+            if part not in (*ASKED, "within") or f"{name}.minds.{part}" in state:
                 _check(state, f"{name}.minds.{part}", None, None, model)
         minds, plans = rows["_mind"][slots], rows["_plan"][slots]
         taken = state[f"{name}.minds.mind_id"]

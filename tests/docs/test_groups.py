@@ -17,6 +17,10 @@ def page(tmp_path_factory):
     return page
 
 
+def test_a_child_is_under_the_law_of_its_familys_clan(page):
+    assert page["child"].plan_weights() == {"work": 1.5}
+
+
 @pytest.fixture
 def village(page):
     return page["Village"]
