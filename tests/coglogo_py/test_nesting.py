@@ -188,7 +188,8 @@ def test_files_of_schemes_with_nested_groups(tmp_path):
     assert CognitiveScheme.load(tmp_path / "folk.yaml") == FOLK
     text = (tmp_path / "folk.yaml").read_text()
     assert text.endswith(
-        "nested_groups:\n  family: {clan: member}\n  clan: {people: tribe}\n  guild: {clan: chief}\n"
+        "nested_groups:\n  family: {clan: member}\n  clan: {people: tribe}\n"
+        "  guild: {clan: chief}\n"
     )
     with pytest.raises(SchemeError, match=r"group 'family' within 'clan'; expected none: a Cog"):
         CognitiveScheme("f", groups=(FAMILY, Group("clan", CLAN.roles))).save(

@@ -1,4 +1,4 @@
-"""Groups in groups, in rules: both speeds and a resumed run agree, and tables say what lies in what."""
+"""Groups in groups, in rules: both speeds agree, and tables say what lies in what."""
 
 import pyarrow.parquet as pq
 import pytest
