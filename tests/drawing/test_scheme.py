@@ -1,12 +1,13 @@
 """Drawings of cognitive schemes."""
 
-from coglogo_py import CognitiveScheme, Cogniton
+from coglogo_py import CognitiveScheme, Cogniton, Culturon, Group, Role
 from socialmind.drawing import style as paper
 from socialmind.drawing.scheme import (
     FEEDBACK,
     NEGATIVE,
     POSITIVE,
     draw_scheme,
+    key,
     lines_of,
 )
 
@@ -50,3 +51,28 @@ def test_nothing_lies_outside_of_the_lines_that_it_takes():
 def test_a_scheme_without_links_is_boxes():
     axes = drawn(CognitiveScheme("still", (Cogniton("Rest"),)))
     assert [text.get_text() for text in axes.texts] == ["Rest"]
+
+
+LAW = Culturon("Law", 3, influence={"work": 1.0}, conditional=("work",))
+GROUPED = CognitiveScheme(
+    "folk",
+    SCHEME.cognitons,
+    (
+        Group("clan", (Role("member", (LAW,)), Role("chief"))),
+        Group("family", (Role("kin"),), within=("clan", "member")),
+    ),
+)
+
+
+def test_roles_hold_their_culturons_and_groups_say_what_they_lie_in():
+    axes = drawn(GROUPED)
+    found = {text.get_text(): text for text in axes.texts}
+    assert {"clan", "family", "member", "chief", "kin", "Law", "work"} <= set(found)
+    assert " in a clan, as member" in found
+    heights = [found[one].get_position()[1] for one in ("Idle", "clan", "member", "Law", "chief")]
+    assert heights == sorted(heights)
+    assert found["kin"].get_position()[1] < lines_of(GROUPED)
+    dashed = {patch.get_linestyle() for patch in axes.patches}
+    assert "-." in dashed
+    assert "-." not in {patch.get_linestyle() for patch in drawn(SCHEME).patches}
+    assert len(key(groups=True)) == len(key()) + 1
