@@ -75,9 +75,10 @@ def draw_scheme(scheme: CognitiveScheme, axes: Axes, lines: float | None = None)
     plans = {
         plan: used * (place + 0.5) / len(scheme.plans) for place, plan in enumerate(scheme.plans)
     }
-    culturons = [one for group in scheme.groups for role in group.roles for one in role.culturons]
-    largest = max((abs(weight) for one in (*scheme.cognitons, *culturons)
-                   for weight in one.influence.values() if weight), default=1.0)  # fmt: skip
+    holders: list[Cogniton | Culturon] = [*scheme.cognitons]
+    holders += [one for group in scheme.groups for role in group.roles for one in role.culturons]
+    largest = max((abs(weight) for one in holders for weight in one.influence.values()
+                   if weight), default=1.0)  # fmt: skip
     top = 0.0
     for one in scheme.cognitons:
         high = max(1, len(links[one.name]))
