@@ -49,7 +49,8 @@ LINKS: dict[str, tuple[str, int]] = {
 LINKS_APART: dict[str, tuple[str, int]] = {"heads_in": ("int64", 2), "ties_in": ("int64", 2)}
 """Further arrays of one in which sources are told from targets."""
 SEEKING = (
-    *("near_cells", "near_entries", "near_heads", "near_heads_0"),
+    *("near_cells", "near_entries", "near_entries_0", "near_starts", "near_starts_0"),
+    *("near_heads", "near_heads_0"),
     *("near_spots", "near_spots_0", "near_found", "near_found_0"),
     *("near_marks", "near_marks_0"),
 )

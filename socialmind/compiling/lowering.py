@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import ast
 import copy
+import itertools
 from typing import Any
 
 from socialmind.compiling.aggregates import aggregate_name
 from socialmind.fields import Field, presence
-from socialmind.language.program import TypedFunction
+from socialmind.language.program import Program, TypedFunction
 from socialmind.language.shape import ModelShape
 from socialmind.language.syntax import parsed
 
@@ -24,19 +25,43 @@ SPACE = ("low_x", "low_y", "width", "height", "wraps_x", "wraps_y")
 
 
 def lowered(
-    function: TypedFunction, shape: ModelShape | None = None, sought: tuple[str, ...] = ()
+    function: TypedFunction, shape: ModelShape | None = None, program: Program | None = None
 ) -> str:
     """Return the source of a function for numba.
 
     Args:
         function: the function.
         shape: the model's, on which it depends what is brought back where places are set.
-        sought: the populations whose agents rules look for, wherever they move.
+        program: the model's typed rules, without which nobody is looked for.
     """
     tree = copy.deepcopy(function.tree)
-    tree = _Lowering(shape, sought).visit(tree)
+    _note_once(tree)
+    tree = _Lowering(shape, program).visit(tree)
     tree.args.args.insert(0, ast.arg("_model"))
     return ast.unparse(ast.fix_missing_locations(tree))
+
+
+def _note_once(tree: ast.AST) -> None:
+    """Mark the first of two assignments, to x and then y of one agent, or the other way round.
+
+    The second begins at once and asks nobody, so it is enough that the index is told after it.
+    """
+    for block in ast.walk(tree):
+        body = getattr(block, "body", None)
+        for one, other in itertools.pairwise(body if isinstance(body, list) else ()):
+            if isinstance(one, ast.Assign) and isinstance(other, ast.Assign):
+                first: Any = one.targets[0]
+                calls = any(isinstance(part, ast.Call) for part in ast.walk(other.value))
+                if not calls and _moves(first) is not None:
+                    first.goes_on = _moves(first) == _moves(other.targets[0])
+
+
+def _moves(place: ast.expr) -> str | None:
+    """Return the name of the agent whose x or y is stored, or None."""
+    if not isinstance(place, ast.Attribute) or place.attr not in PLACES:
+        return None
+    own = getattr(place, "mark", ("",))[0] == "agent"
+    return place.value.id if own and isinstance(place.value, ast.Name) else None
 
 
 def _once(node: ast.expr) -> bool:
@@ -70,8 +95,9 @@ def _parsed(text: str) -> Any:
 class _Lowering(ast.NodeTransformer):
     """Rewrites the marked nodes of a tree, the inner ones first."""
 
-    def __init__(self, shape: ModelShape | None, sought: tuple[str, ...]) -> None:
-        self.sought = sought
+    def __init__(self, shape: ModelShape | None, program: Program | None) -> None:
+        self.program = program
+        self.indexed = () if program is None else program.indexed
         self.open: list[tuple[str, str, str]] = []
         self.turns = shape is not None
         self.world = None if shape is None else shape.world
@@ -138,7 +164,9 @@ class _Lowering(ast.NodeTransformer):
         if place.mark[0] == "agent":
             value = self.kept_within(place.mark[1], field.name, value)
         holder = self.holder(place, place.mark)
-        if place.mark[0] == "agent" and place.mark[1] in self.sought and field.name in PLACES:
+        if place.mark[0] == "agent" and place.mark[1] in self.indexed and field.name in PLACES:
+            if getattr(place, "goes_on", False):
+                return [ast.Assign([ast.Attribute(holder, place.attr, ast.Store())], value)]
             kept = self.keeping()
             return [
                 ast.Assign([ast.Name(f"{kept}_value", ast.Store())], value),
@@ -402,14 +430,18 @@ class _Lowering(ast.NodeTransformer):
             value.func.id = value.func.id.replace("_near_patches_", "_near_slots_", 1)
             keep = f"_near_keep_slots_{population}(_model, {begin}, {end})"
             slot = "slot_as_it_is"
+        dead = ""
+        if self.program is None or self.program.may_kill(node.body, population):
+            dead = (
+                f"    if not _alive_{population}(_model)[_found_{self.loops}]:\n        continue\n"
+            )
         lines = parsed(
             f"{begin} = _{by}_begin_{population}(_model)\n"
             f"{end} = FOUND\n"
             f"{keep}\n"
             f"for {place} in _range({begin}, {end}):\n"
             f"    _found_{self.loops} = _{by}_{slot}_{population}(_model, {place})\n"
-            f"    if not _alive_{population}(_model)[_found_{self.loops}]:\n"
-            f"        continue\n"
+            f"{dead}"
             f"    {ast.unparse(node.target)} = _rows_{population}(_model)[_found_{self.loops}]\n"
             f"_{by}_leave_{population}(_model, {begin})\n"
         ).body

@@ -261,7 +261,7 @@ def population_text(
     population: PopulationShape,
     own_maker: bool,
     leaving: Sequence[str] = (),
-    sought: bool = False,
+    indexed: bool = False,
     reconsiders: bool = False,
     lists: Sequence[str] = (),
 ) -> str:
@@ -271,7 +271,7 @@ def population_text(
         population: its shape.
         own_maker: whether its minds have a decision maker of the modeller's own.
         leaving: the lines by which an agent that dies leaves the world and its networks.
-        sought: whether rules look for its agents.
+        indexed: whether an index is kept, by which rules find its agents.
         reconsiders: whether its agents reconsider their plans.
         lists: the lists of its agents in groups that rules ask for.
     """
@@ -335,7 +335,7 @@ def population_text(
         lines = [born, *(f"agent.{field} = born.{field}" for field in population.own)]
         fills["HATCHED_MIND"] = "\n    ".join([*lines, fills["HATCHED_MIND"]])
     fills["DEAD_MIND"] = "\n        ".join([*filter(None, leaving), fills["DEAD_MIND"]])
-    if sought:
+    if indexed:
         fills["DEAD_MIND"] = f"_near_died_{name}(_model, agent)\n        {fills['DEAD_MIND']}"
         for mark in ("NEW_MIND", "HATCHED_MIND"):
             fills[mark] = f"_near_born_{name}(_model, agent)\n    {fills[mark]}"

@@ -47,17 +47,17 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             leaving = [links.untying(population)]
         elif networks:
             leaving += links.ending_links(name, networks)
-        sought, reconsiders = name in program.sought, name in program.reconsidered
+        indexed, reconsiders = name in program.indexed, name in program.reconsidered
         own = name in own_makers
         kinds = [kind for of, kind in program.gathered if of == name]
-        parts.append(population_text(population, own, leaving, sought, reconsiders, kinds))
+        parts.append(population_text(population, own, leaving, indexed, reconsiders, kinds))
     for name, command, other in program.between_minds:
         kinds = [kind for of, kind in program.gathered if of == other]
         parts.append(with_other_text(name, command, other, kinds))
     if program.sought:
         from socialmind.worlds.neighbours.text import text
 
-        parts.append(text(shape, program.sought))
+        parts.append(text(shape, program))
     if program.gathered:
         from socialmind.society.groups import text as groups
 
@@ -77,11 +77,11 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
         parts.append(interactions_text.HEAD)
         parts += [interactions_text.interaction_text(*one) for one in shape.interactions.items()]
     for function in program.functions.values():
-        parts.append(f"@_inner\n{lowered(function, shape, program.sought)}")
+        parts.append(f"@_inner\n{lowered(function, shape, program)}")
     for name, plans in program.plans.items():
         parts.append(plans_text(name, plans))
     phases = (*program.setup, *program.schedule)
-    parts += [_phase_text(shape, phase, program.sought) for phase in phases]
+    parts += [_phase_text(shape, phase, program.indexed) for phase in phases]
     parts += _births_text(program.at_birth)
     listing = "".join(f"    _near_list_{name}(_model)\n" for name in program.sought)
     lists = "".join(f"    _{kind}_list_{name}(_model)\n" for name, kind in program.gathered)
@@ -113,13 +113,13 @@ def _optional_names(shape: ModelShape) -> list[str]:
     return sorted({field.name for own in owners for field in own.values() if field.optional})
 
 
-CACHED_AGENTS = 1000
+CACHED_AGENTS = 10_000
 """Up to so many agents the processor's cache holds a population without being asked."""
 FETCH_AHEAD = 4
 """How many agents ahead the memory of a mind is asked for; that of its body twice as many."""
 
 
-def _phase_text(shape: ModelShape, phase: Phase, sought: tuple[str, ...]) -> str:
+def _phase_text(shape: ModelShape, phase: Phase, indexed: tuple[str, ...]) -> str:
     function = f"_phase_{phase.tag}"
     rng = "rng" in phase.takes
     population = phase.shape.population
@@ -156,8 +156,8 @@ def _phase_text(shape: ModelShape, phase: Phase, sought: tuple[str, ...]) -> str
             f"        if large and place + {2 * FETCH_AHEAD} < count:",
             f"            _fetch_ahead(rows, acting[place + {2 * FETCH_AHEAD}])",
         ]
-        if population in sought:
-            for name, ahead in (("heads", 6), ("entries", 3)):
+        if population in indexed:
+            for name, ahead in (("starts", 6), ("entries", 3)):
                 lines.append(
                     f"            _near_ask_{name}_{population}"
                     f"(_model, rows[acting[place + {ahead}]])"

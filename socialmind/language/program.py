@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import types as python_types
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -95,7 +95,7 @@ class Program:
         self.functions: dict[str, TypedFunction] = {}
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
         self.births: list[str] = []
-        self._sought: list[str] = []
+        self._sought: dict[str, set[str]] = {}
         self._gathered: list[tuple[str, str]] = []
         self.between_minds: dict[tuple[str, str, str], tuple[str, int]] = {}
         self.patches_sought = False
@@ -232,10 +232,9 @@ class Program:
         if call not in self.world_calls:
             self.world_calls.append(call)
 
-    def seeks(self, population: str) -> None:
-        """Note that rules look for the agents of a population who are near somebody."""
-        if population not in self._sought:
-            self._sought.append(population)
+    def seeks(self, population: str, how: str) -> None:
+        """Note that rules look for the agents of a population, by such a question."""
+        self._sought.setdefault(population, set()).add(how)
 
     @property
     def sought(self) -> tuple[str, ...]:
@@ -255,6 +254,30 @@ class Program:
     def gathered(self) -> tuple[tuple[str, str], ...]:
         """The populations, and of which of their lists rules ask."""
         return tuple(self._gathered)
+
+    def sought_on_patches(self, population: str) -> bool:
+        """Say whether rules look for the agents of a population by patches alone."""
+        return not self._sought[population] & {"near", "nearest"}
+
+    @cached_property
+    def indexed(self) -> tuple[str, ...]:
+        """The populations looked for of which an index is kept.
+
+        Where a patch has room for one, and it does not show in which order agents were found, the
+        patches themselves say enough.
+        """
+        shown = [
+            mark[1]
+            for mark in self._marks()
+            if mark[-1] == "near"
+            and (mark[0] in ("one_found", "count_found") or (mark[0] == "found_loop" and mark[2]))
+        ]
+        taken_by = self.shape.world.taken_by
+        return tuple(
+            name
+            for name in self.sought
+            if name in shown or not self.sought_on_patches(name) or not taken_by(name)
+        )
 
     @cached_property
     def loops_over_found(self) -> int:
@@ -289,6 +312,22 @@ class Program:
         """Note that a function writes fields of a population, or brings births or deaths."""
         for calls in self._calls:
             calls.add(f"changes {population}")
+
+    def kills(self, population: str) -> None:
+        """Note that a function lets agents of a population die."""
+        for calls in self._calls:
+            calls.add(f"kills {population}")
+
+    def may_kill(self, nodes: Iterable[ast.AST], population: str) -> bool:
+        """Return whether agents of a population may die in what has been typed."""
+        for node in (part for one in nodes for part in ast.walk(one)):
+            mark = getattr(node, "mark", ("",))
+            if mark[0] == "run_plan" or mark[:2] == ("die", population):
+                return True
+            called = getattr(getattr(node, "func", None), "id", None)
+            if f"kills {population}" in self._reached.get(str(called), ()):
+                return True
+        return False
 
     def carries_out(self, symbol: str, population: str) -> bool:
         """Return whether a function carries out plans of a population, or calls one that does."""

@@ -68,7 +68,7 @@ def _held(model: Running) -> list[Any]:
     """Return what holds the arrays of a model: while it is the same, so are they."""
     held: list[Any] = [*model.ground.arrays().values()]
     for name in model.program.sought:
-        held += model.tables[name].index(model.program.loops_over_found).values()
+        held += model.tables[name].index(model.program).values()
     for name, kind in model.program.gathered:
         held += model.tables[name].gathered(kind, model.program.loops_over_found).values()
     for table in model.tables.values():
@@ -99,7 +99,7 @@ def _all_arrays(model: Running) -> dict[str, Any]:
     """Return the arrays of a model by the names that the record gives their addresses."""
     arrays: dict[str, Any] = dict(model.ground.arrays())
     for name in model.program.sought:
-        for part, array in model.tables[name].index(model.program.loops_over_found).items():
+        for part, array in model.tables[name].index(model.program).items():
             arrays[f"{name}_{part}"] = array
     for name, kind in model.program.gathered:
         lists = model.tables[name].gathered(kind, model.program.loops_over_found)

@@ -461,16 +461,13 @@ class Table:
                 self._scratch |= vars(self.weighing)
         return self._scratch
 
-    def index(self, loops: int) -> dict[str, NDArray[Any]]:
-        """Return the arrays by which compiled rules find agents.
-
-        Args:
-            loops: how many loops of the rules go over what they found.
-        """
-        if not self._index or len(self._index["near_entries"]) != len(self.rows):
+    def index(self, program: Program) -> dict[str, NDArray[Any]]:
+        """Return the arrays by which compiled rules find agents."""
+        if not self._index or len(self._index["near_spots"]) != len(self.rows):
             from socialmind.worlds.neighbours.index import arrays
 
-            self._index = arrays(len(self.rows), loops)
+            patches = program.sought_on_patches(self.shape.name)
+            self._index = arrays(len(self.rows), program.loops_over_found, patches)
         return self._index
 
     def gathered(self, kind: str, loops: int) -> dict[str, NDArray[Any]]:

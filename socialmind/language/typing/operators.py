@@ -61,6 +61,8 @@ def typed_power(typer: Typer, node: ast.expr, left: Typed, right: Typed) -> Type
     if base_kind == INT and kind == INT and (written is None or written >= 0):
         return call("_power_int", [base, exponent], node), INT
     base = typer.to_float(base, base_kind)
+    if written == 2:
+        return call("_square", [base], node), FLOAT
     if written is not None and abs(written) <= _LARGEST_WHOLE_EXPONENT and written == int(written):
         return call("_power_whole", [base, constant(int(written), node)], node), FLOAT
     if written == 0.5:

@@ -238,11 +238,11 @@ def offset(world: Any, agent: Any, other: Any) -> tuple[float, float]:
 def between_inside(difference: float, size: int, wraps: int) -> float:
     """Return `apart` of two coordinates that both lie in the world."""
     if wraps:
+        # Choices of numbers, not of ways on, which processors would have to guess.
         half = size / 2
-        if difference > half:
-            return difference - size
-        if difference < -half:
-            return difference + size
+        over = size if difference > half else 0
+        under = size if difference < -half else 0
+        return difference - over + under
     return difference
 
 
@@ -258,8 +258,10 @@ def forward(world: Any, agent: Any, length: float) -> None:
 
 def move_to(world: Any, agent: Any, x: float, y: float) -> None:
     """Put an agent at a point, brought back into the world where that wraps."""
-    agent.x = kept(x, world.low_x, world.width, world.wraps_x)
-    agent.y = kept(y, world.low_y, world.height, world.wraps_y)
+    new_x = kept(x, world.low_x, world.width, world.wraps_x)
+    new_y = kept(y, world.low_y, world.height, world.wraps_y)
+    agent.x = new_x
+    agent.y = new_y
 
 
 def walk_to(world: Any, agent: Any, x: float, y: float, length: float) -> None:

@@ -173,19 +173,19 @@ def _world_move_to_NAME(_model, agent, x, y):
 TICK = "    _world_begin(_model)\nPHASES    _world_end(_model)\n"
 
 
-def text(populations: tuple[str, ...], fills: Mapping[str, str], sought: tuple[str, ...]) -> str:
+def text(populations: tuple[str, ...], fills: Mapping[str, str], indexed: tuple[str, ...]) -> str:
     """Return how compiled rules move agents of which a patch has room for one.
 
     Args:
         populations: all of the model.
         fills: how compiled code finds where the world is, and keeps a place in it.
-        sought: the populations whose agents rules look for.
+        indexed: the populations of which an index is kept.
     """
     living = [f"_counters_{name}(_model)[_bookkeeping.ALIVE]" for name in populations]
     parts = [_TEXT.replace("LIVING", f"({' + '.join(living) or '0'})")]
     for number, name in enumerate(populations):
         own = {"COUNT": str(len(populations)), "NUMBER": str(number), **fills, "NAME": name}
-        moved = "_near_moved_NAME(_model, agent)" if name in sought else "return"
+        moved = "_near_moved_NAME(_model, agent)" if name in indexed else "return"
         part = _OF_POPULATION.replace("MOVED", moved)
         for mark, fill in own.items():
             part = part.replace(mark, fill)

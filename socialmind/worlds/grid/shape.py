@@ -148,7 +148,7 @@ class GridShape(WorldShape):
             keep, low, side = self.kept_within("", axis)
             kept[f"KEEP_{axis.upper()}"] = f"{keep}({axis}, {low}, {side})"
         space = ", ".join(self.numbers[name] for name in SPACE)
-        before.append(one_per_patch.text(self.alone, {"SPACE": space, **kept}, program.sought))
+        before.append(one_per_patch.text(self.alone, {"SPACE": space, **kept}, program.indexed))
         return WorldText("\n\n\n".join(filter(None, before)), "", one_per_patch.TICK)
 
     def _around_text(self) -> str:

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from socialmind.compiling.layout import dtype_text
 from socialmind.language.shape import ModelShape
-from socialmind.worlds.neighbours.kernel import CELLS, ENTRY
+from socialmind.worlds.neighbours.cells import CELLS
+from socialmind.worlds.neighbours.entries import ENTRY
 
-HEAD = f"""from socialmind.worlds.neighbours import kernel as _neighbours
+HEAD = f"""from socialmind.worlds.neighbours import birth_order as _birth_order
+from socialmind.worlds.neighbours import cells as _near_cut
+from socialmind.worlds.neighbours import entries as _near_entry
 from socialmind.worlds.neighbours import lattice as _lattice
+from socialmind.worlds.neighbours import questions as _neighbours
 
 NEAR_CELLS = {dtype_text(CELLS)}
 NEAR_ENTRY = {dtype_text(ENTRY)}"""
@@ -19,7 +25,13 @@ def _near_cells_NAME(_model):
 
 @_inner
 def _near_entries_NAME(_model):
-    return carray(_as_pointer(_model._NAME_near_entries), (_model._NAME_room,), NEAR_ENTRY)
+    size = _model._NAME_near_entries_0
+    return carray(_as_pointer(_model._NAME_near_entries), (size,), NEAR_ENTRY)
+
+
+@_inner
+def _near_starts_NAME(_model):
+    return carray(_as_pointer(_model._NAME_near_starts), (_model._NAME_near_starts_0,), np.int32)
 
 
 @_inner
@@ -43,25 +55,8 @@ def _near_marks_NAME(_model):
 
 
 @_inner
-def _near_list_NAME(_model):
-    counters = _counters_NAME(_model)
-    cells = _near_cells_NAME(_model)
-    entries = _near_entries_NAME(_model)
-    heads = _near_heads_NAME(_model)
-    spots = _near_spots_NAME(_model)
-    rows = _rows_NAME(_model)
-    order = _order_NAME(_model)
-    alive = _alive_NAME(_model)
-    low_x, low_y, width, height = RECTANGLE
-    _neighbours.cut(
-        cells, counters[_bookkeeping.ALIVE], len(heads), low_x, low_y, width, height, BORDERS
-    )
-    _neighbours.list_all(cells, entries, heads, spots, rows, counters, order, alive)
-
-
-@_inner
 def _near_moved_NAME(_model, agent):
-    _neighbours.moved(
+    _near_entry.moved(
         _near_cells_NAME(_model),
         _near_entries_NAME(_model),
         _near_heads_NAME(_model),
@@ -74,7 +69,7 @@ def _near_moved_NAME(_model, agent):
 
 @_inner
 def _near_born_NAME(_model, agent):
-    _neighbours.born(
+    _near_entry.born(
         _near_cells_NAME(_model),
         _near_entries_NAME(_model),
         _near_heads_NAME(_model),
@@ -88,7 +83,7 @@ def _near_born_NAME(_model, agent):
 
 @_inner
 def _near_died_NAME(_model, agent):
-    _neighbours.died(
+    _near_entry.died(
         _near_cells_NAME(_model),
         _near_entries_NAME(_model),
         _near_heads_NAME(_model),
@@ -98,36 +93,22 @@ def _near_died_NAME(_model, agent):
 
 
 @_inner
-def _near_ask_heads_NAME(_model, agent):
-    cells = _near_cells_NAME(_model)
-    heads = _near_heads_NAME(_model)
-    for turn in range(3):
-        cell = _neighbours.cells_around(cells, agent.x, agent.y, turn)
-        if cell >= 0:
-            _fetch_ahead(heads, cell)
-
-
-@_inner
-def _near_ask_entries_NAME(_model, agent):
-    cells = _near_cells_NAME(_model)
-    heads = _near_heads_NAME(_model)
-    entries = _near_entries_NAME(_model)
-    for turn in range(3):
-        cell = _neighbours.cells_around(cells, agent.x, agent.y, turn)
-        if cell >= 0 and heads[cell] >= 0:
-            for spot in range(heads[cell] - 2, heads[cell] + 5, 2):
-                _fetch_ahead(entries, spot)
-
-
-@_inner
 def _near_begin_NAME(_model):
     return _near_cells_NAME(_model).top
 
 
 @_inner
+def _near_order_NAME(_model, begin, end):
+    places = _counters_NAME(_model)[_bookkeeping.ENTRIES]
+    _birth_order.in_order(
+        _near_found_NAME(_model), begin, end, _near_marks_NAME(_model), places
+    )
+
+
+@_inner
 def _near_keep_NAME(_model, begin, end, ordered):
     if ordered:
-        _neighbours.in_order(_near_found_NAME(_model), begin, end, _near_marks_NAME(_model))
+        _near_order_NAME(_model, begin, end)
     _near_cells_NAME(_model).top = end
     if _counters_NAME(_model)[_bookkeeping.ALIVE] > CACHED:
         rows = _rows_NAME(_model)
@@ -168,13 +149,69 @@ def _near_one_NAME(_model, end, rng):
     if end == begin:
         return -1
     found = _near_found_NAME(_model)
-    _neighbours.in_order(found, begin, end, _near_marks_NAME(_model))
+    _near_order_NAME(_model, begin, end)
     return _order_NAME(_model)[found[begin + _rng_integers(rng, 0, end - begin)]]"""
+
+_ASK = """@_inner
+def _near_ask_starts_NAME(_model, agent):
+    cells = _near_cells_NAME(_model)
+    starts = _near_starts_NAME(_model)
+    for turn in range(3):
+        cell = _near_entry.cells_around(cells, agent.x, agent.y, turn)
+        if cell >= 0:
+            _fetch_ahead(starts, cell)
+
+
+@_inner
+def _near_ask_entries_NAME(_model, agent):
+    cells = _near_cells_NAME(_model)
+    starts = _near_starts_NAME(_model)
+    entries = _near_entries_NAME(_model)
+    for turn in range(3):
+        cell = _near_entry.cells_around(cells, agent.x, agent.y, turn)
+        if cell >= 0:
+            for spot in range(starts[cell] - 2, starts[cell] + 5, 2):
+                _fetch_ahead(entries, spot)"""
+
+_ASK_LISTS = """@_inner
+def _near_ask_starts_NAME(_model, agent):
+    cells = _near_cells_NAME(_model)
+    _fetch_ahead(_near_heads_NAME(_model), _near_entry.cells_around(cells, agent.x, agent.y, 1))
+
+
+@_inner
+def _near_ask_entries_NAME(_model, agent):
+    cells = _near_cells_NAME(_model)
+    heads = _near_heads_NAME(_model)
+    cell = _near_entry.cells_around(cells, agent.x, agent.y, 1)
+    _fetch_ahead(_near_entries_NAME(_model), heads[cell])"""
+
+_LIST = """@_inner
+def _near_list_NAME(_model):
+    counters = _counters_NAME(_model)
+    cells = _near_cells_NAME(_model)
+    starts = _near_starts_NAME(_model)
+    entries = _near_entries_NAME(_model)
+    heads = _near_heads_NAME(_model)
+    spots = _near_spots_NAME(_model)
+    rows = _rows_NAME(_model)
+    order = _order_NAME(_model)
+    alive = _alive_NAME(_model)
+    low_x, low_y, width, height = RECTANGLE
+    _near_cut.cut(
+        cells, counters[_bookkeeping.ALIVE], len(heads), low_x, low_y, width, height, BORDERS, SIDE
+    )
+    _near_entry.LIST(cells, starts, entries, heads, spots, rows, counters, order, alive)"""
+
+_NO_LIST = """@_inner
+def _near_list_NAME(_model):
+    _near_cells_NAME(_model).top = 0"""
 
 _ASKED_BY = """@_inner
 def _near_NAME_ASKER(_model, who, radius):
     return _neighbours.find_near(
         _near_cells_NAME(_model),
+        _near_starts_NAME(_model),
         _near_entries_NAME(_model),
         _near_heads_NAME(_model),
         _near_found_NAME(_model),
@@ -189,6 +226,7 @@ def _near_NAME_ASKER(_model, who, radius):
 def _near_first_NAME_ASKER(_model, who, radius):
     place = _neighbours.nearest(
         _near_cells_NAME(_model),
+        _near_starts_NAME(_model),
         _near_entries_NAME(_model),
         _near_heads_NAME(_model),
         WHO_X,
@@ -202,6 +240,7 @@ _ON_PATCHES = """@_inner
 def _near_patches_NAME_ASKER(_model, who, steps, kind):
     return _neighbours.find_on_patches(
         _near_cells_NAME(_model),
+        _near_starts_NAME(_model),
         _near_entries_NAME(_model),
         _near_heads_NAME(_model),
         _near_found_NAME(_model),
@@ -233,15 +272,15 @@ CACHED = 5000
 """Up to so many agents the processor's cache holds a population without being asked."""
 
 
-def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
+def text(shape: ModelShape, program: Any) -> str:
     """Return how compiled rules find agents of the populations that they look for.
 
     Args:
         shape: the model's.
-        sought: the populations.
+        program: the typed rules, a `language.program.Program`.
     """
     *rectangle, wraps_x, wraps_y, whole = shape.world.extent
-    found = "_neighbours.bounds(rows, counters, order, alive)"
+    found = "_near_cut.bounds(rows, counters, order, alive)"
     own = {
         "RECTANGLE": ", ".join(rectangle) if int(whole) else found,
         "BORDERS": f"{wraps_x}, {wraps_y}, {whole}",
@@ -259,8 +298,11 @@ def text(shape: ModelShape, sought: tuple[str, ...]) -> str:
             "-1",
         )
     parts = [HEAD]
-    for name in sought:
-        index = _INDEX
+    for name in program.sought:
+        lists = program.sought_on_patches(name)
+        kept = (_ASK_LISTS if lists else _ASK, _LIST) if name in program.indexed else (_NO_LIST,)
+        index = "\n\n\n".join((_INDEX, *kept))
+        own |= {"LIST": "list_apart" if lists else "list_all", "SIDE": str(lists)}
         for mark, fill in own.items():
             index = index.replace(mark, fill)
         parts.append(index)

@@ -222,6 +222,7 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, na
     if name == "die":
         fitted(typer, node, "die", Signature((), types.NONE))
         without_keywords(typer, node, "die")
+        typer.program.kills(population)
         return method_call(node, base, name, [], ("die", population)), types.NONE
     if name == "hatch":
         keep = False

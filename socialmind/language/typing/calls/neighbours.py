@@ -49,7 +49,7 @@ def agents_found(
         asker = "own"
     elif asker != "patch":
         asker = "other"
-    typer.program.seeks(population)
+    typer.program.seeks(population, name)
     made = call(f"_agents_{name}", [base, who, *numbers], node)
     if name == "nearest":
         return marked(made, ("nearest", population, asker)), types.MaybeRowType(population)
