@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import kernel
 from socialmind.agents.bookkeeping import ENTRIES
-from socialmind.worlds.neighbours.kernel import in_order
+from socialmind.worlds.neighbours.birth_order import in_order
 
 BEFORE, NEXT, ROW = 0, 1, 2
 """Columns of the entries."""
@@ -120,7 +120,7 @@ def gather(
 def keep(found: Any, marks: Any, slot_of: Any, begin: int, end: int, ordered: bool) -> None:
     """Keep what was pushed for a loop to go over, as slots; those who die keep theirs that long."""
     if ordered:
-        in_order(found, begin, end, marks)
+        in_order(found, begin, end, marks, len(slot_of))
     for at in range(begin, end):
         found[at] = slot_of[found[at]]
     found[TOP] = end

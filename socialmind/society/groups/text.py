@@ -107,8 +107,9 @@ def _KIND_one_NAME(_model, end, rng):
     begin = found[_lists.TOP]
     if end == begin:
         return -1
-    _lists.in_order(found, begin, end, _KIND_marks_NAME(_model))
-    return _slot_of_NAME(_model)[found[begin + _rng_integers(rng, 0, end - begin)]]"""
+    slot_of = _slot_of_NAME(_model)
+    _lists.in_order(found, begin, end, _KIND_marks_NAME(_model), len(slot_of))
+    return slot_of[found[begin + _rng_integers(rng, 0, end - begin)]]"""
 
 
 def lists_text(population: str, kind: str) -> str:
