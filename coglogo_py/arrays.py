@@ -20,6 +20,16 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 UnsignedInts = NDArray[np.uint64]
 
+NEXT_MIND = 0
+NEXT_GROUP = 1
+FREE_MINDS = 2
+FREE_INSTANCES = 3
+ALIVE = 4
+SEED_LOW = 5
+SEED_HIGH = 6
+STREAM = 7
+"""Positions in `MindArrays.counters`."""
+
 
 class SchemeArrays(NamedTuple):
     """A cognitive scheme as read-only arrays; link rows are the cognitons, then the culturons."""
@@ -40,6 +50,9 @@ class SchemeArrays(NamedTuple):
     """(R, K) whether the role holds the culturon."""
     group_culturons: Ints
     """(G, 2) first culturon of the group, and the one after its last."""
+    group_within: Ints
+    """(G, 2) the group that an instance may lie in an instance of, and the role there; -1: none.
+    (0, 2) where no group lies in another."""
     link_begin: Ints
     """(P+1,) each plan's first link from a cogniton, and the end of the last plan's."""
     link_cogniton: UnsignedInts
@@ -70,17 +83,33 @@ class MindArrays(NamedTuple):
     """(N, G) the role it plays there; -1: none."""
     participation: Floats
     """(N, G) its degree of participation there."""
+    asked_id: Ints
+    """(N, G) identity of the instance that the mind asks to join, which may be gone; -1: none."""
+    asked_role: Ints
+    """(N, G) the role that it asks for; -1: none."""
     instance_id: Ints
     """(M,) identity of the group instance; -1: the row is free."""
     instance_group: Ints
     """(M,) the group that it is an instance of; -1: the row is free."""
     members: Ints
-    """(M,) number of its members."""
+    """(M,) number of its members; the instances that lie in it are members too."""
     culturons: Floats
     """(M, K) value of each culturon; only those of its own group count."""
+    within: Ints
+    """(M,) row of the instance that it lies in; -1: none. (0,) where no group lies in another."""
     free_minds: Ints
     """(N,) stack of free mind slots, the next one on top."""
     free_instances: Ints
     """(M,) stack of free instance rows, the next one on top."""
+    instance_chains: Ints
+    """(M, 2) rows by identity: the first row of each chain, and the row behind each in its own."""
     counters: Ints
     """(8,) next mind id, next group id, free minds, free instances, alive, seed (two), stream."""
+
+
+INDEX = ("instance_chains",)
+"""Those of `MindArrays` that are no state: they follow from the others."""
+STATE = tuple(name for name in MindArrays._fields if name not in INDEX)
+"""Those that are."""
+ASKED = ("asked_id", "asked_role")
+"""Those of them that a state may lack: it does where nobody asks for anything."""

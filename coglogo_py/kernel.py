@@ -5,8 +5,9 @@ a slot of `MindArrays`; cogniton, plan, group, role and culturon are positions i
 and culturons counted over all groups). Callers have checked these; what only the running model can
 know is checked here, before any state changes: finite values, the plan fed back from, group ids.
 
-All of it, constants too, stands in this one file: with what it imports it is the key that its
-compiled code is kept under. Sums run in the scheme's order, so both speeds give the same bits.
+Groups stand in `groups/instances`, and are reached from here as all else. A file and what it
+imports are the key that its compiled code is kept under. Sums run in the scheme's order, so both
+speeds give the same bits.
 """
 
 from __future__ import annotations
@@ -16,8 +17,45 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coglogo_py.arrays import ALIVE as ALIVE
+from coglogo_py.arrays import FREE_INSTANCES as FREE_INSTANCES
+from coglogo_py.arrays import FREE_MINDS as FREE_MINDS
+from coglogo_py.arrays import NEXT_GROUP as NEXT_GROUP
+from coglogo_py.arrays import NEXT_MIND as NEXT_MIND
+from coglogo_py.arrays import SEED_HIGH as SEED_HIGH
+from coglogo_py.arrays import SEED_LOW as SEED_LOW
+from coglogo_py.arrays import STREAM as STREAM
 from coglogo_py.compiled.borrow import borrowed
 from coglogo_py.compiled.machine_code import kept, key_of_file
+from coglogo_py.groups.instances import add_to_culturon_value as add_to_culturon_value
+from coglogo_py.groups.instances import add_to_group_attribute as add_to_group_attribute
+from coglogo_py.groups.instances import add_to_participation as add_to_participation
+from coglogo_py.groups.instances import ask_to_join as ask_to_join
+from coglogo_py.groups.instances import asked_row as asked_row
+from coglogo_py.groups.instances import create_and_join_group as create_and_join_group
+from coglogo_py.groups.instances import enclose_group as enclose_group
+from coglogo_py.groups.instances import enter as enter
+from coglogo_py.groups.instances import expel as expel
+from coglogo_py.groups.instances import find_group as find_group
+from coglogo_py.groups.instances import forget_requests as forget_requests
+from coglogo_py.groups.instances import get_asked_group_id as get_asked_group_id
+from coglogo_py.groups.instances import get_culturon_value as get_culturon_value
+from coglogo_py.groups.instances import get_enclosing_group_id as get_enclosing_group_id
+from coglogo_py.groups.instances import get_group_attribute as get_group_attribute
+from coglogo_py.groups.instances import get_group_id as get_group_id
+from coglogo_py.groups.instances import get_group_role_id as get_group_role_id
+from coglogo_py.groups.instances import get_participation as get_participation
+from coglogo_py.groups.instances import grant_entry as grant_entry
+from coglogo_py.groups.instances import index_instances as index_instances
+from coglogo_py.groups.instances import join_group as join_group
+from coglogo_py.groups.instances import leave_all_groups as leave_all_groups
+from coglogo_py.groups.instances import leave_group as leave_group
+from coglogo_py.groups.instances import refuse_entry as refuse_entry
+from coglogo_py.groups.instances import release_group as release_group
+from coglogo_py.groups.instances import set_culturon_value as set_culturon_value
+from coglogo_py.groups.instances import set_group_attribute as set_group_attribute
+from coglogo_py.groups.instances import set_participation as set_participation
+from coglogo_py.groups.instances import standing as standing
 from coglogo_py.streams import LOW_32, MIND_BIRTH_STREAMS, MIND_STREAMS, uniforms
 
 if TYPE_CHECKING:
@@ -34,16 +72,6 @@ CODES = {
     "BiasedWeightedStochastic": BIASED_WEIGHTED_STOCHASTIC,
 }
 """Those of the built-in ones, by their names."""
-
-NEXT_MIND = 0
-NEXT_GROUP = 1
-FREE_MINDS = 2
-FREE_INSTANCES = 3
-ALIVE = 4
-SEED_LOW = 5
-SEED_HIGH = 6
-STREAM = 7
-"""Positions in `MindArrays.counters`."""
 
 _KEY = key_of_file("coglogo", __file__)
 _operation = kept(_KEY, no_cfunc_wrapper=True)
@@ -120,7 +148,7 @@ def hatch(scheme: SchemeArrays, minds: MindArrays, slot: int, keep_groups: bool)
         for group in range(minds.group_slot.shape[1]):
             row = minds.group_slot[slot, group]
             if row >= 0:
-                _enter(minds, child, group, minds.role[slot, group], row)
+                enter(minds, child, group, minds.role[slot, group], row)
                 minds.participation[child, group] = minds.participation[slot, group]
     return child
 
@@ -132,6 +160,7 @@ def die(scheme: SchemeArrays, minds: MindArrays, slot: int) -> None:
     if minds.mind_id[slot] < 0:
         return
     leave_all_groups(minds, slot)
+    forget_requests(minds, slot)
     minds.mind_id[slot] = -1
     minds.draws[slot] = 0
     for cogniton in range(minds.values.shape[1]):
@@ -252,10 +281,9 @@ def _weigh(
                 weight += link_weight[link] * value
                 is_open |= link_opens[link]
         for group in range(group_slot.shape[1]):
-            row = group_slot[slot, group]
+            row, role, by = standing(scheme, minds, slot, group)
             if row >= 0:
-                role = minds.role[slot, group]
-                participation = minds.participation[slot, group]
+                participation = minds.participation[slot, by]
                 for culturon in range(group_culturons[group, 0], group_culturons[group, 1]):
                     if role_culturons[role, culturon]:
                         link = n_cognitons + culturon
@@ -429,7 +457,7 @@ def choose_among(
     scheme, minds = borrowed(scheme), borrowed(minds)
     weights, plans = borrowed(weights), borrowed(plans)
     maker_code = int(scheme.maker[0])
-    if maker_code > BIASED_WEIGHTED_STOCHASTIC:
+    if maker_code == MODELLERS_OWN:
         raise ValueError("choose_next_plan: a modeller's own decision maker has no compiled form")
     plan = -1
     if count > 0:
@@ -445,7 +473,7 @@ def feed_back_from_plan(
 ) -> None:
     """Add `value` times its reinforcement link to every active cogniton and group's culturon.
 
-    In the groups that the mind is in, the culturons of all roles change, not scaled by its
+    In the groups that the mind stands in, the culturons of all roles change, not scaled by its
     participation.
     """
     scheme, minds = borrowed(scheme), borrowed(minds)
@@ -466,7 +494,7 @@ def feed_back_from_plan(
                 elif not math.isfinite(result):
                     raise ValueError("feed_back_from_plan: a result is beyond the largest number")
         for group in range(minds.group_slot.shape[1]):
-            row = minds.group_slot[slot, group]
+            row = standing(scheme, minds, slot, group)[0]
             if row >= 0:
                 for culturon in range(
                     scheme.group_culturons[group, 0], scheme.group_culturons[group, 1]
@@ -479,193 +507,3 @@ def feed_back_from_plan(
                         raise ValueError(
                             "feed_back_from_plan: a result is beyond the largest number"
                         )
-
-
-# --------------------------------------------------------------------------- groups
-
-
-@_inner
-def _enter(minds: MindArrays, slot: int, group: int, role: int, row: int) -> None:
-    """Make a mind a member of the instance in `row`, taking part in full."""
-    minds = borrowed(minds)
-    minds.group_slot[slot, group] = row
-    minds.role[slot, group] = role
-    minds.participation[slot, group] = 1.0
-    minds.members[row] += 1
-
-
-@_operation
-def find_group(minds: MindArrays, group: int, identity: int) -> int:
-    """Return the row of the living instance of a group with this identity, or -1."""
-    minds = borrowed(minds)
-    rows = minds.instance_id.shape[0]
-    if identity < 0 or identity >= minds.counters[NEXT_GROUP]:
-        return -1
-    # Until a first group dissolves, identities and rows are the same.
-    if identity < rows and minds.instance_id[identity] == identity:
-        return identity if minds.instance_group[identity] == group else -1
-    alive = rows - minds.counters[FREE_INSTANCES]
-    for row in range(rows):
-        if alive == 0:
-            break
-        if minds.instance_id[row] == identity:
-            return row if minds.instance_group[row] == group else -1
-        if minds.instance_id[row] >= 0:
-            alive -= 1
-    return -1
-
-
-@_operation
-def create_and_join_group(
-    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, role: int
-) -> bool:
-    """Create an instance of a group and join it; False when already in a group of this type."""
-    scheme, minds = borrowed(scheme), borrowed(minds)
-    if scheme.role_group[role] != group:
-        raise ValueError("create_and_join_group: the role is of another group")
-    if minds.group_slot[slot, group] >= 0:
-        return False
-    counters = minds.counters
-    counters[FREE_INSTANCES] -= 1
-    row = minds.free_instances[counters[FREE_INSTANCES]]
-    minds.instance_id[row] = counters[NEXT_GROUP]
-    counters[NEXT_GROUP] += 1
-    minds.instance_group[row] = group
-    for culturon in range(scheme.group_culturons[group, 0], scheme.group_culturons[group, 1]):
-        minds.culturons[row, culturon] = scheme.culturon_start[culturon]
-    _enter(minds, slot, group, role, row)
-    return True
-
-
-@_operation
-def join_group(
-    scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, role: int, identity: int
-) -> bool:
-    """Join the instance with this identity; False when already in a group of this type."""
-    scheme, minds = borrowed(scheme), borrowed(minds)
-    if scheme.role_group[role] != group:
-        raise ValueError("join_group: the role is of another group")
-    row = find_group(minds, group, identity)
-    if row < 0:
-        raise ValueError("join_group: no living group of this type has this id")
-    if minds.group_slot[slot, group] >= 0:
-        return False
-    _enter(minds, slot, group, role, row)
-    return True
-
-
-@_operation
-def set_participation(minds: MindArrays, slot: int, group: int, value: float) -> None:
-    """Set the degree of participation; without effect outside the group."""
-    minds = borrowed(minds)
-    if not math.isfinite(value):
-        raise ValueError("set_participation: the value must be a finite number")
-    if minds.group_slot[slot, group] >= 0:
-        minds.participation[slot, group] = value
-
-
-@_operation
-def add_to_participation(minds: MindArrays, slot: int, group: int, value: float) -> None:
-    """Add to the degree of participation; without effect outside the group."""
-    minds = borrowed(minds)
-    if not math.isfinite(value):
-        raise ValueError("add_to_participation: the value must be a finite number")
-    if minds.group_slot[slot, group] >= 0:
-        result = minds.participation[slot, group] + value
-        if not math.isfinite(result):
-            raise ValueError("add_to_participation: the sum is beyond the largest number")
-        minds.participation[slot, group] = result
-
-
-@_operation
-def get_participation(minds: MindArrays, slot: int, group: int) -> float:
-    """Return the degree of participation, 0.0 outside the group."""
-    minds = borrowed(minds)
-    return minds.participation[slot, group]
-
-
-@_operation
-def get_group_id(minds: MindArrays, slot: int, group: int) -> int:
-    """Return the identity of the instance that the mind is in, -1 when in none of this type."""
-    minds = borrowed(minds)
-    row = minds.group_slot[slot, group]
-    return minds.instance_id[row] if row >= 0 else -1
-
-
-@_operation
-def get_group_role_id(minds: MindArrays, slot: int, group: int, role: int) -> int:
-    """Return the identity of the instance in which the mind plays this very role, or -1."""
-    minds = borrowed(minds)
-    return get_group_id(minds, slot, group) if minds.role[slot, group] == role else -1
-
-
-@_operation
-def leave_group(minds: MindArrays, slot: int, group: int) -> None:
-    """Leave the group; an instance without members dissolves. Without effect outside it."""
-    minds = borrowed(minds)
-    row = minds.group_slot[slot, group]
-    if row < 0:
-        return
-    minds.group_slot[slot, group] = -1
-    minds.role[slot, group] = -1
-    minds.participation[slot, group] = 0.0
-    minds.members[row] -= 1
-    if minds.members[row] == 0:
-        minds.instance_id[row] = -1
-        minds.instance_group[row] = -1
-        for culturon in range(minds.culturons.shape[1]):
-            minds.culturons[row, culturon] = 0.0
-        counters = minds.counters
-        minds.free_instances[counters[FREE_INSTANCES]] = row
-        counters[FREE_INSTANCES] += 1
-
-
-@_operation
-def leave_all_groups(minds: MindArrays, slot: int) -> None:
-    """Leave every group that the mind is in."""
-    minds = borrowed(minds)
-    for group in range(minds.group_slot.shape[1]):
-        leave_group(minds, slot, group)
-
-
-@_operation
-def set_culturon_value(
-    minds: MindArrays, slot: int, group: int, culturon: int, value: float
-) -> None:
-    """Set a culturon of the instance that the mind is in, for all its members."""
-    minds = borrowed(minds)
-    if not math.isfinite(value):
-        raise ValueError("set_culturon_value: the value must be a finite number")
-    row = minds.group_slot[slot, group]
-    if row >= 0:
-        minds.culturons[row, culturon] = value
-
-
-@_operation
-def add_to_culturon_value(
-    minds: MindArrays, slot: int, group: int, culturon: int, value: float
-) -> None:
-    """Add to a culturon of the instance that the mind is in, for all its members."""
-    minds = borrowed(minds)
-    if not math.isfinite(value):
-        raise ValueError("add_to_culturon_value: the value must be a finite number")
-    row = minds.group_slot[slot, group]
-    if row >= 0:
-        result = minds.culturons[row, culturon] + value
-        if not math.isfinite(result):
-            raise ValueError("add_to_culturon_value: the sum is beyond the largest number")
-        minds.culturons[row, culturon] = result
-
-
-@_operation
-def get_culturon_value(minds: MindArrays, slot: int, group: int, culturon: int) -> float:
-    """Return a culturon's value in the instance that the mind is in, 0.0 outside the group."""
-    minds = borrowed(minds)
-    row = minds.group_slot[slot, group]
-    return minds.culturons[row, culturon] if row >= 0 else 0.0
-
-
-# Attributes are culturons that no role holds: they stand in the same array.
-set_group_attribute = set_culturon_value
-add_to_group_attribute = add_to_culturon_value
-get_group_attribute = get_culturon_value

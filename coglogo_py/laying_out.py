@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.arrays import Floats, MindArrays, SchemeArrays
+from coglogo_py.arrays import Floats, Ints, MindArrays, SchemeArrays
 from coglogo_py.border.errors import SchemeError
 from coglogo_py.decision import BUILT_IN
-from coglogo_py.parts import Cogniton, Culturon, Group, Scheme
+from coglogo_py.parts import Cogniton, Culturon, Group, Scheme, check_nesting
 from coglogo_py.scheme import CognitiveScheme
 from coglogo_py.streams import LOW_32
 
@@ -30,12 +30,14 @@ class GroupType:
         roles: in the order in which the schemes first name them.
         culturons: their values in a group just created, in the same order.
         attributes: likewise.
+        within: the type and the role that its instances may lie in.
     """
 
     name: str
     roles: list[str] = field(default_factory=list)
     culturons: dict[str, float] = field(default_factory=dict)
     attributes: dict[str, float] = field(default_factory=dict)
+    within: tuple[str, str] | None = field(default=None, repr=False)
 
 
 def culturons_of(group: Group) -> tuple[Culturon, ...]:
@@ -54,7 +56,8 @@ def group_types(schemes: Iterable[Scheme]) -> tuple[GroupType, ...]:
         schemes: of the breeds that share them; often one alone.
 
     Raises:
-        SchemeError: a culturon or an attribute starts at different values in two of them.
+        SchemeError: a culturon or an attribute starts at different values in two of them, or a
+            group lies within different ones.
 
     >>> from coglogo_py import Role
     >>> one = CognitiveScheme("cows", groups=(Group("herd", (Role("leader"),)),))
@@ -67,6 +70,8 @@ def group_types(schemes: Iterable[Scheme]) -> tuple[GroupType, ...]:
     for scheme in schemes:
         for group in scheme.groups:
             kind = found.setdefault(group.name, GroupType(group.name))
+            if group.within is not None:
+                kind = found[group.name] = _nested(kind, group.within, scheme.name)
             kind.roles.extend(one.name for one in group.roles if one.name not in kind.roles)
             named = [("culturon", one.name, one.start_value) for one in culturons_of(group)]
             named += [("attribute", name, start) for name, start in group.attributes]
@@ -80,7 +85,18 @@ def group_types(schemes: Iterable[Scheme]) -> tuple[GroupType, ...]:
                         f"{known[name]:g}, as in scheme {first!r}, which shares the group",
                         "it has one value for all: write the same start in both",
                     )
+    check_nesting({name: (kind.roles, kind.within) for name, kind in found.items()})
     return tuple(found.values())
+
+
+def _nested(kind: GroupType, within: tuple[str, str], scheme: str) -> GroupType:
+    if kind.within not in (None, within):
+        raise SchemeError(
+            f"group {kind.name!r} within {' as '.join(within)} in scheme {scheme!r}",
+            f"{' as '.join(kind.within or ())}, as in another scheme that shares the group",
+            "write the same in both",
+        )
+    return replace(kind, within=within)
 
 
 Within = tuple[tuple[GroupType, ...], int, int]
@@ -155,6 +171,7 @@ def scheme_arrays(scheme: CognitiveScheme, within: Within | None = None) -> Sche
         role_group=np.array(role_group, np.int64),
         role_culturons=role_culturons,
         group_culturons=group_culturons,
+        group_within=_group_within(types),
         link_begin=np.concatenate([[0], np.cumsum(linked.sum(axis=0))]).astype(np.int64),
         link_cogniton=cogniton_of.astype(np.uint64),
         link_weight=influence[cogniton_of, plan_of],
@@ -175,6 +192,21 @@ def _chances(scheme: CognitiveScheme) -> Floats:
         if one.chance < 1.0 or one.inherited < 1.0
     ]
     return np.array(rows, np.float64).reshape(len(rows), 4)
+
+
+def _group_within(types: tuple[GroupType, ...]) -> Ints:
+    """Return what `SchemeArrays.group_within` holds."""
+    if all(kind.within is None for kind in types):
+        return np.zeros((0, 2), np.int64)
+    places = {kind.name: place for place, kind in enumerate(types)}
+    first_role = np.cumsum([0, *(len(kind.roles) for kind in types)])
+    found = np.full((len(types), 2), -1, np.int64)
+    for place, kind in enumerate(types):
+        if kind.within is not None:
+            around = places[kind.within[0]]
+            role = first_role[around] + types[around].roles.index(kind.within[1])
+            found[place] = around, role
+    return found
 
 
 def maker_code(scheme: CognitiveScheme) -> Floats:
@@ -211,12 +243,16 @@ def mind_arrays(scheme: SchemeArrays, capacity: int, seed: int, stream: int = 0)
         group_slot=np.full((capacity, groups), -1, np.int64),
         role=np.full((capacity, groups), -1, np.int64),
         participation=np.zeros((capacity, groups)),
+        asked_id=np.full((capacity, groups), -1, np.int64),
+        asked_role=np.full((capacity, groups), -1, np.int64),
         instance_id=np.full(instances, -1, np.int64),
         instance_group=np.full(instances, -1, np.int64),
         members=np.zeros(instances, np.int64),
         culturons=np.zeros((instances, len(scheme.culturon_start))),
+        within=np.full(instances if len(scheme.group_within) else 0, -1, np.int64),
         free_minds=np.arange(capacity - 1, -1, -1, dtype=np.int64),
         free_instances=np.arange(instances - 1, -1, -1, dtype=np.int64),
+        instance_chains=np.full((instances, 2), -1, np.int64),
         counters=counters,
     )
 
@@ -245,6 +281,7 @@ def grown(scheme: SchemeArrays, minds: MindArrays, capacity: int) -> MindArrays:
         stack[added : added + free] = old[:free]
         stack[added + free :] = 0
         larger.counters[count] = added + free
+    kernel.index_instances(larger)
     return larger
 
 

@@ -354,6 +354,92 @@ class Mind:
         positions = self.society.names.role(group, role)
         return int(self._try(kernel.get_group_role_id, *positions))
 
+    def ask_to_join(self, group: str, role: str, id: int) -> bool:
+        """Ask to join a group in a role; one of its members may grant it.
+
+        A mind has one open request a type of group: a new one takes the place of the last. It ends
+        when it is granted or refused, when the mind joins a group of this type or dies, and with
+        the group.
+
+        Args:
+            group: its type.
+            role: the role to play in it.
+            id: its identity.
+
+        Returns:
+            Whether such a group lives and the mind is in none of this type.
+        """
+        positions = self.society.names.role(group, role)
+        identity = whole_number(id, f"ask_to_join {group!r}, id", error=MindError)
+        return bool(self._try_with_scheme(kernel.ask_to_join, *positions, identity))
+
+    def get_asked_group_id(self, group: str) -> int:
+        """Return the identity of the group of this type that the mind asks to join, or -1."""
+        return int(self._try(kernel.get_asked_group_id, self.society.names.group(group)))
+
+    def grant_entry(self, group: str, other: Mind) -> bool:
+        """Let another mind join the group that this one is in, in the role that it asks for.
+
+        Returns:
+            Whether it took effect: not unless the other asks to join that very group.
+        """
+        return self._with_other(kernel.grant_entry, group, other, "grant_entry")
+
+    def refuse_entry(self, group: str, other: Mind) -> bool:
+        """End another mind's request to join the group that this one is in.
+
+        Returns:
+            Whether there was one.
+        """
+        return self._with_other(kernel.refuse_entry, group, other, "refuse_entry")
+
+    def expel(self, group: str, other: Mind) -> bool:
+        """Let another mind leave the group that both are in; without members it dissolves.
+
+        Returns:
+            Whether the other was in it.
+        """
+        return self._with_other(kernel.expel, group, other, "expel")
+
+    def _with_other(
+        self, operation: Callable[..., bool], group: str, other: object, command: str
+    ) -> bool:
+        """Carry out what a mind does to another of its culture."""
+        position = self.society.names.group(group)
+        if not isinstance(other, Mind):
+            raise MindError(f"{command} {group!r}: found {shown(other)}; expected a mind")
+        if other.society.minds is not self.society.minds:
+            raise MindError(
+                f"{command} {group!r}: {other!r} shares no groups with {self!r}; give both one "
+                "society, or one culture"
+            )
+        return bool(self._try(operation, position, other.slot))
+
+    def enclose_group(self, group: str, id: int) -> bool:
+        """Let the group that the mind is in lie in another, whose culturons then apply in it.
+
+        Args:
+            group: its type, which the scheme has within another.
+            id: the identity of the one around it.
+
+        Returns:
+            Whether it took effect: not when the mind is in none, or it lies in one already.
+
+        Raises:
+            MindError: no living group of the type around it has that identity.
+        """
+        position = self.society.names.group(group)
+        identity = whole_number(id, f"enclose_group {group!r}, id", error=MindError)
+        return bool(self._try_with_scheme(kernel.enclose_group, position, identity))
+
+    def release_group(self, group: str) -> None:
+        """Let the group that the mind is in lie in no other; the one around it may dissolve."""
+        self._try(kernel.release_group, self.society.names.group(group))
+
+    def get_enclosing_group_id(self, group: str) -> int:
+        """Return the identity of what the group that the mind is in lies in, or -1."""
+        return int(self._try(kernel.get_enclosing_group_id, self.society.names.group(group)))
+
     def set_participation(self, group: str, value: float) -> None:
         """Set the degree of participation in a group; without effect outside it."""
         position = self.society.names.group(group)
@@ -374,32 +460,32 @@ class Mind:
         """Set a culturon of the group that the mind is in, of any role, for all its members."""
         positions = self.society.names.culturon(group, culturon)
         value = number(value, f"set_culturon_value of {culturon!r}", error=MindError)
-        self._try(kernel.set_culturon_value, *positions, value)
+        self._try_with_scheme(kernel.set_culturon_value, *positions, value)
 
     def add_to_culturon_value(self, group: str, culturon: str, value: float) -> None:
         """Add to a culturon of the group that the mind is in, of any role, for all its members."""
         positions = self.society.names.culturon(group, culturon)
         value = number(value, f"add_to_culturon_value of {culturon!r}", error=MindError)
-        self._try(kernel.add_to_culturon_value, *positions, value)
+        self._try_with_scheme(kernel.add_to_culturon_value, *positions, value)
 
     def get_culturon_value(self, group: str, culturon: str) -> float:
         """Return a culturon of the group that the mind is in, of any role; 0.0 outside it."""
         positions = self.society.names.culturon(group, culturon)
-        return float(self._try(kernel.get_culturon_value, *positions))
+        return float(self._try_with_scheme(kernel.get_culturon_value, *positions))
 
     def set_group_attribute(self, group: str, attribute: str, value: float) -> None:
         """Set an attribute of the group that the mind is in, for all its members."""
         positions = self.society.names.attribute(group, attribute)
         value = number(value, f"set_group_attribute of {attribute!r}", error=MindError)
-        self._try(kernel.set_group_attribute, *positions, value)
+        self._try_with_scheme(kernel.set_group_attribute, *positions, value)
 
     def add_to_group_attribute(self, group: str, attribute: str, value: float) -> None:
         """Add to an attribute of the group that the mind is in, for all its members."""
         positions = self.society.names.attribute(group, attribute)
         value = number(value, f"add_to_group_attribute of {attribute!r}", error=MindError)
-        self._try(kernel.add_to_group_attribute, *positions, value)
+        self._try_with_scheme(kernel.add_to_group_attribute, *positions, value)
 
     def get_group_attribute(self, group: str, attribute: str) -> float:
         """Return an attribute of the group that the mind is in; 0.0 outside it."""
         positions = self.society.names.attribute(group, attribute)
-        return float(self._try(kernel.get_group_attribute, *positions))
+        return float(self._try_with_scheme(kernel.get_group_attribute, *positions))

@@ -206,6 +206,8 @@ class Group:
             afterwards: links united, the last value and colour.
         attributes: further numbers of an instance, which act on no plan: pairs of a name and the
             value when it is created, or a mapping.
+        within: the type of group that an instance may lie in an instance of, and the role whose
+            culturons all in it are under there; None for none.
 
     Raises:
         SchemeError: two roles have one name, or something is no role or no number.
@@ -219,9 +221,19 @@ class Group:
     name: str
     roles: tuple[Role, ...] = ()
     attributes: tuple[tuple[str, float], ...] = ()
+    within: tuple[str, str] | None = None
 
     def __post_init__(self) -> None:
         checks.checked_name(self.name, "a group")
+        if self.within is not None:
+            around = checks.checked_names(self.within, f"what group {self.name!r} is within")
+            if len(around) != 2:
+                raise SchemeError(
+                    f"{around!r} as what group {self.name!r} is within",
+                    "a group and one of its roles",
+                    'write within=("clan", "member")',
+                )
+            settle(self, "within", around)
         attributes = checks.checked_attributes(
             self.attributes, f"attributes of group {self.name!r}"
         )
@@ -234,6 +246,39 @@ class Group:
         shared = {name: one_culturon(several) for name, several in described.items()}
         one_each = tuple(Role(r.name, tuple(shared[c.name] for c in r.culturons)) for r in roles)
         settle(self, "roles", one_each)
+
+
+def check_nesting(groups: Mapping[str, tuple[Iterable[str], tuple[str, str] | None]]) -> None:
+    """Refuse groups within others that there are not, or that lie within themselves.
+
+    Args:
+        groups: the roles of each, and what it is within.
+
+    Raises:
+        SchemeError: says which.
+
+    >>> check_nesting({"family": (["parent"], ("clan", "member")), "clan": (["member"], None)})
+    """
+    for name, (_, within) in groups.items():
+        if within is None:
+            continue
+        around, role = within
+        if around not in groups:
+            known = ", ".join(groups)
+            raise SchemeError(f"group {name!r} within {around!r}", f"a group of: {known}")
+        if role not in groups[around][0]:
+            known = ", ".join(groups[around][0]) or "it has none"
+            raise SchemeError(
+                f"group {name!r} within the role {role!r} of {around!r}", f"a role of it: {known}"
+            )
+        passed = [name]
+        while within is not None:
+            passed.append(within[0])
+            if within[0] == name:
+                raise SchemeError(f"groups within each other: {' in '.join(passed)}")
+            if len(passed) > len(groups):
+                break  # a circle further out, which its own groups tell
+            within = groups[within[0]][1] if within[0] in groups else None
 
 
 class Scheme(Protocol):

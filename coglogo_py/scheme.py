@@ -25,6 +25,7 @@ from coglogo_py.parts import (
     Cogniton,
     Culturon,
     Group,
+    check_nesting,
     described_once,
     links_of,
     plain_fields,
@@ -76,6 +77,7 @@ class CognitiveScheme:
         where = f"scheme {self.name!r}"
         settle(self, "cognitons", described_once(self.cognitons, Cogniton, "cogniton", where))
         settle(self, "groups", described_once(self.groups, Group, "group", where))
+        check_nesting({one.name: ([r.name for r in one.roles], one.within) for one in self.groups})
         if not isinstance(self.decision_maker, DecisionMaker):
             raise SchemeError(
                 f"decision maker {self.decision_maker!r} of {where}",

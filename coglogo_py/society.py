@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from coglogo_py import kernel
-from coglogo_py.arrays import MindArrays
+from coglogo_py.arrays import ASKED, STATE, MindArrays
 from coglogo_py.border.closed import Closed
 from coglogo_py.border.errors import CogLogoError
 from coglogo_py.border.memory import check_memory
@@ -134,6 +134,7 @@ class Society(Closed):
         minds.group_slot[slots] = -1
         minds.role[slots] = -1
         minds.participation[slots] = 0.0
+        minds.asked_id[slots] = minds.asked_role[slots] = -1
         minds.counters[kernel.FREE_MINDS] -= count
         minds.counters[kernel.NEXT_MIND] += count
         minds.counters[kernel.ALIVE] += count
@@ -186,7 +187,12 @@ class Society(Closed):
 
     def state(self) -> dict[str, np.ndarray]:
         """Return a copy of all that the minds and groups hold, by the names in `MindArrays`."""
-        return {name: array.copy() for name, array in self.minds._asdict().items()}
+        asking = (self.minds.asked_id >= 0).any()
+        left_out = () if asking else ASKED
+        if not len(self.minds.within):
+            left_out = (*left_out, "within")
+        held = (name for name in STATE if name not in left_out)
+        return {name: getattr(self.minds, name).copy() for name in held}
 
     def restore(self, state: Mapping[str, np.ndarray]) -> None:
         """Go back to a state of a society of the same scheme; its seed and stream come along.
@@ -199,29 +205,30 @@ class Society(Closed):
         Raises:
             CogLogoError: the arrays are not those of a society with this scheme; nothing changed.
         """
-        missing = [name for name in MindArrays._fields if name not in state]
+        unsaid = ASKED if len(self.arrays.group_within) else (*ASKED, "within")
+        held = [name for name in STATE if name in state or name not in unsaid]
+        missing = [name for name in held if name not in state]
         if missing:
             raise CogLogoError(f"the state of a society lacks {', '.join(missing)}")
         capacity = max(1, np.size(state["mind_id"]))
         fitting = mind_arrays(self.arrays, capacity, seed=0)
-        for name, fit in fitting._asdict().items():
-            found = np.asarray(state[name])
+        for name in held:
+            fit, found = getattr(fitting, name), np.asarray(state[name])
             if found.shape != fit.shape or found.dtype != fit.dtype:
                 raise CogLogoError(
                     f"{name} in the state of a society with scheme {self.scheme.name!r}: "
                     f"expected {fit.dtype} of shape {fit.shape}, "
                     f"found {found.dtype} of shape {found.shape}; was it another scheme's?"
                 )
-        minds = MindArrays(
-            **{name: np.array(state[name], order="C") for name in MindArrays._fields}
-        )
+        minds = fitting._replace(**{name: np.array(state[name], order="C") for name in held})
         arrays = self.arrays
-        odd = oddity(minds, len(arrays.group_culturons), len(arrays.role_group))
+        odd = oddity(minds, arrays.group_within, len(arrays.role_group))
         if odd is not None:
             raise CogLogoError(
                 f"{odd} in the state of a society with scheme {self.scheme.name!r}: found numbers "
                 "that no such society has; take what state() returned"
             )
+        kernel.index_instances(minds)
         self._hold(minds)
         low, high = self.minds.counters[[kernel.SEED_LOW, kernel.SEED_HIGH]].tolist()
         for one in self.sharing or (self,):

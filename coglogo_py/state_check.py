@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py import kernel
-from coglogo_py.arrays import MindArrays
+from coglogo_py.arrays import Ints, MindArrays
 from coglogo_py.streams import LOW_32
 
 
@@ -25,13 +25,13 @@ def odd_stack(slots: NDArray[Any], capacity: int) -> bool:
     return bool(np.bincount(slots, minlength=capacity).max() > 1)
 
 
-def oddity(minds: MindArrays, groups: int, roles: int) -> str | None:
+def oddity(minds: MindArrays, nesting: Ints, roles: int) -> str | None:
     """Return the name of the first array that no society can have, or None.
 
     Args:
         minds: arrays of the right types and shapes.
-        groups: how many the scheme has.
-        roles: how many these have together.
+        nesting: the scheme's `group_within`.
+        roles: how many its groups have together.
     """
     capacity, instances = len(minds.mind_id), len(minds.instance_id)
     counters = minds.counters
@@ -55,13 +55,20 @@ def oddity(minds: MindArrays, groups: int, roles: int) -> str | None:
         "mind_id": int(counters[kernel.NEXT_MIND]),
         "group_slot": instances,
         "role": roles,
+        "asked_id": int(counters[kernel.NEXT_GROUP]),
+        "asked_role": roles,
         "instance_id": int(counters[kernel.NEXT_GROUP]),
-        "instance_group": groups,
+        "within": instances,
+        "instance_group": minds.group_slot.shape[1],
     }
     for name, end in bounds.items():
         array = getattr(minds, name)
         if array.size and not -1 <= array.min() <= array.max() < end:
             return name
+    inner = np.flatnonzero(minds.within >= 0)
+    around = nesting[minds.instance_group[inner], 0] if len(inner) else inner
+    if (minds.instance_group[minds.within[inner]] != around).any() or (around < 0).any():
+        return "within"
     if (minds.draws < 0).any():
         return "draws"
     return "members" if (minds.members < 0).any() else None

@@ -308,6 +308,12 @@ def written(scheme: Scheme) -> str:
                 "none: a CogLogo file holds no attributes of groups",
                 "save it as .yaml",
             )
+        if group.within is not None:
+            raise SchemeError(
+                f"the group {group.name!r} within {group.within[0]!r}",
+                "none: a CogLogo file holds no groups in others",
+                "save it as .yaml",
+            )
     for one in scheme.cognitons:
         plain = Cogniton(one.name, one.starting, one.start_value)
         for name in OF_YAML_ALONE:

@@ -21,7 +21,7 @@ from coglogo_py.parts import GREY, AScheme, Cogniton, Culturon, Group, Role, Sch
 
 TOP_FIELDS = (
     "name", "decision_maker", "breeds", "plans", "plan_positions", "cognitons", "groups",
-    "group_attributes",
+    "group_attributes", "nested_groups",
 )  # fmt: skip
 LINK_FIELDS = ("influence", "conditional", "reinforcement")
 CULTURON_FIELDS = ("start", "colour", "position", *LINK_FIELDS)
@@ -32,6 +32,7 @@ COGNITON_FIELDS = (
 
 
 Attributes = tuple[tuple[str, float], ...]
+Around = tuple[str, str]
 WIDTH = 100
 PLAIN = re.compile(r"[^\W\d][\w-]*( [\w-]+)*")
 """Names that need no quotes, but for the words that YAML takes for something else."""
@@ -135,7 +136,9 @@ def _described(
     }
 
 
-def _group(nodes: Nodes, name: str, node: yaml.Node, attributes: Attributes) -> Group:
+def _group(
+    nodes: Nodes, name: str, node: yaml.Node, attributes: Attributes, within: Around | None
+) -> Group:
     where = f"group {name!r}"
     earlier: dict[str, Culturon] = {}
     roles = []
@@ -149,7 +152,7 @@ def _group(nodes: Nodes, name: str, node: yaml.Node, attributes: Attributes) -> 
             earlier[culturon] = Culturon(culturon, **_described(nodes, given, here, first))
             culturons.append(earlier[culturon])
         roles.append(Role(role, tuple(culturons)))
-    return Group(name, tuple(roles), attributes)
+    return Group(name, tuple(roles), attributes, within)
 
 
 def _attributes(nodes: Nodes, node: yaml.Node, groups: list[str]) -> dict[str, Attributes]:
@@ -160,6 +163,23 @@ def _attributes(nodes: Nodes, node: yaml.Node, groups: list[str]) -> dict[str, A
             known = f"a group of the scheme: {', '.join(groups) or 'there are none'}"
             raise nodes.error(at, f"attributes of a group {group!r}", known)
         found[group] = tuple(nodes.weights(values, f"attributes of group {group!r}").items())
+    return found
+
+
+def _nesting(nodes: Nodes, node: yaml.Node, groups: list[str]) -> dict[str, Around]:
+    """Return the group and role that groups are within, by the groups' names."""
+    found = {}
+    for group, at, around in nodes.entries(node, "nested_groups"):
+        if group not in groups:
+            known = f"a group of the scheme: {', '.join(groups) or 'there are none'}"
+            raise nodes.error(at, f"a nested group {group!r}", known)
+        pairs = list(nodes.entries(around, f"what group {group!r} is within"))
+        if len(pairs) != 1:
+            raise nodes.error(at, f"{len(pairs)} groups around {group!r}", "one, {clan: member}")
+        ((name, place, role),) = pairs
+        if name not in groups:
+            raise nodes.error(place, f"group {group!r} within {name!r}", "a group of the scheme")
+        found[group] = name, nodes.name(role, f"the role that group {group!r} plays")
     return found
 
 
@@ -179,10 +199,15 @@ def _scheme(
 
     groups = [(name, node) for name, _, node in entries("groups")]
     attributes = _attributes(nodes, given.get("group_attributes", NOTHING), [n for n, _ in groups])
+    nesting = _nesting(nodes, given.get("nested_groups", NOTHING), [n for n, _ in groups])
+    described = tuple(
+        _group(nodes, name, node, attributes.get(name, ()), nesting.get(name))
+        for name, node in groups
+    )
     return kind(
         nodes.name(given["name"], "name of the scheme"),
         tuple(_cogniton(nodes, name, node) for name, _, node in entries("cognitons")),
-        tuple(_group(nodes, name, node, attributes.get(name, ())) for name, node in groups),
+        described,
         MaximumWeight() if maker is None else _decision_maker(nodes, maker, decision_makers),
         nodes.names(given.get("breeds", NOTHING), "breeds"),
         {
@@ -255,6 +280,12 @@ def written(scheme: Scheme) -> str:
     for group in scheme.groups:
         values = {name: _number(value) for name, value in group.attributes}
         lines += _mapping(_text(group.name), values, "  ")
+    if any(group.within for group in scheme.groups):
+        lines.append("nested_groups:")
+    for group in scheme.groups:
+        if group.within is not None:
+            around, part = group.within
+            lines += _mapping(_text(group.name), {around: _text(part)}, "  ")
     return HEADER + "\n".join(lines) + "\n"
 
 

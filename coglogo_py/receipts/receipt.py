@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coglogo_py import kernel
 from coglogo_py.arrays import Floats
 from coglogo_py.receipts.counterfactual import Change, Line, smallest_change
 
@@ -188,9 +189,11 @@ def _influences(mind: Mind) -> tuple[Influence, ...]:
         add(row, name, None, value, None, value is not None)
     culturons_from = len(society.arrays.start)
     for group, culturons in society.names.culturons.items():
-        member = mind.get_group_id(group) >= 0
-        participation = mind.get_participation(group) if member else None
-        role = int(society.minds.role[mind.slot, society.names.group(group)])
+        # By a group of its own that lies in one, perhaps.
+        place = society.names.group(group)
+        row, role, by = kernel.standing(society.arrays, society.minds, mind.slot, place)
+        member = row >= 0
+        participation = float(society.minds.participation[mind.slot, by]) if member else None
         for name, position in culturons.items():
             value = mind.get_culturon_value(group, name) if member else None
             acts = member and bool(society.arrays.role_culturons[role, position])

@@ -14,6 +14,8 @@ PARTS = ("group_", "role_", "participation_")
 """What the names of the columns of memberships begin with; the group's type follows."""
 OWN = ("populations", "group", "instance", "members")
 """The columns of the table of groups beside the tick, before those of culturons."""
+WITHIN = "within"
+"""That of the instance which one lies in, behind them in models whose schemes nest groups."""
 
 
 def memberships(table: Any, taken: Mapping[str, Any]) -> dict[str, list[Any]]:
@@ -74,7 +76,9 @@ def group_instances(model: Running) -> dict[str, list[Any]]:
         for of in groups.values()
         for name in of
     ]
-    columns: dict[str, list[Any]] = {name: [] for name in dict.fromkeys((*OWN, *numbers))}
+    nested = any(len(society.arrays.group_within) for society in cultures.values())
+    own = (*OWN, WITHIN) if nested else OWN
+    columns: dict[str, list[Any]] = {name: [] for name in dict.fromkeys((*own, *numbers))}
     for populations, society in cultures.items():
         minds, groups = society.minds, list(society.names.groups)
         rows = np.flatnonzero(minds.instance_id >= 0)
@@ -84,17 +88,26 @@ def group_instances(model: Running) -> dict[str, list[Any]]:
         columns["group"] += [groups[place] for place in types.tolist()]
         columns["instance"] += minds.instance_id[rows].tolist()
         columns["members"] += minds.members[rows].tolist()
+        if nested:
+            columns[WITHIN] += _around(minds, rows)
         begin = len(columns["group"]) - len(rows)
         for name in dict.fromkeys(numbers):
             columns[name] += [None] * len(rows)
         for place, group in enumerate(groups):
-            own = np.flatnonzero(types == place)
+            those = np.flatnonzero(types == place)
             for part, of in _parts(society.names):
                 for name, at in of[group].items():
-                    values = minds.culturons[rows[own], at].tolist()
-                    for row, value in zip((begin + own).tolist(), values, strict=True):
+                    values = minds.culturons[rows[those], at].tolist()
+                    for row, value in zip((begin + those).tolist(), values, strict=True):
                         columns[f"{part}_{name}"][row] = value
     return columns
+
+
+def _around(minds: Any, rows: Any) -> list[int | None]:
+    """Return the identities of the instances that others lie in, None for none."""
+    around = minds.within[rows] if len(minds.within) else rows * 0 - 1
+    found = minds.instance_id[around].tolist()
+    return [one if row >= 0 else None for one, row in zip(found, around.tolist(), strict=True)]
 
 
 def _parts(names: Any) -> tuple[tuple[str, Any], ...]:

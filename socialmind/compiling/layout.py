@@ -62,6 +62,10 @@ SEEKING = (
 )
 """Further columns of the record for a population whose agents rules look for: its index."""
 
+GATHERING = ("heads", "heads_0", "entries", "entries_0", "entries_1", "found", "found_0", "marks",
+             "marks_0")  # fmt: skip
+"""Further columns of the record for each kind of lists of agents in groups that rules ask for."""
+
 
 def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]:
     """Return the names, types and dimensions of all plain arrays of a population."""
@@ -118,6 +122,7 @@ def model_dtype(
     more: tuple[str, ...] = (),
     sought: tuple[str, ...] = (),
     further: Further = (),
+    gathered: tuple[tuple[str, str], ...] = (),
 ) -> np.dtype[Any]:
     """Return the model's record: parameters, variables, and where everything else is.
 
@@ -126,6 +131,7 @@ def model_dtype(
         more: columns that what its rules call of the world needs.
         sought: the populations whose agents rules look for.
         further: arrays that its minds or its rules ask for.
+        gathered: the populations, and the lists of their agents in groups that rules ask for.
     """
     columns: Columns = []
     for field in [*shape.parameters.values(), *shape.variables.values()]:
@@ -137,6 +143,7 @@ def model_dtype(
         (f"_{one}", "i8") for one in (*shape.world.columns, *more) if one not in plain.split()
     ]
     columns += [(f"_{name}_{one}", "i8") for name in sought for one in SEEKING]
+    columns += [(f"_{name}_{kind}_{one}", "i8") for name, kind in gathered for one in GATHERING]
     for population in shape.populations.values():
         name = population.name
         columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]

@@ -98,7 +98,7 @@ class _Lowering(ast.NodeTransformer):
     def __init__(self, shape: ModelShape | None, program: Program | None) -> None:
         self.program = program
         self.indexed = () if program is None else program.indexed
-        self.open: list[tuple[str, str]] = []
+        self.open: list[tuple[str, str, str]] = []
         self.turns = shape is not None
         self.world = None if shape is None else shape.world
         self.loops = 0
@@ -404,6 +404,9 @@ class _Lowering(ast.NodeTransformer):
     def lower_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         """Lower the looking for agents; it gives where they end on the stack of what is found."""
         _, population, what, asker = mark
+        if what in ("members", "asking"):
+            group = self.lower_name(node, ("name", population, asker))
+            return _call(f"_{what}_of_{population}", group, self.visit(node.args[2]))
         arguments = [self.visit(argument) for argument in node.args[1:]]
         if what == "near":
             return _call(f"_near_{population}_{asker}", *arguments)
@@ -417,20 +420,20 @@ class _Lowering(ast.NodeTransformer):
         return _call(f"_near_first_{mark[1]}_{mark[2]}", arguments[0], *radius)
 
     def lower_count_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.BinOp(self.visit(node.args[0]), ast.Sub(), _call(f"_near_begin_{mark[1]}"))
+        return ast.BinOp(self.visit(node.args[0]), ast.Sub(), _call(f"_{mark[2]}_begin_{mark[1]}"))
 
     def lower_one_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_near_one_{mark[1]}", *[self.visit(one) for one in node.args])
+        return _call(f"_{mark[2]}_one_{mark[1]}", *[self.visit(one) for one in node.args])
 
     def lower_found_loop(self, node: ast.For, mark: tuple[Any, ...]) -> list[ast.stmt]:
         """Lower a loop over what is found, which stands on the stack for as long as it runs."""
-        population = mark[1]
+        _, population, ordered, by = mark
         self.loops += 1
         begin, end, place = (f"_{one}_{self.loops}" for one in ("begin", "end", "place"))
         called: Any = node.iter
         value = self.visit(called.args[0])
-        keep, slot = f"_near_keep_{population}(_model, {begin}, {end}, {mark[2]})", "slot"
-        taken = "" if mark[2] or self.world is None else self.world.taken_by(population)
+        keep, slot = f"_{by}_keep_{population}(_model, {begin}, {end}, {ordered})", "slot"
+        taken = "" if ordered or self.world is None else self.world.taken_by(population)
         if taken and value.func.id.startswith("_near_patches_"):
             # In any order, and patches know who stands on them: no places in the order of birth.
             value.func.id = value.func.id.replace("_near_patches_", "_near_slots_", 1)
@@ -442,17 +445,17 @@ class _Lowering(ast.NodeTransformer):
                 f"    if not _alive_{population}(_model)[_found_{self.loops}]:\n        continue\n"
             )
         lines = parsed(
-            f"{begin} = _near_begin_{population}(_model)\n"
+            f"{begin} = _{by}_begin_{population}(_model)\n"
             f"{end} = FOUND\n"
             f"{keep}\n"
             f"for {place} in _range({begin}, {end}):\n"
-            f"    _found_{self.loops} = _near_{slot}_{population}(_model, {place})\n"
+            f"    _found_{self.loops} = _{by}_{slot}_{population}(_model, {place})\n"
             f"{dead}"
             f"    {ast.unparse(node.target)} = _rows_{population}(_model)[_found_{self.loops}]\n"
-            f"_near_leave_{population}(_model, {begin})\n"
+            f"_{by}_leave_{population}(_model, {begin})\n"
         ).body
         lines[1].value = value
-        self.open.append((population, begin))
+        self.open.append((by, population, begin))
         lines[3].body += self.block(node.body)
         self.open.pop()
         lines[3].orelse = self.block(node.orelse)
@@ -506,16 +509,16 @@ class _Lowering(ast.NodeTransformer):
         """Leave the loops over what was found that a function returns from."""
         if not self.open:
             return self.generic_visit(node)
-        outermost: dict[str, str] = {}
-        for population, begin in self.open:
-            outermost.setdefault(population, begin)
+        outermost: dict[tuple[str, str], str] = {}
+        for by, population, begin in self.open:
+            outermost.setdefault((by, population), begin)
         lines: list[ast.stmt] = []
         value = None if node.value is None else self.visit(node.value)
         if value is not None:
             lines.append(ast.Assign([ast.Name("_result", ast.Store())], value))
             value = _name("_result")
-        for population, begin in outermost.items():
-            lines.append(ast.Expr(_call(f"_near_leave_{population}", _name(begin))))
+        for (by, population), begin in outermost.items():
+            lines.append(ast.Expr(_call(f"_{by}_leave_{population}", _name(begin))))
         return [*lines, ast.Return(value)]
 
     # Loops ------------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
 """Drawing a cognitive scheme: cognitons at the left, plans at the right, links between them.
 
 Each link leaves its cogniton at a place of its own, beside its weight, so that a scheme can be read
-off the page. Groups and culturons are not drawn.
+off the page. Below stand the groups: each role is a box with the culturons that its players are
+under, whose links are dash-dotted, since they act on those alone.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from socialmind.drawing import style as paper
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from coglogo_py import CognitiveScheme, Cogniton
+    from coglogo_py import CognitiveScheme, Cogniton, Culturon, Group
 
 INFLUENCE, CONDITION, REINFORCEMENT = "influence", "condition", "reinforcement"
 POSITIVE, NEGATIVE, FEEDBACK = paper.BLUE, paper.RED, paper.GOLD
@@ -29,6 +30,10 @@ COGNITONS, PLANS, WEIGHTS = 0.27, 0.67, 0.39
 """Of the width: where the boxes of cognitons end, those of plans begin, and links leave weights."""
 GAP = 0.7
 """Of a line, between two cognitons."""
+HEADING = 1.1
+"""Lines, for the name of a group, and for that of a role."""
+INSET = 0.02
+"""Of the width, between a role's box and those of its culturons."""
 THIN, THICK = 0.5, 2.2
 MARKS = dict(zip(TYPES, "osvD^P", strict=True))
 """How boxes are marked by the type of their cogniton."""
@@ -56,7 +61,7 @@ class _Link:
 
 
 def draw_scheme(scheme: CognitiveScheme, axes: Axes, lines: float | None = None) -> None:
-    """Draw a scheme's cognitons, plans and links.
+    """Draw a scheme's cognitons, plans and links, and its groups.
 
     Args:
         scheme: what is drawn.
@@ -73,29 +78,74 @@ def draw_scheme(scheme: CognitiveScheme, axes: Axes, lines: float | None = None)
     plans = {
         plan: used * (place + 0.5) / len(scheme.plans) for place, plan in enumerate(scheme.plans)
     }
-    largest = max((abs(link.weight) for several in links.values() for link in several
-                   if link.kind == INFLUENCE), default=1.0)  # fmt: skip
+    holders: list[Cogniton | Culturon] = [*scheme.cognitons]
+    holders += [one for group in scheme.groups for role in group.roles for one in role.culturons]
+    largest = max((abs(weight) for one in holders for weight in one.influence.values()
+                   if weight), default=1.0)  # fmt: skip
     top = 0.0
     for one in scheme.cognitons:
         high = max(1, len(links[one.name]))
         _box(axes, 0.0, COGNITONS, top, high, one.name, tuple(c / 255 for c in one.colour))
         if one.type is not None:
             axes.plot(0.034, top + high / 2, MARKS[one.type], **MARKED)
-        for place, link in enumerate(links[one.name]):
-            y = top + place + 0.5
-            axes.text(
-                WEIGHTS - 0.01, y, link.label, fontsize=7, color=link.colour, ha="right",
-                va="center",
-            )  # fmt: skip
-            _curve(axes, link, y, plans[link.plan], largest)
+        _lines(axes, links[one.name], top, plans, largest)
         top += high + GAP
+    for group in scheme.groups:
+        top = _draw_group(axes, group, scheme, top, plans, largest)
     for plan, y in plans.items():
         _box(axes, PLANS, 1.0, y - 0.6, 1.2, plan, None)
+
+
+def _lines(
+    axes: Axes, links: list[_Link], top: float, plans: dict[str, float], largest: float,
+    style: str = "-",
+) -> None:  # fmt: skip
+    """Draw the links of a cogniton or culturon, each beside its weight."""
+    for place, link in enumerate(links):
+        y = top + place + 0.5
+        axes.text(
+            WEIGHTS - 0.01, y, link.label, fontsize=7, color=link.colour, ha="right", va="center"
+        )
+        _curve(axes, link, y, plans[link.plan], largest, style)
+
+
+def _draw_group(
+    axes: Axes, group: Group, scheme: CognitiveScheme, top: float, plans: dict[str, float],
+    largest: float,
+) -> float:  # fmt: skip
+    """Draw a group below a height, and what it lies in; return where it ends."""
+    around = "" if group.within is None else f" in a {group.within[0]}, as {group.within[1]}"
+    title = axes.text(
+        0.005, top + HEADING / 2, group.name, fontsize=7, fontweight="bold", va="center"
+    )
+    axes.annotate(
+        around, (1, 0), xycoords=title, fontsize=7, color=paper.GREY, va="bottom", ha="left"
+    )
+    top += HEADING
+    for role in group.roles:
+        held = [(one, list(_links(one, scheme))) for one in role.culturons]
+        high = HEADING + sum(max(1, len(links)) + GAP / 2 for _, links in held)
+        _box(axes, 0.0, COGNITONS, top, high, "", None)
+        axes.text(INSET, top + HEADING / 2, role.name, fontsize=7, fontstyle="italic", va="center")
+        inner = top + HEADING
+        for one, links in held:
+            lines = max(1, len(links))
+            colour = tuple(part / 255 for part in one.colour)
+            _box(axes, INSET / 2, COGNITONS - INSET / 4, inner, lines, one.name, colour)
+            _lines(axes, links, inner, plans, largest, "-.")
+            inner += lines + GAP / 2
+        top += high + GAP / 2
+    return top + GAP / 2
 
 
 def lines_of(scheme: CognitiveScheme) -> float:
     """Return how many lines of type a drawing of a scheme takes."""
     high = [max(1, len(list(_links(one, scheme)))) + GAP for one in scheme.cognitons]
+    for group in scheme.groups:
+        high.append(HEADING + GAP / 2)
+        for role in group.roles:
+            links = [max(1, len(list(_links(one, scheme)))) + GAP / 2 for one in role.culturons]
+            high.append(HEADING + sum(links) + GAP / 2)
     return max(sum(high), 1.6 * len(scheme.plans))
 
 
@@ -106,15 +156,18 @@ def key(*schemes: CognitiveScheme) -> list[Line2D]:
     """Return marks for a legend, which say what the lines are, and of which type cognitons.
 
     Args:
-        schemes: those that are drawn, as far as their types are to be explained.
+        schemes: those that are drawn, as far as their types and roles are to be explained.
     """
     there = {one.type for scheme in schemes for one in scheme.cognitons}
+    culturons = any(role.culturons for one in schemes for of in one.groups for role in of.roles)
+    by_role = Line2D([], [], color=paper.INK, linewidth=1.2, linestyle="-.", label="by a role")
     return [
         *(
             Line2D([], [], marker=mark, linestyle="", label=name, **MARKED)
             for name, mark in MARKS.items()
             if name in there
         ),
+        *([by_role] if culturons else []),
         Line2D([], [], color=POSITIVE, linewidth=1.6, label="speaks for a plan"),
         Line2D([], [], color=NEGATIVE, linewidth=1.6, label="speaks against it"),
         Line2D([], [], color=paper.GREY, linewidth=0.8, linestyle=":", label="opens a plan"),
@@ -122,8 +175,8 @@ def key(*schemes: CognitiveScheme) -> list[Line2D]:
     ]
 
 
-def _links(cogniton: Cogniton, scheme: CognitiveScheme) -> Iterator[_Link]:
-    """The links of a cogniton, those to upper plans first within each kind."""
+def _links(cogniton: Cogniton | Culturon, scheme: CognitiveScheme) -> Iterator[_Link]:
+    """The links of a cogniton or culturon, those to upper plans first within each kind."""
     for kind, weights in (
         (INFLUENCE, dict(cogniton.influence)),
         (CONDITION, dict.fromkeys(cogniton.conditional, 0.0)),
@@ -150,14 +203,14 @@ def _box(
     axes.text(middle, top + high / 2, name, fontsize=7, ha="center", va="center")
 
 
-def _curve(axes: Axes, link: _Link, begin: float, end: float, largest: float) -> None:
-    """Draw a link from the weight beside its cogniton to its plan."""
+def _curve(axes: Axes, link: _Link, begin: float, end: float, largest: float, style: str) -> None:
+    """Draw a link from the weight beside its cogniton to its plan, influence in a style."""
     middle = (WEIGHTS + PLANS) / 2
     path = Path(
         [(WEIGHTS, begin), (middle, begin), (middle, end), (PLANS, end)],
         [Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4],
     )
-    width, style = 0.8, "-"
+    width = 0.8
     if link.kind == INFLUENCE:
         # From the largest weight on, each tenth of it takes a third of the width.
         share = 1 + math.log10(abs(link.weight) / largest) / 3

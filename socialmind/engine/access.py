@@ -15,7 +15,7 @@ from socialmind.compiling.layout import (
 )
 from socialmind.engine.plans_text import PLAN_STEPS, WEIGHED, reconsidering_text
 from socialmind.language.shape import PopulationShape
-from socialmind.language.typing.signatures import MIND, Named
+from socialmind.language.typing.signatures import MIND, OTHER, Named
 
 AGENTS = """from socialmind.agents import bookkeeping as _bookkeeping
 from socialmind.mind.kernel import weights as _weights
@@ -256,6 +256,7 @@ def population_text(
     leaving: Sequence[str] = (),
     indexed: bool = False,
     reconsiders: bool = False,
+    lists: Sequence[str] = (),
 ) -> str:
     """Return the functions by which compiled rules reach a population.
 
@@ -265,6 +266,7 @@ def population_text(
         leaving: the lines by which an agent that dies leaves the world and its networks.
         indexed: whether an index is kept, by which rules find its agents.
         reconsiders: whether its agents reconsider their plans.
+        lists: the lists of its agents in groups that rules ask for.
     """
     name = population.name
     parts = []
@@ -295,11 +297,12 @@ def population_text(
             "HATCHED_MIND": (
                 f"agent._decided = -1\n    agent._mind = _kernel.hatch("
                 f"_scheme_{name}(_model), _minds_{name}(_model), _asked_{name}(_model, parent), "
-                f"keep_groups)"
+                f"keep_groups)" + _following(name, lists, "    ")
             ),
             "DEAD_MIND": (
-                f"_kernel.die(_scheme_{name}(_model), _minds_{name}(_model), agent._mind)\n"
-                f"        agent._mind = -1"
+                f"_kernel.die(_scheme_{name}(_model), _minds_{name}(_model), agent._mind)"
+                + _following(name, lists, "        ")
+                + "\n        agent._mind = -1"
             ),
         }
         parts += [text.replace("NAME", name) for text in _decision(own_maker, population.weighed)]
@@ -308,7 +311,11 @@ def population_text(
             parts.append(PLAN_STEPS.replace("NAME", name))
         if reconsiders:
             parts.append(reconsidering_text(population, own_maker))
-        parts += [_command_text(name, command) for command in MIND if command != "choose_next_plan"]
+        parts += [
+            _command_text(name, command, lists)
+            for command, signature in MIND.items()
+            if command != "choose_next_plan" and OTHER not in signature.arguments
+        ]
     if population.hierarchy:
         fills |= {
             "NEW_HIERARCHY": f"_begin_hierarchy_{name}(_model, slot)",
@@ -343,16 +350,52 @@ def _decision(own_maker: bool, weighed: bool) -> list[str]:
     return [*([_WEIGH] if weighed else []), choose, steps]
 
 
-_WITH_SCHEME = ("feed_back_from_plan", "create_and_join_group", "join_group")
+_WITH_SCHEME = (
+    *("feed_back_from_plan", "create_and_join_group", "join_group", "ask_to_join"),
+    *("enclose_group", "set_culturon_value", "add_to_culturon_value", "get_culturon_value"),
+    *("set_group_attribute", "add_to_group_attribute", "get_group_attribute"),
+)
 
 
-def _command_text(population: str, command: str) -> str:
+_MOVING = (
+    "create_and_join_group",
+    "join_group",
+    "leave_group",
+    "leave_all_groups",
+    "ask_to_join",
+)
+"""The commands after which a mind may be in other groups, or ask to be."""
+
+_WITH_OTHER = """@_inner
+def _mind_COMMAND_OTHER_NAME(_model, agent, group, other):
+    done = _kernel.COMMAND(
+        _minds_NAME(_model), _asked_NAME(_model, agent), group, _asked_OTHER(_model, other)
+    )FOLLOWING
+    return done"""
+
+
+def with_other_text(population: str, command: str, other: str, lists: Sequence[str]) -> str:
+    """Return what minds of a population do to those of another, whose lists follow."""
+    following = _following(other, lists, "    ", "other")
+    text = _WITH_OTHER.replace("FOLLOWING", following).replace("COMMAND", command)
+    return text.replace("OTHER", other).replace("NAME", population)
+
+
+def _following(population: str, lists: Sequence[str], indent: str, agent: str = "agent") -> str:
+    """Return the lines by which the lists of agents in groups follow what one has done."""
+    return "".join(f"\n{indent}_{kind}_follow_{population}(_model, {agent})" for kind in lists)
+
+
+def _command_text(population: str, command: str, lists: Sequence[str]) -> str:
     arguments = "".join(
         f", {one.part if isinstance(one, Named) else 'value'}" for one in MIND[command].arguments
     )
     scheme = f"_scheme_{population}(_model), " if command in _WITH_SCHEME else ""
-    return (
-        f"@_inner\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
-        f"    return _kernel.{command}({scheme}_minds_{population}(_model), "
+    head = f"@_inner\ndef _mind_{command}_{population}(_model, agent{arguments}):\n"
+    called = (
+        f"_kernel.{command}({scheme}_minds_{population}(_model), "
         f"_asked_{population}(_model, agent){arguments})"
     )
+    if not lists or command not in _MOVING:
+        return f"{head}    return {called}"
+    return f"{head}    done = {called}{_following(population, lists, '    ')}\n    return done"

@@ -90,10 +90,19 @@ class Engine:
         """The rules as interpreted Python."""
         if self._functions is None:
             program, names = self.model.program, self.model.ground.functions()
-            if program.sought or program.patches_sought or program.seeks_somebody:
+            if (
+                program.sought
+                or program.patches_sought
+                or program.seeks_somebody
+                or program.gathered
+            ):
                 from socialmind.worlds.neighbours.interpreted import FUNCTIONS
 
                 names = {**FUNCTIONS, **names}
+            if program.gathered:
+                from socialmind.society.groups import asked
+
+                names = {**asked.FUNCTIONS, **names}
             self._functions = program.interpreted(names)
         return self._functions
 

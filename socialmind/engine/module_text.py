@@ -13,7 +13,7 @@ from socialmind.compiling.layout import dtype_text, further_arrays, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
 from socialmind.engine import interactions_text
-from socialmind.engine.access import AGENTS, THERE, population_text
+from socialmind.engine.access import AGENTS, THERE, population_text, with_other_text
 from socialmind.engine.conditions_text import ASKED, heeding_text
 from socialmind.engine.imitation_text import imitation_text
 from socialmind.engine.plans_text import call_text, plans_text
@@ -35,7 +35,8 @@ def module_text(
     """
     shape = program.shape
     further = further_arrays(conditioned, program.imitations)
-    record = dtype_text(model_dtype(shape, program.world_columns, program.sought, further))
+    asked = program.world_columns, program.sought, further, program.gathered
+    record = dtype_text(model_dtype(shape, *asked))
     parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
     parts.append(world.before)
@@ -54,16 +55,24 @@ def module_text(
             leaving += links.ending_links(name, networks)
         indexed, reconsiders = name in program.indexed, name in program.reconsidered
         own = name in own_makers
-        parts.append(population_text(population, own, leaving, indexed, reconsiders))
+        kinds = [kind for of, kind in program.gathered if of == name]
+        parts.append(population_text(population, own, leaving, indexed, reconsiders, kinds))
         if population.minded:
             plain = ASKED.replace("NAME", name)
             heeds = name in conditioned
             parts.append(heeding_text(population) if heeds else plain)
+    for name, command, other in program.between_minds:
+        kinds = [kind for of, kind in program.gathered if of == other]
+        parts.append(with_other_text(name, command, other, kinds))
     parts += [imitation_text(*one) for one in program.imitations]
     if program.sought:
         from socialmind.worlds.neighbours.text import text
 
         parts.append(text(shape, program))
+    if program.gathered:
+        from socialmind.society.groups import text as groups
+
+        parts += [groups.HEAD, *(groups.lists_text(*one) for one in program.gathered)]
     parts += [THERE.replace("NAME", name) for name in program.perhaps_nobody]
     for name, what, field in program.aggregates:
         parts.append(aggregate_text(aggregate_name(name, what, field.name), what, field, name))
@@ -86,8 +95,9 @@ def module_text(
     parts += [_phase_text(shape, phase, program.indexed) for phase in phases]
     parts += _births_text(program.at_birth)
     listing = "".join(f"    _near_list_{name}(_model)\n" for name in program.sought)
-    setup = listing + _calls(program.setup) + _founders(program.at_birth)
-    schedule = listing + _calls(program.schedule)
+    lists = "".join(f"    _{kind}_list_{name}(_model)\n" for name, kind in program.gathered)
+    setup = listing + lists + _calls(program.setup) + _founders(program.at_birth)
+    schedule = listing + lists.replace("_list_", "_begin_tick_") + _calls(program.schedule)
     tick = world.tick.replace("PHASES", schedule)
     parts.append(world.stages.replace("PHASES", schedule))
     parts.append(_loops_text(shape, program, setup, tick, conditioned))

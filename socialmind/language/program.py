@@ -86,6 +86,8 @@ class Program:
 
     Attributes:
         made: what the rooms above made of it, by whose it is: as long as the program is in force.
+        between_minds: what minds do to those of others: whose minds, the command, and to whose;
+            with file and line.
 
     Raises:
         ModelError: a rule outside the language, with file, line and what to write instead.
@@ -98,6 +100,8 @@ class Program:
         self.names: dict[str, list[WrittenName]] = {name: [] for name in shape.populations}
         self.births: list[str] = []
         self._sought: dict[str, set[str]] = {}
+        self._gathered: list[tuple[str, str]] = []
+        self.between_minds: dict[tuple[str, str, str], tuple[str, int]] = {}
         self.patches_sought = False
         self.world_calls: list[tuple[str, ...]] = []
         self.aggregates: list[tuple[str, str, Field]] = []
@@ -247,6 +251,20 @@ class Program:
         """The populations whose agents rules look for."""
         return tuple(self._sought)
 
+    def gathers(self, population: str, lists: str) -> None:
+        """Note that rules ask who of a population is in a group ("members"), or asks to be."""
+        if (population, lists) not in self._gathered:
+            self._gathered.append((population, lists))
+
+    def acts_on_others(self, call: tuple[str, str, str], typer: Any, node: ast.AST) -> None:
+        """Note that minds of a population do something to those of another, and where first."""
+        self.between_minds.setdefault(call, (typer.source.file, getattr(node, "lineno", 0)))
+
+    @property
+    def gathered(self) -> tuple[tuple[str, str], ...]:
+        """The populations, and of which of their lists rules ask."""
+        return tuple(self._gathered)
+
     def sought_on_patches(self, population: str) -> bool:
         """Say whether rules look for the agents of a population by patches alone."""
         return not self._sought[population] & {"near", "nearest"}
@@ -261,7 +279,8 @@ class Program:
         shown = [
             mark[1]
             for mark in self._marks()
-            if mark[0] in ("one_found", "count_found") or (mark[0] == "found_loop" and mark[2])
+            if mark[-1] == "near"
+            and (mark[0] in ("one_found", "count_found") or (mark[0] == "found_loop" and mark[2]))
         ]
         taken_by = self.shape.world.taken_by
         return tuple(

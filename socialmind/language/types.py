@@ -76,11 +76,14 @@ class FoundType(_OfPopulation):
     Attributes:
         population: theirs; that of a network where these are links.
         through: the network by which they are linked with somebody, and of which of its lists
-            ("out", "in"); None for those that are near.
+            ("out", "in"); None for others.
+        by: by which index compiled rules find the others: of those that are "near", of the
+            "members" of groups, of those "asking" to be members.
     """
 
     words = "a set of agents of {population!r}"
     through: tuple[str, str] | None = None
+    by: str = "near"
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from coglogo_py import CognitiveScheme
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.names import Names
-from socialmind.compiling.layout import SEEKING
+from socialmind.compiling.layout import GATHERING, SEEKING
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
 from socialmind.worlds.contract import address
@@ -70,6 +70,8 @@ def _held(model: Running) -> list[Any]:
     held: list[Any] = [*model.ground.arrays().values()]
     for name in model.program.sought:
         held += model.tables[name].index(model.program).values()
+    for name, kind in model.program.gathered:
+        held += model.tables[name].gathered(kind, model.program.loops_over_found).values()
     for table in model.tables.values():
         held += _OF_TABLES(table)
         held += table.link_arrays().values()
@@ -82,10 +84,11 @@ def _held(model: Running) -> list[Any]:
 
 def connected_arrays(model: Running) -> list[Any]:
     """Return the arrays of a model that are state, beside its record and its minds."""
+    lists = [f"{name}_{kind}_{one}" for name, kind in model.program.gathered for one in GATHERING]
     return [
         array
         for name, array in _all_arrays(model).items()
-        if not name.endswith(("_names", "_default", "_hierarchy", *SEEKING))
+        if not name.endswith(("_names", "_default", "_hierarchy", *SEEKING)) and name not in lists
     ]
 
 
@@ -95,6 +98,9 @@ def _all_arrays(model: Running) -> dict[str, Any]:
     for name in model.program.sought:
         for part, array in model.tables[name].index(model.program).items():
             arrays[f"{name}_{part}"] = array
+    for name, kind in model.program.gathered:
+        lists = model.tables[name].gathered(kind, model.program.loops_over_found)
+        arrays |= {f"{name}_{part}": array for part, array in lists.items()}
     for name, table in model.tables.items():
         for part in ("rows", "default", "order", "acting", "slot_of", "free", "alive", "counters"):
             arrays[f"{name}_{part}"] = getattr(table, part)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.arrays import MindArrays
+from coglogo_py.arrays import ASKED, STATE
 from coglogo_py.state_check import odd_stack
 from socialmind.agents.bookkeeping import ALIVE, COUNT, ENTRIES, FREE, NEXT_ID, SIZE
 from socialmind.errors import SocialmindError
@@ -84,8 +84,9 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
             if not 0 <= chosen.min() <= chosen.max() < len(field.choices):
                 raise _refused(model, f"{name}.rows", f"no {field.name} of the model's")
     if table.society is not None:
-        for part in MindArrays._fields:
-            _check(state, f"{name}.minds.{part}", None, None, model)
+        for part in STATE:
+            if part not in (*ASKED, "within") or f"{name}.minds.{part}" in state:
+                _check(state, f"{name}.minds.{part}", None, None, model)
         minds, plans = rows["_mind"][slots], rows["_plan"][slots]
         taken = state[f"{name}.minds.mind_id"]
         if len(minds) and not (

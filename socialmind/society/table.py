@@ -21,6 +21,7 @@ from socialmind.fields import Field, presence
 from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import PopulationShape
+from socialmind.language.typing.calls.groups import SETS
 from socialmind.language.typing.calls.neighbours import AGENTS
 from socialmind.society.connection import plan_functions
 from socialmind.society.filling import fill, kept_within, slots_of
@@ -119,6 +120,8 @@ class Table:
         self._networks: list[Any] = []
         self._placed_by: Beginning | None = None
         self._index: dict[str, NDArray[Any]] = {}
+        self._lists: dict[str, dict[str, NDArray[Any]]] = {}
+        self._listed: tuple[int, ...] = ()
         self._see_columns()
 
     def _see_columns(self) -> None:
@@ -152,7 +155,7 @@ class Table:
         """Return a field of the living agents, in order of birth: a copy, and read-only.
 
         Or, under a name that is no field, what is asked of all of them (`mean`, …) or around
-        somebody (`near`, `nearest` …).
+        somebody (`near`, `nearest` …), or who is in a group (`members_of`).
         """
         shape = self.__dict__.get("shape")
         if shape is None or name.startswith("_"):
@@ -163,6 +166,10 @@ class Table:
             from socialmind.worlds.neighbours.asked import QUESTIONS
 
             return partial(QUESTIONS[name], self)
+        if name in SETS and name not in shape.fields:
+            from socialmind.society.groups import asked
+
+            return partial(asked.QUESTIONS[name], self)
         if name != "id" and name not in shape.fields:
             raise unknown(name, shape.name, type(self), ["id", *shape.fields])
         values = self.columns["_id" if name == "id" else name][self.slots]
@@ -478,6 +485,27 @@ class Table:
             patches = program.sought_on_patches(self.shape.name)
             self._index = arrays(len(self.rows), program.loops_over_found, patches)
         return self._index
+
+    def gathered(self, kind: str, loops: int) -> dict[str, NDArray[Any]]:
+        """Return the arrays by which compiled rules find agents in groups, to be made anew.
+
+        Whenever they are asked for, anybody may have joined or left in the meantime.
+
+        Args:
+            kind: of which lists, "members" or "asking".
+            loops: how many loops of the rules go over what they found.
+        """
+        from socialmind.society.groups.lists import STALE, arrays
+
+        assert self.society is not None  # only minds are in groups
+        room = (*self.room, len(self.society.minds.instance_id))
+        if self._listed != room:
+            self._lists, self._listed = {}, room
+        if kind not in self._lists:
+            self._lists[kind] = arrays(kind, self.room, self.society.minds, loops)
+        lists = self._lists[kind]
+        lists[f"{kind}_found"][STALE] = True
+        return lists
 
     @property
     def acting_order(self) -> NDArray[np.int64]:

@@ -3,6 +3,7 @@
 import importlib.util
 import itertools
 import math
+import sys
 
 import numba
 import numpy as np
@@ -22,6 +23,7 @@ from coglogo_py import (
     kernel,
 )
 from coglogo_py.decision import BUILT_IN, weight_shares
+from coglogo_py.groups import instances
 from coglogo_py.laying_out import grown, maker_code, mind_arrays, scheme_arrays
 from coglogo_py.streams import uniforms
 
@@ -68,7 +70,11 @@ def schemes(draw):
                 Role("follower", (culturon("fear"), culturon("follow"))),
             ),
         ),
-        Group("guild", (Role("master", (culturon("craft"),)),)),
+        Group(
+            "guild",
+            (Role("master", (culturon("craft"),)),),
+            within=("herd", "leader") if draw(st.booleans()) else None,
+        ),
     )[: draw(st.integers(0, 2))]
     return CognitiveScheme("random", cognitons, groups, decision_maker=draw(makers))
 
@@ -78,9 +84,11 @@ def interpreted():
     """The kernel's own text, run by Python instead of numba."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(numba, "njit", lambda **options: lambda function: function)
-        place = importlib.util.spec_from_file_location("interpreted_kernel", kernel.__file__)
-        module = importlib.util.module_from_spec(place)
-        place.loader.exec_module(module)
+        for of in (instances, kernel):
+            place = importlib.util.spec_from_file_location("interpreted", of.__file__)
+            module = importlib.util.module_from_spec(place)
+            place.loader.exec_module(module)
+            patch.setitem(sys.modules, of.__name__, module)
     return module
 
 
@@ -205,7 +213,8 @@ OPERATIONS = st.lists(
             [
                 *("new", "hatch", "die", "set", "add", "activate", "deactivate", "choose"),
                 *("weights", "feed", "create", "join", "leave", "leave-all", "participate"),
-                *("culturon", "add-culturon", "get"),
+                *("culturon", "add-culturon", "get", "ask", "grant", "refuse", "expel"),
+                *("enclose", "release"),
             ]
         ),
         st.integers(0, 7),
@@ -265,15 +274,27 @@ def apply(module, scheme, minds, operation):
                 return module.leave_group(minds, slot, group)
             if name == "participate":
                 return module.add_to_participation(minds, slot, group, value)
+            if name == "ask":
+                return bool(module.ask_to_join(scheme, minds, slot, group, role, first // 2))
+            other = second % len(minds.mind_id)
+            if name in ("grant", "refuse", "expel") and minds.mind_id[other] >= 0:
+                called = {"grant": "grant_entry", "refuse": "refuse_entry"}.get(name, name)
+                return bool(getattr(module, called)(minds, slot, group, other))
+            if name == "enclose":
+                return bool(module.enclose_group(scheme, minds, slot, group, first // 2))
+            if name == "release":
+                return module.release_group(minds, slot, group)
             if name == "culturon":
-                return module.set_culturon_value(minds, slot, group, culturon, value)
+                return module.set_culturon_value(scheme, minds, slot, group, culturon, value)
             if name == "add-culturon":
-                return module.add_to_culturon_value(minds, slot, group, culturon, value)
+                return module.add_to_culturon_value(scheme, minds, slot, group, culturon, value)
             if name == "get":
                 return (
-                    float(module.get_culturon_value(minds, slot, group, culturon)),
+                    float(module.get_culturon_value(scheme, minds, slot, group, culturon)),
                     float(module.get_participation(minds, slot, group)),
                     int(module.get_group_id(minds, slot, group)),
+                    int(module.get_asked_group_id(minds, slot, group)),
+                    int(module.get_enclosing_group_id(minds, slot, group)),
                     int(module.get_group_role_id(minds, slot, group, role)),
                     culturons,
                 )
@@ -324,7 +345,8 @@ def test_members_and_free_places_add_up(scheme, operations):
     living = minds.instance_id >= 0
     assert living.sum() + counters[kernel.FREE_INSTANCES] == len(minds.instance_id)
     for row in range(len(minds.instance_id)):
-        assert minds.members[row] == (minds.group_slot == row).sum()
+        parts = (minds.within == row).sum()
+        assert minds.members[row] == (minds.group_slot == row).sum() + parts
         assert (minds.members[row] > 0) == living[row]
     assert not (minds.group_slot[~alive] >= 0).any()
 
@@ -379,6 +401,27 @@ def test_a_group_is_found_after_others_dissolved():
     assert minds.group_slot[slots[3], 0] == minds.group_slot[slots[0], 0]
     assert kernel.find_group(minds, 0, 0) == -1
     assert kernel.find_group(minds, 0, -1) == -1
+
+
+def test_groups_are_found_whatever_began_and_ended():
+    arrays, minds = arrays_of(scheme_of(groups=(HERD,)), capacity=8)
+    slots = [kernel.new_mind(arrays, minds) for _ in range(8)]
+    rng, longest = np.random.default_rng(1), 0
+    for step in range(600):
+        slot = slots[rng.integers(8)]
+        if not kernel.create_and_join_group(arrays, minds, slot, 0, 0):
+            kernel.leave_group(minds, slot, 0)
+        if step == 300:
+            minds = grown(arrays, minds, 20)
+        rows = {int(one): row for row, one in enumerate(minds.instance_id) if one >= 0}
+        newest = int(minds.counters[kernel.NEXT_GROUP])
+        for identity in (*rows, int(rng.integers(-1, newest + 1))):
+            assert kernel.find_group(minds, 0, identity) == rows.get(identity, -1)
+        at, length = minds.instance_chains[rng.integers(len(minds.instance_chains)), 0], 0
+        while at >= 0:
+            at, length = minds.instance_chains[at, 1], length + 1
+        longest = max(longest, length)
+    assert 1 < longest < 6
 
 
 @pytest.mark.parametrize("plan", [-1, 2])

@@ -2,7 +2,7 @@
 
 from matplotlib.figure import Figure
 
-from coglogo_py import CognitiveScheme, Cogniton
+from coglogo_py import CognitiveScheme, Cogniton, Culturon, Group, Role
 from socialmind.drawing import style as paper
 from socialmind.drawing.scheme import (
     FEEDBACK,
@@ -67,3 +67,28 @@ def test_types_are_marked_and_explained_where_there_are_some():
     scheme = CognitiveScheme("cows", (plain, typed))
     assert [one.get_label() for one in key(scheme)] == ["meme", *(k.get_label() for k in key())]
     assert key(CognitiveScheme("cows", (plain,)))[0].get_label() == key()[0].get_label()
+
+
+LAW = Culturon("Law", 3, influence={"work": 1.0}, conditional=("work",))
+GROUPED = CognitiveScheme(
+    "folk",
+    SCHEME.cognitons,
+    (
+        Group("clan", (Role("member", (LAW,)), Role("chief"))),
+        Group("family", (Role("kin"),), within=("clan", "member")),
+    ),
+)
+
+
+def test_roles_hold_their_culturons_and_groups_say_what_they_lie_in():
+    axes = drawn(GROUPED)
+    found = {text.get_text(): text for text in axes.texts}
+    assert {"clan", "family", "member", "chief", "kin", "Law", "work"} <= set(found)
+    assert " in a clan, as member" in found
+    heights = [found[one].get_position()[1] for one in ("Idle", "clan", "member", "Law", "chief")]
+    assert heights == sorted(heights)
+    assert found["kin"].get_position()[1] < lines_of(GROUPED)
+    dashed = {patch.get_linestyle() for patch in axes.patches}
+    assert "-." in dashed
+    assert "-." not in {patch.get_linestyle() for patch in drawn(SCHEME).patches}
+    assert len(key(GROUPED)) == len(key()) + 1

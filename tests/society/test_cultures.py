@@ -203,3 +203,33 @@ def test_a_group_attribute_that_no_scheme_has_is_named_with_its_line():
 
     with pytest.raises(ModelError, match=r"test_cultures.py:\d+: the attribute 'gold'"):
         Taxed(seed=1)
+
+
+def test_linked_breeds_are_populations_that_name_one_file(tmp_path):
+    trust = Culturon("Trust", 2.0, influence={"follow": 1.5}, conditional=("follow",))
+    herd = Group("herd", (Role("leader"), Role("member", (trust,))))
+    file = tmp_path / "herd.cogscheme"
+    CognitiveScheme("cows", (Cogniton("Hunger"),), (herd,), breeds=("calves",)).save(file)
+    other = CognitiveScheme("bulls", (Cogniton("Hunger"),), (herd,))
+
+    class Pasture(Model):
+        cows = Population(Peasant, 2, mind=file)
+        calves = Population(Lord, 2, mind=file)
+        bulls = Population(Lord, 1, mind=other)
+        flies = Population(Lord, 1)
+        schedule = ()
+
+    pasture = Pasture(seed=1, compiled=False)
+    cow, calf, bull = pasture.cows[0].mind, pasture.calves[1].mind, pasture.bulls[0].mind
+    assert calf.create_and_join_group("herd", "leader")
+    assert pasture.cows[1].mind.create_and_join_group("herd", "leader")
+    assert pasture.cows[1].mind.get_group_id("herd") == 1  # one counter
+    assert cow.join_group("herd", "member", calf.get_group_id("herd"))
+    calf.set_culturon_value("herd", "Trust", 4.0)
+    assert cow.plan_weights() == {"follow": 6.0}
+    assert pasture.cows.members_of("herd", 0) == [pasture.cows[0]]
+    assert pasture.calves.members_of("herd", 0) == [pasture.calves[1]]
+    # Another scheme's herds are others, and a name in BREEDS gives nobody a mind.
+    bull.create_and_join_group("herd", "leader")
+    assert (bull.get_group_id("herd"), bull.get_culturon_value("herd", "Trust")) == (0, 2.0)
+    assert pasture.flies.society is None

@@ -140,7 +140,7 @@ def _iterated(function: FunctionTyper, node: ast.expr) -> Iterated:
         return [], value, types.RowType(kind.population), ("linked_loop", kind.population)
     if isinstance(kind, types.FoundType):
         found = call("_still_living", [value], node)
-        mark = ("found_loop", kind.population, node not in function.in_any_order)
+        mark = ("found_loop", kind.population, node not in function.in_any_order, kind.by)
         return [], found, types.RowType(kind.population), mark
     if isinstance(kind, types.PatchesType):
         return [], value, types.PatchType(), ("patches_loop",)

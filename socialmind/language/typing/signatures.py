@@ -30,6 +30,7 @@ COGNITON, GROUP, ROLE, CULTURON = (
 )
 ATTRIBUTE = Named("attribute")
 PLAN = Named("plan")
+OTHER = Type("the mind of another")
 CHOSEN = Type("the plan that was chosen")
 
 MIND: dict[str, Signature] = {
@@ -50,6 +51,14 @@ MIND: dict[str, Signature] = {
     "get_group_role_id": Signature((GROUP, ROLE), INT),
     "leave_group": Signature((GROUP,), NONE),
     "leave_all_groups": Signature((), NONE),
+    "ask_to_join": Signature((GROUP, ROLE, INT), BOOL),
+    "get_asked_group_id": Signature((GROUP,), INT),
+    "grant_entry": Signature((GROUP, OTHER), BOOL),
+    "refuse_entry": Signature((GROUP, OTHER), BOOL),
+    "expel": Signature((GROUP, OTHER), BOOL),
+    "enclose_group": Signature((GROUP, INT), BOOL),
+    "release_group": Signature((GROUP,), NONE),
+    "get_enclosing_group_id": Signature((GROUP,), INT),
     "set_culturon_value": Signature((GROUP, CULTURON, FLOAT), NONE),
     "add_to_culturon_value": Signature((GROUP, CULTURON, FLOAT), NONE),
     "get_culturon_value": Signature((GROUP, CULTURON), FLOAT),

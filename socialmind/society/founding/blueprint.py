@@ -65,7 +65,7 @@ class Blueprint:
             program: the rules.
             further: arrays that its minds or its rules ask for.
         """
-        asked = program.world_columns, tuple(program.sought), further
+        asked = program.world_columns, tuple(program.sought), further, program.gathered
         if asked not in self._records:
             self._records[asked] = RecordForm(self._shape, *asked)
         return self._records[asked]
@@ -79,6 +79,7 @@ class RecordForm:
         more: columns that what its rules call of the world needs.
         sought: the populations whose agents rules look for.
         further: arrays that minds or rules ask for.
+        gathered: likewise, in groups, and in which lists.
 
     Attributes:
         dtype: the record.
@@ -91,8 +92,9 @@ class RecordForm:
         more: tuple[str, ...],
         sought: tuple[str, ...],
         further: Further,
+        gathered: tuple[tuple[str, str], ...],
     ) -> None:
-        self.dtype = model_dtype(shape, more, sought, further)
+        self.dtype = model_dtype(shape, more, sought, further, gathered)
         kept = {f"_{one}" for one in (*KEPT, *shape.world.kept_columns)}
         names = self.dtype.names or ()
         self.kept = [n for n in names if n[0] != "_" or n.startswith("_has_") or n in kept]

@@ -122,6 +122,14 @@ def names_in_minds(society: Running, files: Mapping[str, Path]) -> dict[str, NDA
     Raises:
         ModelError: a rule names what the minds do not have.
     """
+    for (name, command, other), place in society.program.between_minds.items():
+        if society.tables[name].society.minds is not society.tables[other].society.minds:
+            raise ModelError(
+                f"{command}() of minds of {other!r} by those of {name!r}, which share no groups",
+                None,
+                'give both populations a culture, as culture="realm"',
+                *place,
+            )
     found = {}
     for name in society.shape.populations:
         scheme, assembly = society.schemes.get(name), society.assemblies.get(name)

@@ -13,7 +13,7 @@ from socialmind.language.aggregates import AGGREGATES
 from socialmind.language.networks import link_call, network_call, one_linked
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
-from socialmind.language.typing.calls import neighbours
+from socialmind.language.typing.calls import groups, neighbours
 from socialmind.language.typing.calls.built_in import (
     BUILT_IN,
     built_in,
@@ -307,10 +307,12 @@ def _population(
         return method_call(node, base, name, index, ("contains", kind.population)), types.BOOL
     if name in neighbours.AGENTS:
         return neighbours.agents_found(typer, node, base, kind, name)
+    if name in groups.SETS:
+        return groups.agents_in(typer, node, base, kind, name)
     if name in AGGREGATES:
         return population_aggregate(typer, node, base, kind, name)
     advice = (
-        close(name, ("create", "one_of", "contains", *neighbours.AGENTS, *AGGREGATES))
+        close(name, ("create", "one_of", "contains", *neighbours.AGENTS, *groups.SETS, *AGGREGATES))
         if name not in hints.POPULATION
         else None
     )

@@ -16,6 +16,7 @@ from socialmind.language.typing.signatures import (
     IMITATION,
     LEFT_OUT,
     MIND,
+    OTHER,
 )
 
 if TYPE_CHECKING:
@@ -44,7 +45,20 @@ def mind_call(
     result: types.AnyType = signature.result
     if result == CHOSEN:
         result = types.PlanType(population)
-    return method_call(node, base, name, arguments, ("mind", population, name, places)), result
+    called = name
+    if OTHER in wanted:
+        other = _other_mind(typer, node.args[-1], name)
+        typer.program.acts_on_others((population, name, other), typer, node)
+        called = f"{name}_{other}"
+    return method_call(node, base, name, arguments, ("mind", population, called, places)), result
+
+
+def _other_mind(typer: Typer, node: ast.expr, name: str) -> str:
+    """Return the population of the mind that a command is about."""
+    kind = typer.expression(node)[1]
+    if not isinstance(kind, types.MindType):
+        typer.refuse(node, f"{kind} for mind.{name}()", "write the other's mind, as other.mind")
+    return kind.population
 
 
 def _imitation(
@@ -113,6 +127,10 @@ def _named(
     places: list[int | None] = []
     group = ""
     for argument, one in zip(written, wanted, strict=True):
+        if one == OTHER:
+            arguments.append(typer.expression(argument)[0])
+            places.append(None)
+            continue
         if isinstance(one, types.Type):
             arguments.append(typer.fitted(argument, one, call))
             places.append(None)

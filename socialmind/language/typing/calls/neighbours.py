@@ -113,7 +113,7 @@ def one_found(
     arguments = [base, kinds[0][0]]
     if isinstance(kind, types.PatchesType):
         return marked(call("_one_patch", arguments, node), ("one_patch",)), types.PatchType()
-    made = marked(call("_one_found", arguments, node), ("one_found", kind.population))
+    made = marked(call("_one_found", arguments, node), ("one_found", kind.population, kind.by))
     return made, types.MaybeRowType(kind.population)
 
 
@@ -121,7 +121,7 @@ def how_many(base: ast.expr, kind: types.AnyType, node: ast.Call) -> Typed:
     """Return the number of those in a set."""
     made = call("_how_many", [base], node)
     if isinstance(kind, types.FoundType):
-        return marked(made, ("count_found", kind.population)), types.INT
+        return marked(made, ("count_found", kind.population, kind.by)), types.INT
     return marked(made, ("count_patches",)), types.INT
 
 

@@ -1,0 +1,1 @@
+"""Groups: their instances, who is in them, what they hold."""
