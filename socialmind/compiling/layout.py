@@ -54,6 +54,8 @@ SEEKING = (
     *("near_marks", "near_marks_0"),
 )
 """Further columns of the record for a population whose agents rules look for: its index."""
+EVENTS = ("events", "events_0", "events_1")
+"""Further columns where agents are born or die in ticks: what is noted of it."""
 
 
 def population_arrays(population: PopulationShape) -> dict[str, tuple[str, int]]:
@@ -91,7 +93,10 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
 
 
 def model_dtype(
-    shape: ModelShape, more: tuple[str, ...] = (), sought: tuple[str, ...] = ()
+    shape: ModelShape,
+    more: tuple[str, ...] = (),
+    sought: tuple[str, ...] = (),
+    eventful: bool = False,
 ) -> np.dtype[Any]:
     """Return the model's record: parameters, variables, and where everything else is.
 
@@ -99,6 +104,7 @@ def model_dtype(
         shape: the model's.
         more: columns that what its rules call of the world needs.
         sought: the populations whose agents rules look for.
+        eventful: whether agents are born or die in ticks.
     """
     columns: Columns = []
     for field in [*shape.parameters.values(), *shape.variables.values()]:
@@ -110,6 +116,7 @@ def model_dtype(
         (f"_{one}", "i8") for one in (*shape.world.columns, *more) if one not in plain.split()
     ]
     columns += [(f"_{name}_{one}", "i8") for name in sought for one in SEEKING]
+    columns += [(f"_{one}", "i8") for one in EVENTS if eventful]
     for population in shape.populations.values():
         name = population.name
         columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]

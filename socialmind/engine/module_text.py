@@ -13,7 +13,7 @@ from socialmind.compiling.layout import dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
 from socialmind.engine import interactions_text
-from socialmind.engine.access import AGENTS, THERE, population_text
+from socialmind.engine.access import AGENTS, THERE, events_text, population_text
 from socialmind.engine.plans_text import call_text, plans_text
 from socialmind.language.program import Phase, Program
 from socialmind.language.shape import ModelShape
@@ -29,11 +29,15 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             puts its function into the module as `_own_<population>`.
     """
     shape = program.shape
-    record = dtype_text(model_dtype(shape, program.world_columns, program.sought))
+    record = dtype_text(
+        model_dtype(shape, program.world_columns, program.sought, bool(program.eventful))
+    )
     parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
+    if program.eventful:
+        parts.append(events_text(program.eventful))
     networks = [one for one in shape.populations.values() if one.links is not None]
     if networks:
         from socialmind.networks import text as links
@@ -48,7 +52,8 @@ def module_text(program: Program, own_makers: frozenset[str]) -> str:
             leaving += links.ending_links(name, networks)
         sought, reconsiders = name in program.sought, name in program.reconsidered
         own = name in own_makers
-        parts.append(population_text(population, own, leaving, sought, reconsiders))
+        number = program.agents.index(name) if name in program.eventful else None
+        parts.append(population_text(population, own, leaving, sought, reconsiders, number))
     if program.sought:
         from socialmind.worlds.neighbours.text import text
 
@@ -223,6 +228,8 @@ def _loops_text(shape: ModelShape, program: Program, setup: str, tick: str) -> s
         "        return True\n"
         for name in program.births
     )
+    if program.eventful:
+        room += "    if _short_of_events(_model):\n        return True\n"
     room += "".join(
         f"    if _adjacency.short_of_space(_ties_{side}_{name}(_model)):\n        return True\n"
         for name in program.births

@@ -60,7 +60,7 @@ class Blueprint:
 
     def record_of(self, program: Program) -> RecordForm:
         """Return the layout of a society's record, which depends on what its rules ask for."""
-        asked = program.world_columns, tuple(program.sought)
+        asked = program.world_columns, tuple(program.sought), bool(program.eventful)
         if asked not in self._records:
             self._records[asked] = RecordForm(self._shape, *asked)
         return self._records[asked]
@@ -73,14 +73,17 @@ class RecordForm:
         shape: the class's.
         more: columns that what its rules call of the world needs.
         sought: the populations whose agents rules look for.
+        eventful: whether agents are born or die in ticks.
 
     Attributes:
         dtype: the record.
         kept: the columns that are state, and not addresses and sizes.
     """
 
-    def __init__(self, shape: ModelShape, more: tuple[str, ...], sought: tuple[str, ...]) -> None:
-        self.dtype = model_dtype(shape, more, sought)
+    def __init__(
+        self, shape: ModelShape, more: tuple[str, ...], sought: tuple[str, ...], eventful: bool
+    ) -> None:
+        self.dtype = model_dtype(shape, more, sought, eventful)
         kept = {f"_{one}" for one in (*KEPT, *shape.world.kept_columns)}
         names = self.dtype.names or ()
         self.kept = [n for n in names if n[0] != "_" or n.startswith("_has_") or n in kept]
