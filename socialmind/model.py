@@ -267,10 +267,10 @@ class Model(metaclass=ModelKind):
         return agent_columns(self) if there is None else there
 
     def keep_events(self) -> None:
-        """Keep from now on who is born and who dies, for `events`; copies of the society do not."""
+        """Keep from now on who is born and who dies, for `kept_events`; copies do not."""
         self.event_log.keep()
 
-    def events(self) -> dict[str, Any]:
+    def kept_events(self) -> dict[str, Any]:
         """Return the births and deaths since `keep_events`, in the order in which they happened.
 
         Returns:

@@ -124,7 +124,7 @@ def test_events_and_founders_say_who_lives_at_each_tick(parameters, seed, stretc
         seen[plain.tick] = numbers(plain)
     for stretch in stretches:
         quick.advance(stretch)
-    events = plain.events()
+    events = plain.kept_events()
     for tick, living in seen.items():
         assert alive_after(founders, events, tick) == living
     assert np.array_equal(plain.event_log.so_far(), quick.event_log.so_far())
@@ -157,11 +157,11 @@ class Twins(Model):
 def test_events_by_hand(compiled):
     society = Twins(compiled=compiled)
     with pytest.raises(SocialmindError, match=r"twins keeps no births and deaths; call"):
-        society.events()
+        society.kept_events()
     society.advance(1)
     society.keep_events()
     society.advance(2)
-    found = {name: np.ma.asarray(one).tolist() for name, one in society.events().items()}
+    found = {name: np.ma.asarray(one).tolist() for name, one in society.kept_events().items()}
     # After the first tick only 4 lives, whom the model created.
     assert found == {
         "tick": [2, 2, 2, 2, 3, 3, 3, 3],
@@ -172,7 +172,7 @@ def test_events_by_hand(compiled):
     }
     # By hand between ticks: seen by the tables of the tick that is.
     society.twins[8].die()
-    assert society.events()["tick"].tolist()[-1] == 3
+    assert society.kept_events()["tick"].tolist()[-1] == 3
     assert not copy.deepcopy(society).event_log.kept
 
 
