@@ -21,7 +21,8 @@ from coglogo_py import CognitiveScheme
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents import idleness
 from socialmind.agents.agent_columns import agent_columns, default_series
-from socialmind.compiling.layout import further_arrays
+from socialmind.agents.events import Events, columns_of_events
+from socialmind.compiling.layout import asked_for
 from socialmind.engine.engine import Engine
 from socialmind.engine.explaining import explained
 from socialmind.errors import SocialmindError
@@ -57,6 +58,7 @@ class Model(metaclass=ModelKind):
     - `score_every`: where it is taught without a plane, after how many ticks its method `score()`
       is asked again; 0, at the end alone;
     - `record_links`: whether a run records the links of its networks too, when it records agents;
+    - `record_events`: whether a run records births and deaths, if rules bring any; True;
     - parameters: `price: float = parameter(167.0, unit="wheat", low=0.0)`;
     - variables: `warmth: float = 0.0`;
     - populations: `humans = Population(Human, "n_agents", mind="scheme.yaml", plans={…})`;
@@ -91,6 +93,7 @@ class Model(metaclass=ModelKind):
     ticks: ClassVar[int] = 1000
     score_every: ClassVar[int] = 0
     record_links: ClassVar[bool] = False
+    record_events: ClassVar[bool] = True
     setup: ClassVar[tuple[PhaseDeclaration, ...]] = ()
     schedule: ClassVar[tuple[PhaseDeclaration, ...]] = ()
     parameters: ClassVar[dict[str, Parameter]] = {}
@@ -142,9 +145,7 @@ class Model(metaclass=ModelKind):
             self.populations, kind.folder, scheme, kind.name, shared.schemes
         )
         self.conditioned = making.conditioned(self, files)
-        self.record = shared.record_of(
-            self.program, further_arrays(self.conditioned, self.program.imitations)
-        )
+        self.record = shared.record_of(asked_for(self.program, self.conditioned))
         self.contexts: NDArray[Any] = self.record.new()
         self.context: Any = self.contexts[0]
         tables = {name: parameters.pop(name) for name in kind.populations if name in parameters}
@@ -157,6 +158,7 @@ class Model(metaclass=ModelKind):
         self.ground.settle_in()
         self.stream = making.new_stream(self.seed)
         self.connected: list[Any] = []
+        self.event_log = Events(self.program.agents)
         self.names = making.names_in_minds(self, files)
         self.engine = Engine(self, compiled)
         if self._sets_up:
@@ -265,6 +267,27 @@ class Model(metaclass=ModelKind):
             return {}
         there = self.ground.agents()
         return agent_columns(self) if there is None else there
+
+    def keep_events(self) -> None:
+        """Keep from now on who is born and who dies, for `kept_events`; copies do not."""
+        self.event_log.keep()
+
+    def kept_events(self) -> dict[str, Any]:
+        """Return the births and deaths since `keep_events`, in the order in which they happened.
+
+        Returns:
+            A sequence for each column: ``tick``, the first whose tables show it; ``population``;
+            ``agent``, its identity; ``event``, "born" or "died"; ``parent``, the identity of the
+            agent of the same population that hatched it, masked for the created and the dead.
+
+        Raises:
+            SocialmindError: none are kept.
+        """
+        if not self.event_log.kept:
+            raise SocialmindError(
+                f"{self.name} keeps no births and deaths; call keep_events() before the ticks"
+            )
+        return columns_of_events(self.event_log.so_far(), self.event_log.populations)
 
     def plans(self, table: Table) -> list[str | None]:
         """Return the names of the plans of a population's living, None where there is none."""

@@ -7,6 +7,7 @@ from typing import Any, Protocol
 
 from numpy.typing import NDArray
 
+from socialmind.agents.events import Events
 from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape
 
@@ -31,6 +32,7 @@ class Running(Protocol):
         connected: the arrays, or tuples of them, whose addresses the record holds.
         watch: the population and identity of an agent whose decision is to be explained.
         watched: the receipt of that decision.
+        event_log: births and deaths, where somebody asked for them.
     """
 
     seed: int
@@ -50,6 +52,7 @@ class Running(Protocol):
     connected: list[Any]
     watch: tuple[str, int] | None
     watched: Any
+    event_log: Events
 
     @property
     def name(self) -> str:

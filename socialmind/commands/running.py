@@ -52,6 +52,16 @@ def run(
             metavar="NAME", help="What moves bodies on a plane: compiled or pymunk (compiled)."
         ),
     ] = None,
+    links: Annotated[
+        bool | None,
+        typer.Option(
+            "--links/--no-links", help="Whether links are recorded too (as the model says)."
+        ),
+    ] = None,
+    events: Annotated[
+        bool | None,
+        typer.Option("--events/--no-events", help="Whether births and deaths are (they are)."),
+    ] = None,
     resume: Annotated[
         Path | None,
         typer.Option(metavar="DIR", help="Go on with a run; --ticks makes a finished one longer."),
@@ -82,6 +92,7 @@ def run(
             folder = execution.run(
                 model_class, ticks, seed or 0, parameters, schemes, minds, every, agents_every,
                 out, not interpreted, on_progress, engine=engine or "compiled",
+                links=links, events=events,
             )  # fmt: skip
     else:
         options.refuse_with_resume(context, "run", RESUMED_WITH)

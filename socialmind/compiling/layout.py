@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.laying_out import ENGINE_ARRAYS
 from socialmind.fields import Field
+from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape, PopulationShape
 
 Columns = list[Any]
@@ -61,6 +62,8 @@ SEEKING = (
     *("near_marks", "near_marks_0"),
 )
 """Further columns of the record for a population whose agents rules look for: its index."""
+EVENTS = ("events", "events_0", "events_1")
+"""Further columns where agents are born or die in ticks: what is noted of it."""
 
 GATHERING = ("heads", "heads_0", "entries", "entries_0", "entries_1", "found", "found_0", "marks",
              "marks_0")  # fmt: skip
@@ -101,37 +104,50 @@ def row_dtype(fields: dict[str, Field], population: PopulationShape | None) -> n
     return np.dtype(columns or [("_empty", "i1")], align=population is not None)
 
 
-def further_arrays(
-    conditioned: Iterable[str], imitations: Iterable[tuple[str, str, str]]
-) -> Further:
-    """Return the further arrays of a society.
+class Asked(NamedTuple):
+    """What a society's record holds beside its own, because rules or minds ask for it.
+
+    Attributes:
+        more: columns that what rules call of the world needs.
+        sought: the populations whose agents rules look for.
+        gathered: the populations, and the lists of their agents in groups that rules ask for.
+        eventful: whether agents are born or die in ticks.
+        further: arrays of populations, for conditions of schemes and imitation.
+    """
+
+    more: tuple[str, ...] = ()
+    sought: tuple[str, ...] = ()
+    gathered: tuple[tuple[str, str], ...] = ()
+    eventful: bool = False
+    further: Further = ()
+
+
+def asked_for(program: Program, conditioned: Iterable[str]) -> Asked:
+    """Return what a society's record holds because it is asked for.
 
     Args:
+        program: the typed rules.
         conditioned: the populations whose schemes have conditions.
-        imitations: how rules let minds imitate, as `Program.imitations` has it.
     """
-    found = [(name, one, *kind) for name in conditioned for one, kind in CONDITIONS.items()]
-    for command, learner, other in imitations:
+    further = [(name, one, *kind) for name in conditioned for one, kind in CONDITIONS.items()]
+    for command, learner, other in program.imitations:
         if command == "imitate_memes":
-            found.append((learner, f"memes_{other}", "int64", 2))
-    return tuple(found)
+            further.append((learner, f"memes_{other}", "int64", 2))
+    return Asked(
+        program.world_columns,
+        program.sought,
+        program.gathered,
+        bool(program.eventful),
+        tuple(further),
+    )
 
 
-def model_dtype(
-    shape: ModelShape,
-    more: tuple[str, ...] = (),
-    sought: tuple[str, ...] = (),
-    further: Further = (),
-    gathered: tuple[tuple[str, str], ...] = (),
-) -> np.dtype[Any]:
+def model_dtype(shape: ModelShape, asked: Asked) -> np.dtype[Any]:
     """Return the model's record: parameters, variables, and where everything else is.
 
     Args:
         shape: the model's.
-        more: columns that what its rules call of the world needs.
-        sought: the populations whose agents rules look for.
-        further: arrays that its minds or its rules ask for.
-        gathered: the populations, and the lists of their agents in groups that rules ask for.
+        asked: what its rules and minds ask for.
     """
     columns: Columns = []
     for field in [*shape.parameters.values(), *shape.variables.values()]:
@@ -140,10 +156,13 @@ def model_dtype(
     columns += [(f"_{name}", "i8") for name in plain.split()]
     # Those of patches stand in every record: a checkpoint holds it as it is.
     columns += [
-        (f"_{one}", "i8") for one in (*shape.world.columns, *more) if one not in plain.split()
+        (f"_{one}", "i8") for one in (*shape.world.columns, *asked.more) if one not in plain.split()
     ]
-    columns += [(f"_{name}_{one}", "i8") for name in sought for one in SEEKING]
-    columns += [(f"_{name}_{kind}_{one}", "i8") for name, kind in gathered for one in GATHERING]
+    columns += [(f"_{name}_{one}", "i8") for name in asked.sought for one in SEEKING]
+    columns += [
+        (f"_{name}_{kind}_{one}", "i8") for name, kind in asked.gathered for one in GATHERING
+    ]
+    columns += [(f"_{one}", "i8") for one in EVENTS if asked.eventful]
     for population in shape.populations.values():
         name = population.name
         columns += [(f"_{name}_rows", "i8"), (f"_{name}_default", "i8"), (f"_{name}_room", "i8")]
@@ -151,7 +170,7 @@ def model_dtype(
             columns.append((f"_{name}_hierarchy", "i8"))
         for array, (_, dimensions) in population_arrays(population).items():
             columns += _address_of(name, array, dimensions)
-    for name, array, _, dimensions in further:
+    for name, array, _, dimensions in asked.further:
         columns += _address_of(name, array, dimensions)
     return np.dtype(columns, align=True)
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.laying_out import ENGINE_ARRAYS
+from socialmind.agents import events
 from socialmind.compiling.layout import (
     dtype_text,
     population_arrays,
@@ -144,6 +145,23 @@ def _near_there_NAME(_model, slot):
     return _rows_NAME(_model)[slot]"""
 """How rules reach an agent that may be None: by its slot, −1 for none."""
 
+EVENTS = """from socialmind.agents import events as _events
+
+
+@_inner
+def _event_log(_model):
+    return carray(_as_pointer(_model._events), (_model._events_0, _model._events_1), np.int64)
+
+
+@_inner
+def _short_of_events(_model):
+    count = 0
+MOST
+    return _events.short_of_rows(_event_log(_model), count)"""
+"""How births and deaths are noted."""
+
+_NOTE = "_events.note(_event_log(_model), _model._tick + 1, NUMBER, agent._id, PARENT)"
+
 _MESSAGES = """from socialmind.agents import message as _messages
 
 
@@ -257,6 +275,7 @@ def population_text(
     indexed: bool = False,
     reconsiders: bool = False,
     lists: Sequence[str] = (),
+    number: int | None = None,
 ) -> str:
     """Return the functions by which compiled rules reach a population.
 
@@ -267,6 +286,7 @@ def population_text(
         indexed: whether an index is kept, by which rules find its agents.
         reconsiders: whether its agents reconsider their plans.
         lists: the lists of its agents in groups that rules ask for.
+        number: its number among populations, where its births and deaths are noted.
     """
     name = population.name
     parts = []
@@ -332,12 +352,31 @@ def population_text(
         fills["DEAD_MIND"] = f"_near_died_{name}(_model, agent)\n        {fills['DEAD_MIND']}"
         for mark in ("NEW_MIND", "HATCHED_MIND"):
             fills[mark] = f"_near_born_{name}(_model, agent)\n    {fills[mark]}"
+    if number is not None:
+        noted = {
+            "NEW_MIND": ("    ", str(events.CREATED)),
+            "HATCHED_MIND": ("    ", "parent._id"),
+            "DEAD_MIND": ("        ", str(events.DIED)),
+        }
+        for mark, (indent, parent) in noted.items():
+            note = _NOTE.replace("NUMBER", str(number)).replace("PARENT", parent)
+            fills[mark] = f"{note}\n{indent}{fills[mark]}"
     if population.messages_to is not None:
         parts.append(_MESSAGES.replace("NAME", name).replace("TO", population.messages_to))
     text = _POPULATION
     for mark, fill in fills.items():
         text = text.replace(mark, fill)
     return "\n\n\n".join([text.replace("NAME", name), *parts])
+
+
+def events_text(eventful: Sequence[str]) -> str:
+    """Return the functions that note births and deaths.
+
+    Args:
+        eventful: the populations whose agents are born or die in ticks.
+    """
+    most = "\n".join(f"    count += _events.most(_counters_{name}(_model))" for name in eventful)
+    return EVENTS.replace("MOST", most)
 
 
 def _decision(own_maker: bool, weighed: bool) -> list[str]:

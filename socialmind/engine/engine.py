@@ -11,6 +11,7 @@ from numba.core.errors import NumbaError
 
 from coglogo_py.compiled.own_maker import refusal_of
 from coglogo_py.decision import BUILT_IN
+from socialmind.agents.events import most
 from socialmind.agents.plan_steps import carry_on
 from socialmind.compiling.modules import compiled_module
 from socialmind.compiling.reached import fingerprint
@@ -195,6 +196,8 @@ class Engine:
         for name in self.model.program.births:
             if self.model.tables[name].short_of_room:
                 self.model.tables[name].grow()
+        counters = [self.model.tables[name].counters for name in self.model.program.eventful]
+        self.model.event_log.make_room(sum(int(most(one)) for one in counters))
 
     def _guarded(
         self,
@@ -208,7 +211,7 @@ class Engine:
         births that the compiled one lacked, and the run goes on behind it.
         """
         model = self.model
-        begin = model.tick
+        begin, events = model.tick, model.event_log.count
         # Births may outrun the room, whatever the size of the state.
         if before is None and (model.program.births or self._bytes() <= SNAPSHOT_BYTES):
             before = functools.partial(dict, model.state())
@@ -227,6 +230,7 @@ class Engine:
                     "run with --interpreted to see where"
                 ) from error
             model.restore(before())
+            model.event_log.forget_behind(events)
             connect(model)
             if failed > begin:
                 self.module.advance(self._record, failed - begin)

@@ -9,11 +9,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from socialmind.compiling.aggregates import aggregate_name, aggregate_text
-from socialmind.compiling.layout import dtype_text, further_arrays, model_dtype
+from socialmind.compiling.layout import asked_for, dtype_text, model_dtype
 from socialmind.compiling.lowering import lowered
 from socialmind.compiling.prelude import HEAD, runtime_names
 from socialmind.engine import interactions_text
-from socialmind.engine.access import AGENTS, THERE, population_text, with_other_text
+from socialmind.engine.access import (
+    AGENTS,
+    THERE,
+    events_text,
+    population_text,
+    with_other_text,
+)
 from socialmind.engine.conditions_text import ASKED, heeding_text
 from socialmind.engine.imitation_text import imitation_text
 from socialmind.engine.plans_text import call_text, plans_text
@@ -34,13 +40,13 @@ def module_text(
         conditioned: populations whose scheme has conditions.
     """
     shape = program.shape
-    further = further_arrays(conditioned, program.imitations)
-    asked = program.world_columns, program.sought, further, program.gathered
-    record = dtype_text(model_dtype(shape, *asked))
+    record = dtype_text(model_dtype(shape, asked_for(program, conditioned)))
     parts = [HEAD, AGENTS, runtime_names(), f"MODEL = {record}"]
     world = shape.world.text(program)
     parts.append(world.before)
     parts += [_SOME.replace("NAME", name) for name in _optional_names(shape)]
+    if program.eventful:
+        parts.append(events_text(program.eventful))
     networks = [one for one in shape.populations.values() if one.links is not None]
     if networks:
         from socialmind.networks import text as links
@@ -56,7 +62,8 @@ def module_text(
         indexed, reconsiders = name in program.indexed, name in program.reconsidered
         own = name in own_makers
         kinds = [kind for of, kind in program.gathered if of == name]
-        parts.append(population_text(population, own, leaving, indexed, reconsiders, kinds))
+        number = program.agents.index(name) if name in program.eventful else None
+        parts.append(population_text(population, own, leaving, indexed, reconsiders, kinds, number))
         if population.minded:
             plain = ASKED.replace("NAME", name)
             heeds = name in conditioned
@@ -247,6 +254,8 @@ def _loops_text(
         "        return True\n"
         for name in program.births
     )
+    if program.eventful:
+        room += "    if _short_of_events(_model):\n        return True\n"
     room += "".join(
         f"    if _adjacency.short_of_space(_ties_{side}_{name}(_model)):\n        return True\n"
         for name in program.births

@@ -114,11 +114,13 @@ class Program:
         self._modules: dict[python_types.ModuleType, Names] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
         self._open: list[Callable[..., Any]] = []
+        self._in_ticks: set[str] | None = None  # what is reached, but for the setup's rules
         # The populations whose plans a function carries out, and those whose agents it changes
         # ("changes humans"), by itself or through others.
         self._calls: list[set[str]] = []
         self._reached: dict[str, set[str]] = {}
         self.setup = self._phases(shape.setup, SETUP_TAG)
+        self._in_ticks = set()
         self.schedule = self._phases(shape.schedule, SCHEDULE_TAG)
         born = tuple(
             PhaseShape(one.at_birth, one.name, shuffled=False)
@@ -216,6 +218,9 @@ class Program:
             # A plan may carry out plans, which is refused once it is typed.
             self.plans[population] = TypedPlans((), (), None)
             self.plans[population] = typed_plans(self, population, typer, node)
+        for call in self.plans[population].calls:
+            for calls in self._calls:
+                calls |= self._reached[call.symbol]
 
     @property
     def within_a_call(self) -> bool:
@@ -226,6 +231,28 @@ class Program:
         """Note that rules bring new agents into a population."""
         if population not in self.births:
             self.births.append(population)
+        for calls in self._calls:
+            calls.add(f"bears {population}")
+
+    def loses(self, population: str) -> None:
+        """Note that agents of a population die by rules."""
+        for calls in self._calls:
+            calls.add(f"loses {population}")
+
+    @cached_property
+    def eventful(self) -> tuple[str, ...]:
+        """The populations whose agents are born or die in ticks."""
+        reached = self._in_ticks or set()
+        return tuple(name for name in self.agents if reached & {f"bears {name}", f"loses {name}"})
+
+    @cached_property
+    def agents(self) -> tuple[str, ...]:
+        """The populations of agents; links and messages are none."""
+        return tuple(
+            name
+            for name, one in self.shape.populations.items()
+            if one.links is None and one.messages_to is None
+        )
 
     def sums_up(self, population: str, what: str, field: Field) -> None:
         """Note that rules sum up a field of a population."""
@@ -375,6 +402,7 @@ class Program:
             symbol = self._symbols[key]
             for calls in self._calls:
                 calls |= self._reached[symbol]
+            self._note_reached(symbol)
             return symbol, self.functions[symbol].result
         if source.function in self._open:
             raise ModelError(
@@ -403,7 +431,13 @@ class Program:
         ast.fix_missing_locations(ast.copy_location(tree, source.tree))
         self.functions[symbol] = TypedFunction(symbol, source, kinds, tree, result)
         self._symbols[key] = symbol
+        self._note_reached(symbol)
         return symbol, result
+
+    def _note_reached(self, symbol: str) -> None:
+        """Note what a function that no other calls reaches, unless it is a rule of the setup."""
+        if not self._open and self._in_ticks is not None:
+            self._in_ticks |= self._reached[symbol]
 
     def _symbol(self, name: str) -> str:
         # No variable of the author's begins with an underscore.

@@ -16,7 +16,7 @@ from typing import Annotated, Any, ClassVar
 from socialmind.runs import folders
 from socialmind.runs import record as kinds
 from socialmind.runs.record import check_record, within
-from socialmind.runs.tables import FURTHER, SERIES, TABLES
+from socialmind.runs.tables import EVENTS, FURTHER, SERIES, TABLES
 
 IDLE = kinds.Fields(
     {},
@@ -31,6 +31,13 @@ _TIMINGS = kinds.Fields(
     {}, {"created": kinds.TEXT, "seconds": kinds.NUMBER, "loop_seconds": kinds.NUMBER}
 )
 _ALL_TABLES = kinds.Fields(dict.fromkeys(TABLES, _TABLE), dict.fromkeys(FURTHER, _TABLE))
+_RECORDED = kinds.Kind(
+    "names of tables, or null",
+    lambda value: (
+        value is None
+        or (isinstance(value, list) and set(TABLES) <= set(map(str, value)) <= {*TABLES, *FURTHER})
+    ),
+)
 
 
 def _copied(place: str) -> kinds.Fields:
@@ -57,6 +64,8 @@ class Manifest(folders.FolderManifest):
         ticks: length asked for.
         every: ticks between two rows of the series.
         agents_every: ticks between two recordings of the agents.
+        recorded: the tables that it records; None in runs of before, which have what their
+            checkpoint says.
         status: ``running``, ``interrupted``, ``failed`` or ``finished``.
         ticks_done: ticks that are safe on disk.
         error: what stopped a failed run.
@@ -90,6 +99,7 @@ class Manifest(folders.FolderManifest):
     platforms: Annotated[list[dict[str, str]], kinds.Many(kinds.TEXTS)] = field(
         default_factory=list
     )
+    recorded: Annotated[list[str] | None, _RECORDED] = None
     format: int = folders.FORMAT
 
     NEEDED: ClassVar[tuple[str, ...]] = ("status", "ticks_done")
@@ -103,7 +113,8 @@ class Manifest(folders.FolderManifest):
 
     def steps(self, names: Iterable[str]) -> dict[str, int]:
         """Return the ticks between two recordings of tables, by their names."""
-        return {name: self.every if name == SERIES else self.agents_every for name in names}
+        of = {SERIES: self.every, EVENTS: 1}
+        return {name: of.get(name, self.agents_every) for name in names}
 
     def identity(self) -> str:
         """Return a hash of what decides the result, apart from the model itself."""

@@ -61,6 +61,8 @@ def to_arrow(values: Sequence[Any] | np.ndarray) -> pa.Array:
             values = values.tolist()
     if isinstance(values, np.ndarray) and values.dtype.kind != "U":
         return _numbers(values, missing)
+    if isinstance(values, np.ndarray) and missing is None:
+        return _texts(values)
     listed = list(values)
     if missing is not None:
         listed = [None if m else v for v, m in zip(listed, missing, strict=True)]
@@ -119,22 +121,35 @@ def _numbers(values: np.ndarray, missing: np.ndarray | None) -> pa.Array:
 
 
 def _strings(values: list[str | None], missing: np.ndarray | None) -> pa.Array:
-    import pyarrow as pa
-
     try:
         encoded = [b"" if one is None else one.encode() for one in values]
     except UnicodeEncodeError:
         raise SocialmindError("a text with half a character, which UTF-8 does not hold") from None
-    offsets = np.zeros(len(values) + 1, np.int64)
-    np.cumsum([len(one) for one in encoded], out=offsets[1:])
+    return _joined_texts([len(one) for one in encoded], b"".join(encoded), missing)
+
+
+def _texts(values: np.ndarray) -> pa.Array:
+    """An array of texts, all at once where they are plain, as names are."""
+    native = np.ascontiguousarray(values, values.dtype.newbyteorder("="))
+    letters = native.view(np.uint32).reshape(len(values), values.itemsize // 4)
+    there = letters != 0
+    if (letters >= 128).any() or (there[:, 1:] & ~there[:, :-1]).any():
+        return _strings(values.tolist(), None)
+    text = letters.astype(np.uint8)[there].tobytes()
+    return _joined_texts(np.count_nonzero(there, axis=1), text, None)
+
+
+def _joined_texts(
+    lengths: Sequence[int] | np.ndarray, text: bytes, missing: np.ndarray | None
+) -> pa.Array:
+    import pyarrow as pa
+
+    offsets = np.zeros(len(lengths) + 1, np.int64)
+    np.cumsum(lengths, out=offsets[1:])
     if offsets[-1] > np.iinfo(np.int32).max:
         raise SocialmindError("more than 2 GB of text at a time")
-    buffers = [
-        _validity(missing),
-        pa.py_buffer(offsets.astype(np.int32)),
-        pa.py_buffer(b"".join(encoded)),
-    ]
-    return pa.Array.from_buffers(pa.string(), len(values), buffers)
+    buffers = [_validity(missing), pa.py_buffer(offsets.astype(np.int32)), pa.py_buffer(text)]
+    return pa.Array.from_buffers(pa.string(), len(lengths), buffers)
 
 
 def _validity(missing: np.ndarray | None) -> pa.Buffer | None:

@@ -27,7 +27,16 @@ from socialmind.runs import continuing, folders, sources
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.record import LONGEST
-from socialmind.runs.tables import AGENTS, GROUPS, LINKS, SERIES, TABLES, GrowingTable
+from socialmind.runs.tables import (
+    AGENTS,
+    EVENTS,
+    GROUPS,
+    LINKS,
+    SERIES,
+    TABLES,
+    EventTable,
+    GrowingTable,
+)
 from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
@@ -83,6 +92,8 @@ def run(
     on_progress: Progress | None = None,
     checkpoint_every: float = 5.0,
     engine: str = "compiled",
+    links: bool | None = None,
+    events: bool | None = None,
 ) -> Path:
     """Run a model into a folder of its own.
 
@@ -103,6 +114,10 @@ def run(
         on_progress: called with the ticks done and the length, about ten times a second.
         checkpoint_every: seconds between two checkpoints.
         engine: on a plane, what moves the bodies: "compiled", or "pymunk", the reference.
+        links: whether the links of networks are recorded; by default as the model says
+            (`record_links`).
+        events: whether births and deaths are recorded, where agents are born or die; likewise
+            (`record_events`).
 
     Returns:
         The run's folder.
@@ -149,6 +164,7 @@ def run(
         ticks=length,
         every=step,
         agents_every=agents_step,
+        recorded=_tables_of(model, links, events),
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds")},
         versions=folders.versions(),
         platforms=[folders.fingerprint()],
@@ -249,20 +265,23 @@ class _Execution:
     ) -> None:
         self._capsule = capsule
         self._model = model
-        # A run that began without a table of groups, or of links, goes on without.
-        names = checkpoint.parts if checkpoint else _tables_of(model)
-        self._every = capsule.manifest.steps(names)
+        # A run that began without a table goes on without.
+        names = checkpoint.parts if checkpoint else capsule.manifest.recorded or _tables_of(model)
+        self._every = capsule.manifest.steps(name for name in names if name != EVENTS)
         parts = checkpoint.parts if checkpoint else {}
+        sums = checkpoint.sums if checkpoint else None
         self._tables = {
             name: GrowingTable(
-                name,
-                capsule.parts,
-                parts.get(name, ()),
-                _source_of(model, name),
-                checkpoint.sums if checkpoint else None,
+                name, capsule.parts, parts.get(name, ()), _source_of(model, name), sums
             )
             for name in self._every
         }
+        self._events = None
+        if EVENTS in names:
+            model.keep_events()
+            noted = model.event_log.populations
+            self._events = EventTable(noted, capsule.parts, parts.get(EVENTS, ()), sums)
+            self._tables[EVENTS] = self._events
         self._begun_with = self._tables[AGENTS].columns
         self._first = next(iter(getattr(model, "populations", {})), None)
         self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(self._every, -1)
@@ -324,6 +343,8 @@ class _Execution:
             count = min(stop - tick, chunk)
             begin = clock()
             self._model.advance(count)
+            if self._events is not None:
+                self._events.note(self._model.event_log.taken())
             elapsed = max(0.0, clock() - begin)  # some virtual machines set even this clock back
             self._loop_seconds += elapsed
             # A first chunk of one tick holds the compilation; growth by four finds the pace soon.
@@ -359,9 +380,10 @@ class _Execution:
         for table in self._tables.values():
             table.flush()
         idle = self._model.idle
+        tick = self._model.tick
         checkpoint = Checkpoint(
-            tick=self._model.tick,
-            recorded=dict(self._recorded),
+            tick=tick,
+            recorded={**self._recorded, **({EVENTS: tick} if self._events else {})},
             parts={name: list(table.parts) for name, table in self._tables.items()},
             idle={
                 "count": idle.count,
@@ -381,10 +403,27 @@ class _Execution:
         return replace(checkpoint, state={})  # a large society's state is not kept in memory
 
 
-def _tables_of(model: Model) -> list[str]:
-    """Return the names of the tables that a run of a model has."""
-    links = getattr(model, "record_links", False) and model.networks
-    further = {GROUPS: has_groups(model), LINKS: links}
+def _tables_of(model: Any, links: bool | None = None, events: bool | None = None) -> list[str]:
+    """Return the names of the tables that a run of a model has.
+
+    Args:
+        model: the model.
+        links: whether links are recorded; None, as the model says.
+        events: whether births and deaths are; likewise.
+
+    Raises:
+        SocialmindError: links of a model without networks are asked for.
+    """
+    networks = bool(getattr(model, "networks", None))
+    program = getattr(model, "program", None)
+    eventful = program is not None and bool(program.eventful)
+    if links and not networks:
+        raise SocialmindError(f"links of {model.name}, which has no networks; leave them out")
+    if links is None:
+        links = networks and model.record_links
+    if events is None:
+        events = eventful and model.record_events
+    further = {GROUPS: has_groups(model), LINKS: links, EVENTS: events and eventful}
     return [*TABLES, *(name for name, wanted in further.items() if wanted)]
 
 

@@ -12,7 +12,7 @@ from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.folders import FINISHED
 from socialmind.runs.sources import recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, GROUPS, LINKS, SERIES, check_content, read
+from socialmind.runs.tables import AGENTS, EVENTS, GROUPS, LINKS, SERIES, check_content, read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -96,9 +96,18 @@ class Run:
         """One row a link and recorded tick: ``tick``, ``network``, ends and fields.
 
         Raises:
-            SocialmindError: the model does not say `record_links = True`.
+            SocialmindError: the run recorded none.
         """
         return self._table(LINKS)
+
+    @cached_property
+    def events(self) -> pd.DataFrame:
+        """One row a birth or death: ``tick``, ``population``, ``agent``, ``event``, ``parent``.
+
+        Raises:
+            SocialmindError: the run recorded none.
+        """
+        return self._table(EVENTS)
 
     @cached_property
     def schemes(self) -> dict[str, CognitiveScheme]:
@@ -147,12 +156,15 @@ class Run:
 
     def _check_recorded(self, name: str, tables: Container[str]) -> None:
         if name not in tables:
-            of = (
-                "of models with networks that say record_links = True"
-                if name == LINKS
-                else "of models whose minds can form groups"
-            )
             raise SocialmindError(
-                f"{self.folder}: has no table of {name}; only runs {of} record one, from their "
-                "beginning"
+                f"{self.folder}: has no table of {name}; only runs {_RECORDING[name]} record one, "
+                "from their beginning"
             )
+
+
+_RECORDING = {
+    GROUPS: "of models whose minds can form groups",
+    LINKS: "with --links, or of models with networks that say record_links = True,",
+    EVENTS: "of models in whose ticks agents are born or die, not with --no-events,",
+}
+"""Which runs have the tables that not every run has."""

@@ -17,9 +17,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coglogo_py.border.errors import shown
 from socialmind.agents.agent_columns import POPULATION
+from socialmind.agents.events import columns_of_events
 from socialmind.errors import SocialmindError
 from socialmind.runs.columns import EXPECTED, from_arrow, to_arrow
 from socialmind.runs.digest import ContentDigest, TableContent
@@ -35,9 +37,10 @@ GROUPS = "groups"
 TABLES = (SERIES, AGENTS)
 """The tables that every run has."""
 LINKS = "links"
-FURTHER = (GROUPS, LINKS)
-"""Those that a run has from its beginning, or never: of models whose minds can form groups, and of
-those that say that links are recorded."""
+EVENTS = "events"
+FURTHER = (GROUPS, LINKS, EVENTS)
+"""Those that a run has from its beginning, or never: of models whose minds can form groups, of
+those whose links are to be recorded, and of those in whose ticks agents are born or die."""
 
 ROW_GROUP = 1 << 15
 """Rows in a row group of a merged table."""
@@ -139,6 +142,42 @@ class GrowingTable:
         self.parts.append(part)
         self._waiting = []
         self._rows = 0
+
+
+class EventTable(GrowingTable):
+    """The births and deaths of a run while the run goes on.
+
+    Args:
+        populations: their names, by their numbers in the rows.
+        folder, parts, sums: as of a table of other rows.
+    """
+
+    def __init__(
+        self,
+        populations: tuple[str, ...],
+        folder: Path,
+        parts: Iterable[str] = (),
+        sums: Mapping[str, list[Any]] | None = None,
+    ) -> None:
+        super().__init__(EVENTS, folder, parts, EVENTS, sums)
+        self._populations = populations
+        self._noted: list[NDArray[np.int64]] = []
+
+    def note(self, rows: NDArray[np.int64]) -> None:
+        """Add events, a row each."""
+        if len(rows):
+            self._noted.append(rows)
+            self._rows += len(rows)
+        if self._rows >= WAITING_ROWS:
+            self.flush()
+
+    def flush(self) -> None:
+        """Write the waiting rows as a part; the first one may have none, but has the columns."""
+        rows = np.concatenate([np.zeros((0, 4), np.int64), *self._noted])
+        if len(rows) or not self.parts:
+            self._waiting = [columns_of_events(rows, self._populations)]
+        super().flush()
+        self._noted = []
 
 
 def part_name(name: str, number: int) -> str:
@@ -321,9 +360,10 @@ def _joined(pieces: list[Sequence[Any] | np.ndarray]) -> list[Sequence[Any] | np
     """The same values in fewer pieces, where they are of one sort."""
     if all(type(one) is list for one in pieces):
         return [[value for one in pieces for value in one]]
-    arrays = [np.asarray(one) for one in pieces if isinstance(one, np.ndarray)]
+    arrays = [one for one in pieces if isinstance(one, np.ndarray)]
     if 1 < len(arrays) == len(pieces) and len({one.dtype for one in arrays}) == 1:
-        return [np.concatenate(arrays)]
+        masked = any(isinstance(one, np.ma.MaskedArray) for one in arrays)
+        return [np.ma.concatenate(arrays) if masked else np.concatenate(arrays)]
     return pieces
 
 

@@ -19,7 +19,7 @@ from socialmind.runs.capsule import Capsule
 from socialmind.runs.columns import from_arrow
 from socialmind.runs.execution import Progress, run
 from socialmind.runs.sources import changes_since, recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, content_of, pieces
+from socialmind.runs.tables import AGENTS, EVENTS, LINKS, content_of, pieces
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -122,10 +122,14 @@ def replay(
             compiled=manifest.compiled,
             on_progress=on_progress,
             engine=manifest.engine,
+            links=LINKS in manifest.tables and bool(getattr(cls, "networks", None)),
+            events=EVENTS in manifest.tables,
         )
         made = Capsule(again).manifest.tables
-        for name in [one for one in stored.manifest.tables if one in made]:
-            found = compare(stored.table(name), Capsule(again).table(name), name, exact, first)
+        for name in stored.manifest.tables:
+            found: Difference | None = Difference(name, "the model gives no such table now")
+            if name in made:
+                found = compare(stored.table(name), Capsule(again).table(name), name, exact, first)
             differences += [found] if found else []
     return Replay(exact, tuple(differences), tuple(notes))
 

@@ -68,6 +68,8 @@ _OF_TABLES = operator.attrgetter(
 def _held(model: Running) -> list[Any]:
     """Return what holds the arrays of a model: while it is the same, so are they."""
     held: list[Any] = [*model.ground.arrays().values()]
+    if model.program.eventful:
+        held.append(model.event_log.rows)
     for name in model.program.sought:
         held += model.tables[name].index(model.program).values()
     for name, kind in model.program.gathered:
@@ -88,13 +90,17 @@ def connected_arrays(model: Running) -> list[Any]:
     return [
         array
         for name, array in _all_arrays(model).items()
-        if not name.endswith(("_names", "_default", "_hierarchy", *SEEKING)) and name not in lists
+        if name != "events"
+        and name not in lists
+        and not name.endswith(("_names", "_default", "_hierarchy", *SEEKING))
     ]
 
 
 def _all_arrays(model: Running) -> dict[str, Any]:
     """Return the arrays of a model by the names that the record gives their addresses."""
     arrays: dict[str, Any] = dict(model.ground.arrays())
+    if model.program.eventful:
+        arrays["events"] = model.event_log.rows
     for name in model.program.sought:
         for part, array in model.tables[name].index(model.program).items():
             arrays[f"{name}_{part}"] = array

@@ -27,6 +27,7 @@ SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "ticks": ((int,), "a whole number, 0 or more"),
     "score_every": ((int,), "a whole number, 0 or more"),
     "record_links": ((bool,), "True or False"),
+    "record_events": ((bool,), "True or False"),
     "setup": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "schedule": ((tuple, list), "a tuple of each(population, rule) and once(rule)"),
     "rewards": ((dict,), "rewards by name, on a plane"),

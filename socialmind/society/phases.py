@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from socialmind.errors import ModelError
+from coglogo_py.border.errors import shown
+from socialmind.errors import ModelError, called_at
 from socialmind.language.shape import PhaseShape
 from socialmind.society.population import Population
 
@@ -43,8 +44,12 @@ def each(population: Population, rule: Rule, *, shuffled: bool = True) -> PhaseD
     """
     if not isinstance(population, Population):
         raise ModelError(
-            f"each({population!r}, …)", "a population of the class", "write each(humans, rule)"
+            f"each({shown(population)}, …)",
+            "a population of the class",
+            "write each(humans, rule)",
+            *called_at(),
         )
+    _check_rule(rule, "each(…)")
     return PhaseDeclaration(rule, population, shuffled)
 
 
@@ -54,4 +59,23 @@ def once(rule: Rule) -> PhaseDeclaration:
     Args:
         rule: a plain function `rule(model, rng)`; it may leave out `rng`.
     """
+    _check_rule(rule, "once(…)")
     return PhaseDeclaration(rule, None, False)
+
+
+def _check_rule(rule: Any, written: str) -> None:
+    """Refuse what is no function: a name within a class hides that of a rule outside.
+
+    Raises:
+        ModelError: so it is.
+    """
+    if callable(rule):
+        return
+    kind = type(rule)
+    what = f"a {kind.__name__.lower()}" if hasattr(kind, "__set_name__") else shown(rule)
+    raise ModelError(
+        f"{what} as a rule in {written}",
+        "a plain function",
+        "write it with `def` at the top of the file, and call nothing of the class like it",
+        *called_at(),
+    )

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coglogo_py.parts import memes_of
-from socialmind.agents import bookkeeping
+from socialmind.agents import bookkeeping, events
 from socialmind.agents.attributes import unknown
 from socialmind.agents.heeding import Heeding
 from socialmind.agents.plan_steps import ENDED
@@ -307,6 +307,7 @@ class Table:
         slot = self._place()
         self.rows[slot] = self.default[0]
         agent = self._named(slot)
+        self._note(agent, events.CREATED)
         if self.society is not None:
             self.columns["_mind"][slot] = self.society.new_mind().slot
         if self.minds is not None:
@@ -324,6 +325,7 @@ class Table:
         if self.shape.steps is not None:
             self.columns["_plan"][slot] = self.columns["_step"][slot] = ENDED
         agent = self._named(slot)
+        self._note(agent, parent.id)
         if self.society is not None:
             self.columns["_decided"][slot] = -1  # its plan is its parent's, as a field is
             self.columns["_mind"][slot] = parent.mind.hatch(keep_groups=keep_groups).slot
@@ -335,6 +337,7 @@ class Table:
         """Take an agent out of the world; its mind leaves its groups."""
         slot = agent._slot
         if self.alive[slot]:
+            self._note(agent, events.DIED)
             self.model.ground.leave(self, slot)
             for network in self._networks:
                 network.end_links_of(self, slot)
@@ -351,6 +354,14 @@ class Table:
                 bookkeeping.born(self.counters, self.order, self.alive, self.slot_of, self.free)
             )
         return slot
+
+    def _note(self, agent: Any, parent: int) -> None:
+        """Note a birth or a death, where somebody asked for them; messages are no agents."""
+        model: Any = self.model
+        if model.event_log.kept and self.shape.messages_to is None:
+            # What happens in a tick is first seen when it is over.
+            tick = model.tick + int(model._in_rules)
+            model.event_log.note(tick, self.shape.name, agent.id, parent)
 
     def _named(self, slot: int) -> Any:
         self.columns["_slot"][slot] = slot

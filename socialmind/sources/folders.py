@@ -134,8 +134,14 @@ def _source_hash(folder: Path, above: tuple[Path, ...]) -> str:
 
 
 def deciding_files(folder: Path) -> Iterator[Path]:
-    """The Python files of a model that decide how it runs, in order."""
+    """The Python files of a model that decide how it runs, in order.
+
+    Those that runs and trainings keep in the model's folder are copies, and decide nothing.
+    """
+    kept = {path.parent for path in folder.rglob("manifest.json")} - {folder}
     for path in sorted(folder.rglob("*.py")):
+        if not kept.isdisjoint(path.parents):
+            continue
         place = path.relative_to(folder)
         hidden = any(part.startswith((".", "__pycache__")) for part in place.parts)
         other_mind = len(place.parts) > 1 and place.parts[0].startswith(OTHER_MINDS)

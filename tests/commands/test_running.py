@@ -36,6 +36,44 @@ def test_run_options_reach_the_run(socialmind, grazers, tmp_path):
     assert "30 ticks in" in result.stderr
 
 
+def test_tables_on_request_and_left_out(socialmind, refused, tmp_path):
+    meeting = tmp_path / "meeting.py"
+    meeting.write_text(MEETING)
+    words = ("run", meeting, "--interpreted")
+    for name, more, tables in (
+        ("plain", (), {"events"}),
+        ("both", ("--links",), {"events", "links"}),
+        ("none", ("--no-links", "--no-events"), set()),
+    ):
+        assert socialmind(*words, *more, "--out", name).exit_code == 0
+        assert socialmind("run", "--resume", name, "--ticks", 6).exit_code == 0
+        assert set(Run(name).manifest.tables) == {"series", "agents"} | tables
+        assert socialmind("replay", name).stdout == "equal\n"
+    assert Run("both").links["tick"].max() == 6
+    meeting.write_text(
+        MEETING.replace("    ties = Network(people, Link)\n", "").replace(LINKING, "")
+    )
+    assert "has no networks; leave them out" in refused(*words, "--links", "--out", "lonely")
+
+
+LINKING = "    model.ties.link(person, model.people[0])\n"
+MEETING = f"""from socialmind import Agent, Link, Model, Network, Population, each
+class Person(Agent):
+    pass
+def meet(person, model, rng):
+    if person.id != 0:
+        person.die()
+        return
+    person = person.hatch()
+{LINKING}
+class Meeting(Model):
+    ticks = 4
+    people = Population(Person, 3)
+    ties = Network(people, Link)
+    schedule = (each(people, meet),)
+"""
+
+
 def test_a_scheme_of_ones_own_is_kept_with_the_run(socialmind, grazers, tmp_path):
     mine = tmp_path / "mine.yaml"
     mine.write_text((grazers / "scheme.yaml").read_text().replace("start: 2", "start: 5"))

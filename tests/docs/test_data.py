@@ -31,6 +31,11 @@ def test_its_society_stops_and_is_recorded(page):
         village.farmers.wheat[:] = 0
 
 
+def test_its_events_say_how_many_live(page):
+    assert page.events["agent"].tolist() == [1, 2, 0, 3]
+    assert page.alive == len(page.dough.yeast) == 3
+
+
 def test_its_threads_get_what_one_alone_gets(page):
     alone = [page.harvest(page.Village(seed, compiled=False)) for seed in range(3)]
     assert page.harvests == alone

@@ -12,6 +12,7 @@ from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, replay, resume, run
 from socialmind.sources import provenance
+from socialmind.sources.folders import source_hash
 from socialmind.sources.provenance import difference, sources_of
 
 MODEL = """
@@ -146,6 +147,19 @@ def test_what_decides_nothing_may_be_edited(wood, tmp_path, file):
     (tmp_path / file).write_text("# another\ndef draw(run):\n    return {}\n")
     assert replay(folder, model_class=wood()).notes == ()
     resume(folder, ticks=8, model_class=wood())
+
+
+def test_runs_within_the_models_folder_are_no_sources_of_it(wood, tmp_path):
+    home = tmp_path / "wood"
+    labels = set(sources_of(wood()).files)
+    folder = run(wood(), ticks=4, out=home / "runs" / "first", compiled=False)
+    assert (folder / "source" / "model" / "model.py").is_file()
+    assert set(sources_of(wood()).files) == labels
+    assert replay(folder, model_class=wood()).notes == ()
+    resume(folder, ticks=8, model_class=wood())
+    again = run(wood(), ticks=8, out=home / "runs" / "second", compiled=False)
+    assert set(Run(again).manifest.model["sources"]["files"]) == labels
+    assert Run(folder).manifest.model["source_sha256"] == source_hash(home)
 
 
 def test_a_run_goes_on_with_its_own_copies(wood, tmp_path):

@@ -15,7 +15,11 @@ def files_of(mind: MindDescription) -> dict[str, bytes]:
     with tempfile.TemporaryDirectory() as folder:
         mind.save(folder)
         paths = sorted(path for path in Path(folder).rglob("*") if path.is_file())
-        return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
+        return {
+            path.relative_to(folder).as_posix(): path.read_bytes()
+            for path in paths
+            if "__pycache__" not in path.parts  # installing leaves one beside a mind's programs
+        }
 
 
 def mind_of(files: Mapping[str, bytes]) -> MindDescription:

@@ -18,14 +18,13 @@ from coglogo_py.files.reading import content_of, text_of
 from socialmind.agents.message import NEXT, first_message
 from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import HeldRow, Row, held_class, row_class
-from socialmind.compiling.layout import Further, model_dtype, row_dtype
+from socialmind.compiling.layout import Asked, model_dtype, row_dtype
 from socialmind.fields import set_default
 from socialmind.language.arithmetic import turned
 from socialmind.language.shape import ModelShape, PopulationShape
 
 if TYPE_CHECKING:
     from coglogo_py.decision import DecisionMaker
-    from socialmind.language.program import Program
     from socialmind.mind.files.kept_minds import KeptMinds
 
 KEPT = ("tick", "idle", "idle_agent", "idle_tick")
@@ -49,7 +48,7 @@ class Blueprint:
         self._shape = shape
         self.tables = {name: TableForm(one) for name, one in shape.populations.items()}
         self.schemes = SchemeFiles()
-        self._records: dict[tuple[Any, ...], RecordForm] = {}
+        self._records: dict[Asked, RecordForm] = {}
 
     @cached_property
     def minds(self) -> KeptMinds:
@@ -58,16 +57,10 @@ class Blueprint:
 
         return KeptMinds()
 
-    def record_of(self, program: Program, further: Further) -> RecordForm:
-        """Return the layout of a society's record, which depends on what its rules ask for.
-
-        Args:
-            program: the rules.
-            further: arrays that its minds or its rules ask for.
-        """
-        asked = program.world_columns, tuple(program.sought), further, program.gathered
+    def record_of(self, asked: Asked) -> RecordForm:
+        """Return the layout of a society's record, which depends on what is asked for."""
         if asked not in self._records:
-            self._records[asked] = RecordForm(self._shape, *asked)
+            self._records[asked] = RecordForm(self._shape, asked)
         return self._records[asked]
 
 
@@ -76,25 +69,15 @@ class RecordForm:
 
     Args:
         shape: the class's.
-        more: columns that what its rules call of the world needs.
-        sought: the populations whose agents rules look for.
-        further: arrays that minds or rules ask for.
-        gathered: likewise, in groups, and in which lists.
+        asked: what its rules and minds ask for.
 
     Attributes:
         dtype: the record.
         kept: the columns that are state, and not addresses and sizes.
     """
 
-    def __init__(
-        self,
-        shape: ModelShape,
-        more: tuple[str, ...],
-        sought: tuple[str, ...],
-        further: Further,
-        gathered: tuple[tuple[str, str], ...],
-    ) -> None:
-        self.dtype = model_dtype(shape, more, sought, further, gathered)
+    def __init__(self, shape: ModelShape, asked: Asked) -> None:
+        self.dtype = model_dtype(shape, asked)
         kept = {f"_{one}" for one in (*KEPT, *shape.world.kept_columns)}
         names = self.dtype.names or ()
         self.kept = [n for n in names if n[0] != "_" or n.startswith("_has_") or n in kept]

@@ -220,6 +220,7 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, na
     if name in ("die", "hatch"):
         typer.program.changes(population)
     if name == "die":
+        typer.program.loses(population)
         fitted(typer, node, "die", Signature((), types.NONE))
         without_keywords(typer, node, "die")
         typer.program.kills(population)
