@@ -1,0 +1,58 @@
+"""The trainings of `role_lessons`, ten attempts each, as folders that can be gone on with.
+
+python -m analysis.foraging_roles.role_trainings delivered_role         # or gone on with
+python -m analysis.foraging_roles.role_trainings keep delivered_role    # into results/trainings/
+python -m analysis.foraging_roles.role_trainings recheck delivered_role # after an edit of the model
+
+They lie in `trainings/`. The first three attempts of `supervised_role` are the three of `learned`
+in `trainings.py`, whose lesson it is.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from socialmind.catalogue import load_file, model_folder
+from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
+from socialmind.learning import Curriculum
+
+from .worlds import TRAINING
+
+MODEL = model_folder("foraging_roles")
+LESSONS = load_file(MODEL / "role_lessons.py")
+ATTEMPTS = 10
+
+PLANS = TrainingPlans(
+    Path(__file__).parent,
+    {
+        "delivered_role": TrainingPlan(
+            "judged by what is brought home, CollectSelect learned as well",
+            ATTEMPTS,
+            LESSONS.choosing,
+            lambda: LESSONS.delivered,
+            "foraging_roles",
+            TRAINING,
+        ),
+        "supervised_role": TrainingPlan(
+            "today's: judged by the variable ROLE, CollectSelect a program",
+            ATTEMPTS,
+            lambda: LESSONS.foraging(LESSONS.known()),
+            lambda: Curriculum((LESSONS.supervised_role,)),
+            "foraging_roles",
+            TRAINING,
+        ),
+        "thesis_role": TrainingPlan(
+            "as in section 8.2: in bodies, one society, paid near the ratio",
+            ATTEMPTS,
+            LESSONS.as_in_thesis,
+            lambda: LESSONS.thesis,
+            "foraging_roles",
+            TRAINING,
+        ),
+    },
+)
+
+
+if __name__ == "__main__":
+    PLANS.main(sys.argv[1:])
