@@ -4,8 +4,8 @@ python -m analysis.collect.level monolith_level          # or hierarchy_level; g
 python -m analysis.collect.level keep monolith_level     # into results/trainings/
 
 The thesis gave each skill 1,000 generations and Collect 1,500 (6.1); its monolith learned the same
-curriculum. Here both structures spend the same ticks on each of the six lessons, whose budgets are
-what the hierarchy of `trainings.py` spent on the first five, and on the last `LEVEL` ticks. The best
+curriculum. Here both structures spend the same ticks on each of the six lessons: on the first five
+what the hierarchy of `trainings.py` spent on them, and on the last `LEVEL` ticks. The best
 individual of each generation is judged on common worlds too (`validation`), so that one sees in the
 curve against ticks whether it has levelled off.
 """
