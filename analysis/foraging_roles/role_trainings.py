@@ -27,10 +27,18 @@ PLANS = TrainingPlans(
     Path(__file__).parent,
     {
         "delivered_role": TrainingPlan(
-            "judged by what is brought home, CollectSelect learned as well",
+            "judged by what is brought home, CollectSelect learned before",
             ATTEMPTS,
             LESSONS.choosing,
             lambda: LESSONS.delivered,
+            "foraging_roles",
+            TRAINING,
+        ),
+        "at_once": TrainingPlan(
+            "judged by what is brought home, CollectSelect learned together with ForageRole",
+            ATTEMPTS,
+            LESSONS.choosing,
+            lambda: LESSONS.together,
             "foraging_roles",
             TRAINING,
         ),

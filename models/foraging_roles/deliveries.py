@@ -39,6 +39,8 @@ FAINT = (0.0, 0.1, 0.2, 0.3, 0.4, 0.9, 1.0)
 """The influence on the other Collect, as a share of that on the one that is followed."""
 PACE = (1.0, 0.93, 0.83, 0.33, 0.16, 0.08, 0.06)
 """Trips of bodies in a time with such a share, beside those without; between them linear."""
+CHOICE = "CollectSelect"
+ERRANDS = 64  # trips on which a CollectSelect is judged in a world
 USUAL = TRIP * (1 + ASTRAY * DETOUR / 2)  # ticks of a trip on the mean
 
 
@@ -57,8 +59,9 @@ class DeliveryTerms(Terms):
 class DeliveryEconomy:
     """Robots that deliver, are paid, and choose what to fetch, as a lesson's environment.
 
-    Its arguments are those of `Economy`; parameters are those of `DeliveryTerms`. Of the skills
-    that learn the first one says what the role is to be, the second which Collect that means.
+    Its arguments are those of `Economy`; parameters are those of `DeliveryTerms`. The skill that
+    learns says what the role is to be; of two the second one says which Collect that means, which
+    else is the CollectSelect that the mind has.
 
     Raises:
         ModelError: skills that cannot be judged here, or arguments that count for nothing.
@@ -71,20 +74,23 @@ class DeliveryEconomy:
         parameters: Mapping[str, Any],
         hierarchy: MindDescription,
         master: str,
-        skill: Sequence[str],
+        skill: str | Sequence[str],
         drive: Any = None,
         ticks: int | None = None,
         physics: str = "compiled",
     ) -> None:
         if drive is not None:
             raise ModelError("an economy with a drive", "none")
-        if isinstance(skill, str) or len(skill) != 2:
+        role, *choice = (skill,) if isinstance(skill, str) else skill
+        if len(choice) > 1:
             raise ModelError(f"an economy of deliveries for {skill!r}", "a role and a choice of it")
         self.terms = DeliveryTerms(**parameters)
         self.ticks = TICKS if ticks is None else ticks
-        self.parts = thinking(hierarchy, skill[0]), choosing(hierarchy, skill[1])
-        self.sizes = [_only(one).genome_size for one in self.parts]
-        self.genome_size = sum(self.sizes)
+        self.parts = thinking(hierarchy, role), choosing(hierarchy, *(choice or [CHOICE]))
+        self.learning = self.parts[: 1 + len(choice)]
+        sizes = [_only(one).genome_size for one in self.learning]
+        self.genome_size = sum(sizes)
+        self._cut = sizes[:-1]
         self._heads: Heads | None = None
 
     def run(self, genomes: ArrayLike, seeds: Sequence[int]) -> Outcome:
@@ -106,8 +112,8 @@ class DeliveryEconomy:
             self._heads = Heads(
                 *(Minds(one, agents=agents, own_genomes=True) for one in self.parts)
             )
-        split = np.split(np.repeat(rows, len(seeds), axis=0), self.sizes[:1], axis=1)
-        for minds, part, genome in zip(self._heads, self.parts, split, strict=True):
+        split = np.split(np.repeat(rows, len(seeds), axis=0), self._cut, axis=1)
+        for minds, part, genome in zip(self._heads, self.learning, split, strict=False):
             minds.set_genome(_only(part).name, genome)
         drawn = [DeliveryWorld(seed, self.terms, self.ticks) for seed in seeds]
         worlds = Deliveries(drawn, len(rows), self.ticks, self._heads)
@@ -159,9 +165,100 @@ def choosing(mind: MindDescription, skill: str) -> MindDescription:
     alone = given.changed(
         inputs=("SE:ROLE", "SE:DISTOBJA", "SE:DISTOBJB"),
         outputs=("MO:A", "MO:B"),
-        genome=np.zeros(given.genome_size),
+        genome=np.zeros(given.genome_size) if given.genome is None else given.genome,
     )
     return MindDescription("Chooser", ["ROLE", "DISTOBJA", "DISTOBJB"], ["A", "B"], (), [alone])
+
+
+def chosen(
+    minds: Minds, role: NDArray[np.float64], a: Any, b: Any
+) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """Return which kind robots fetch, and how many times longer it takes them than it could.
+
+    They choose in the drop zone, and must not think otherwise where the object is.
+
+    Args:
+        minds: that say which Collect a role means.
+        role: of the robots, as all that follow.
+        a: how far the nearest A is, as they read it.
+        b: likewise.
+    """
+    fetches_b, faint = said(minds, role, a, b)
+    there = np.where(fetches_b, OTHER_SIDE, AT_OBJECT)
+    still_b, faint_there = said(minds, role, there, OTHER_SIDE + AT_OBJECT - there)
+    faint = np.where(still_b == fetches_b, np.maximum(faint, faint_there), 1.0)
+    return fetches_b, 1 / np.interp(faint, FAINT, PACE)
+
+
+def said(
+    minds: Minds, role: NDArray[np.float64], a: Any, b: Any
+) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """Return whether B has more influence than A, and that of the other as a share of it."""
+    minds.set_sensor("ROLE", role)
+    minds.set_sensor("DISTOBJA", a)
+    minds.set_sensor("DISTOBJB", b)
+    minds.step()
+    to_a, to_b = minds.actuator("A"), minds.actuator("B")
+    more, less = np.maximum(to_a, to_b), np.minimum(to_a, to_b)
+    return to_b > to_a, np.divide(less, more, out=np.ones_like(more), where=more > 0)
+
+
+class Errands:
+    """Single trips with any role, as a lesson's environment: what a role means is to be found.
+
+    For each trip a role is drawn; it stands for a drive module, which sets a variable before there
+    is a skill that does (thesis, 5.1.3 and 7.1.2). What counts are pairs of an A and a B that
+    are brought home, in the time that two trips take. Its arguments are those of `Economy`; it has
+    no parameters.
+    """
+
+    ticks = ERRANDS * int(TRIP)
+
+    def __init__(
+        self,
+        parameters: Mapping[str, Any],
+        hierarchy: MindDescription,
+        master: str,
+        skill: str,
+        drive: Any = None,
+        ticks: int | None = None,
+        physics: str = "compiled",
+    ) -> None:
+        if parameters or drive is not None or ticks is not None:
+            raise ModelError("errands with parameters, a drive or ticks", "none")
+        self.part = choosing(hierarchy, skill)
+        self.genome_size = _only(self.part).genome_size
+        self._minds: Minds | None = None
+
+    def run(self, genomes: ArrayLike, seeds: Sequence[int]) -> Outcome:
+        """Judge individuals, each with the same roles and distances.
+
+        Args:
+            genomes: (individuals, `genome_size`).
+            seeds: of roles and distances, one for each repetition.
+        """
+        rows = np.ascontiguousarray(genomes, np.float64)
+        shape = len(rows), len(seeds)
+        agents = len(rows) * len(seeds)
+        if self._minds is None or len(self._minds) != agents:
+            self._minds = Minds(self.part, agents=agents, own_genomes=True)
+        self._minds.set_genome(_only(self.part).name, np.repeat(rows, len(seeds), axis=0))
+        drawn = np.array([_errands(seed) for seed in seeds])
+        drawn = np.tile(drawn, (len(rows), 1, 1))
+        took, to_b = np.zeros((2, agents))
+        for role, a, b in drawn.transpose(2, 1, 0):
+            fetches_b, slower = chosen(self._minds, role, a, b)
+            took += slower
+            to_b += fetches_b
+        score = 2 * np.minimum(to_b, ERRANDS - to_b) / took
+        ticks = np.full(shape, self.ticks)
+        return Outcome(score.reshape(shape), ticks, np.zeros(shape, int), {})
+
+
+def _errands(seed: int) -> NDArray[np.float64]:
+    """Return role and distances before each trip, shape (3, trips)."""
+    rng = np.random.default_rng(seed)
+    return np.vstack([rng.random(ERRANDS), rng.uniform(NEAREST, FARTHEST, (2, ERRANDS))])
 
 
 class DeliveryWorld(World):
@@ -217,29 +314,9 @@ class Deliveries(Worlds):
     def _chosen(
         self, robot: NDArray[np.int64], role: NDArray[np.float64], heads: Heads
     ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-        """Return which kind a robot of each world fetches next, and how much slower than one can.
-
-        It chooses in the drop zone, and must not think otherwise where the object is.
-        """
+        """Return which kind a robot of each world fetches next, and how much slower it is."""
         a, b = self.away[self.which, :, robot, self.done[self.rows, robot]].T
-        fetches_b, faint = self._said(role, a, b, heads)
-        there = np.where(fetches_b, OTHER_SIDE, AT_OBJECT)
-        still_b, faint_there = self._said(role, there, OTHER_SIDE + AT_OBJECT - there, heads)
-        faint = np.where(still_b == fetches_b, np.maximum(faint, faint_there), 1.0)
-        return fetches_b, 1 / np.interp(faint, FAINT, PACE)
-
-    def _said(
-        self, role: NDArray[np.float64], a: Any, b: Any, heads: Heads
-    ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-        """Return whether B has more influence than A, and that of the other as a share of it."""
-        minds = heads.choice
-        minds.set_sensor("ROLE", role)
-        minds.set_sensor("DISTOBJA", a)
-        minds.set_sensor("DISTOBJB", b)
-        minds.step()
-        to_a, to_b = minds.actuator("A"), minds.actuator("B")
-        more, less = np.maximum(to_a, to_b), np.minimum(to_a, to_b)
-        return to_b > to_a, np.divide(less, more, out=np.ones_like(more), where=more > 0)
+        return chosen(heads.choice, role, a, b)
 
     def _deliver(self, rows: NDArray[np.int64], who: NDArray[np.int64], minds: Any) -> None:
         """Pay the robots that deliver, and let them choose what to fetch next."""

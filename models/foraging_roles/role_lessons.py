@@ -2,8 +2,8 @@
 
 `supervised_role` is the lesson of `lessons.py`, by which the model's own mind was learned: its loss
 counts the variable ROLE, and what ROLE means is a program's. `delivered_role` judges by what robots
-bring home alone, and CollectSelect is learned with ForageRole. `thesis_role` is the lesson of
-section 8.2: in bodies, with one society that begins undecided.
+bring home alone, and CollectSelect is learned before; `at_once` both together. `thesis_role` is the
+lesson of section 8.2: in bodies, with one society that begins undecided.
 
 They stand beside the model's own curriculum, which stays what kept minds were learned by.
 """
@@ -17,13 +17,12 @@ from socialmind.worlds.plane import paid
 
 from .by_deliveries import ForagingByDeliveries, shock, watch
 from .by_deliveries import work as bring
-from .deliveries import DeliveryEconomy
+from .deliveries import CHOICE, DeliveryEconomy, Errands
 from .lessons import MASTER, ROLE, SETTLING, foraging, lesson
 from .payoff import forget
 from .places import tidy_a, tidy_b
 from .roles import UNDECIDED
 
-CHOICE = "CollectSelect"
 CHOOSING = ["VA:ROLE", "SE:DISTOBJA", "SE:DISTOBJB"]
 STATUS = ["SE:SENSOBJA", "SE:SENSOBJB", "SE:SENSDZ"]
 """What says how far the collect task has come."""
@@ -103,8 +102,33 @@ class ForageInBodies(ForagingByDeliveries):
 supervised_role = lesson
 """Today's: its name in trainings is that of the skill, on which its worlds hang."""
 
-BOTH = (ROLE, CHOICE)
+choose = Lesson(
+    CHOICE,
+    Errands,
+    optimiser="CMAES",
+    settings={"population": 20, "step": 1.0},
+    repetitions=8,
+    generations=150,
+    finalists=20,
+    finals=128,
+)
+"""CollectSelect finds two meanings for ROLE; which one is high and which low is nobody's matter."""
 delivered_role = Lesson(
+    "delivered_role",
+    DeliveryEconomy,
+    skill=ROLE,
+    master=MASTER,
+    optimiser="CMAES",
+    settings={"population": 40, "step": 0.5},
+    repetitions=16,
+    generations=400,
+    finalists=20,
+    finals=256,
+)
+"""ForageRole, with what ROLE means to CollectSelect."""
+
+BOTH = (ROLE, CHOICE)
+at_once = Lesson(
     "delivered_role",
     DeliveryEconomy,
     skill=BOTH,
@@ -116,8 +140,8 @@ delivered_role = Lesson(
     finalists=20,
     finals=128,
 )
-"""Roles come about first, by robots that dither on the way."""
-delivered_briskly = Lesson(
+"""Both skills at once. Robots may come to be torn between both ways: slow, which helps settling."""
+at_once_briskly = Lesson(
     "delivered_role, briskly",
     DeliveryEconomy,
     skill=BOTH,
@@ -131,7 +155,7 @@ delivered_briskly = Lesson(
     start="known",
     parameters={"missing": 3.0},
 )
-"""Then what is not brought home counts for more, and they go straight."""
+"""Then what is not brought home counts for more; those who are torn stay so."""
 
 thesis_role = Lesson(
     "thesis_role",
@@ -145,5 +169,6 @@ thesis_role = Lesson(
     finals=32,
 )
 
-delivered = Curriculum((delivered_role, delivered_briskly), mind=choosing())
+delivered = Curriculum((choose, delivered_role), mind=choosing())
+together = Curriculum((at_once, at_once_briskly), mind=choosing())
 thesis = Curriculum((thesis_role,), mind=as_in_thesis())

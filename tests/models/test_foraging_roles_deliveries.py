@@ -96,9 +96,27 @@ def test_a_score_hangs_on_genome_and_world_alone(mind):
 
 def test_other_skills_are_refused(mind):
     with pytest.raises(ModelError, match="a role and a choice"):
-        DELIVERIES.DeliveryEconomy({}, mind, "Forage", "ForageRole")
+        DELIVERIES.DeliveryEconomy({}, mind, "Forage", ("ForageRole", "CollectSelect", "Forage"))
     with pytest.raises(ModelError, match="SE:DISTOBJA"):
         DELIVERIES.DeliveryEconomy({}, mind, "Forage", ("ForageRole", "Forage"))
+
+
+def test_a_role_is_learned_with_the_choice_that_the_mind_has(mind):
+    for choice in (PLAIN, TURNED):
+        knowing = mind.with_modules(skills=[mind.skill("CollectSelect").changed(genome=choice)])
+        alone = DELIVERIES.DeliveryEconomy(CALM, knowing, LESSONS.MASTER, "ForageRole")
+        assert alone.genome_size == 39
+        both = economy(mind, **CALM).run([genome(choice)], [1, 2])
+        assert (alone.run([STAY], [1, 2]).score == both.score).all()
+
+
+def test_errands_ask_for_two_meanings_and_for_going_straight(mind):
+    errands = DELIVERIES.Errands({}, mind, "CollectSelect", "CollectSelect")
+    score = errands.run([PLAIN, TURNED, TORN, WAVERING], [1, 2, 3]).score
+    assert (score[0] > 0.6).all() and (score[1] > 0.6).all()  # few of 64 roles are off a half
+    assert score[:2].mean() > 0.8
+    assert (score[2] == 0).all()  # A alone
+    assert (score[3] < 0.07).all()
 
 
 # In bodies --------------------------------------------------------------------------------------
