@@ -13,7 +13,7 @@ from socialmind.experiments.measures.intervals import interval_of
 def test_the_worse_of_two_trainings_counts_however_many_worlds_there_are():
     table = np.vstack([np.ones(1000), np.zeros(1000)])
     found = crossed_interval(table)
-    assert (found.mean, found.low, found.high) == (0.5, 0.0, 1.0)
+    assert (found.mean, found.low, found.high) == pytest.approx((0.5, 0.0, 1.0))
 
 
 def test_equal_trainings_leave_the_luck_of_worlds():
