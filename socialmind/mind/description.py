@@ -83,7 +83,7 @@ class MindDescription:
             return self is other or NotImplemented
         if (self.name, self.skills.keys()) != (other.name, other.skills.keys()):
             return False
-        from socialmind.mind.files.packing import files_of
+        from socialmind.mind.files.folder import files_of
 
         try:
             return files_of(self) == files_of(other)
