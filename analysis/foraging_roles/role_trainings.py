@@ -34,6 +34,14 @@ PLANS = TrainingPlans(
             "foraging_roles",
             TRAINING,
         ),
+        "delivered_narrow": TrainingPlan(
+            "the same with a third of the individuals",
+            ATTEMPTS,
+            LESSONS.choosing,
+            lambda: LESSONS.narrow,
+            "foraging_roles",
+            TRAINING,
+        ),
         "at_once": TrainingPlan(
             "judged by what is brought home, CollectSelect learned together with ForageRole",
             ATTEMPTS,

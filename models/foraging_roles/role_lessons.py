@@ -119,13 +119,18 @@ delivered_role = Lesson(
     skill=ROLE,
     master=MASTER,
     optimiser="CMAES",
-    settings={"population": 40, "step": 0.5},
-    repetitions=16,
-    generations=400,
+    settings={"population": 120, "step": 1.0},
+    repetitions=8,
+    generations=200,
     finalists=20,
     finals=256,
 )
 """ForageRole, with what ROLE means to CollectSelect."""
+delivered_narrow = delivered_role.changed(
+    settings={"population": 40, "step": 0.5}, repetitions=16, generations=400
+)
+"""The same with as few individuals as `supervised_role`. Many attempts never get away from robots
+that stay as they are."""
 
 BOTH = (ROLE, CHOICE)
 at_once = Lesson(
@@ -170,5 +175,6 @@ thesis_role = Lesson(
 )
 
 delivered = Curriculum((choose, delivered_role), mind=choosing())
+narrow = Curriculum((choose, delivered_narrow), mind=choosing())
 together = Curriculum((at_once, at_once_briskly), mind=choosing())
 thesis = Curriculum((thesis_role,), mind=as_in_thesis())

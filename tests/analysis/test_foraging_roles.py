@@ -95,7 +95,9 @@ def test_the_scan_of_the_scheme_has_a_row_for_each_condition():
 # Trainings of the role lessons --------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["delivered_role", "at_once", "supervised_role", "thesis_role"])
+@pytest.mark.parametrize(
+    "name", ["delivered_role", "delivered_narrow", "at_once", "supervised_role", "thesis_role"]
+)
 def test_each_role_lesson_fits_its_mind_also_when_small(name):
     plan = role_trainings.PLANS[name]
     assert plan.attempts >= 10
