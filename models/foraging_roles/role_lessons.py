@@ -121,16 +121,24 @@ delivered_role = Lesson(
     optimiser="CMAES",
     settings={"population": 120, "step": 1.0},
     repetitions=8,
-    generations=200,
+    generations=120,
     finalists=20,
     finals=256,
 )
-"""ForageRole, with what ROLE means to CollectSelect."""
+"""ForageRole, with what ROLE means to CollectSelect: many individuals in few worlds."""
+delivered_finely = delivered_role.changed(
+    name="delivered_role, finely",
+    settings={"population": 40},
+    repetitions=16,
+    generations=200,
+    start="known",
+)
+"""Then fewer from there on, in more worlds."""
 delivered_narrow = delivered_role.changed(
     settings={"population": 40, "step": 0.5}, repetitions=16, generations=400
 )
-"""The same with as few individuals as `supervised_role`. Many attempts never get away from robots
-that stay as they are."""
+"""All with as few individuals as `supervised_role`. Many attempts never get away from robots that
+stay as they are."""
 
 BOTH = (ROLE, CHOICE)
 at_once = Lesson(
@@ -174,7 +182,7 @@ thesis_role = Lesson(
     finals=32,
 )
 
-delivered = Curriculum((choose, delivered_role), mind=choosing())
+delivered = Curriculum((choose, delivered_role, delivered_finely), mind=choosing())
 narrow = Curriculum((choose, delivered_narrow), mind=choosing())
 together = Curriculum((at_once, at_once_briskly), mind=choosing())
 thesis = Curriculum((thesis_role,), mind=as_in_thesis())
