@@ -7,6 +7,7 @@ import pandas as pd
 import pytest
 
 from socialmind.errors import SocialmindError
+from socialmind.learning import Training
 from socialmind.learning.lessons.keys import seeds_for
 from socialmind.learning.training.course import TrainingCourse
 from socialmind.mind import Perceptron
@@ -121,6 +122,18 @@ def test_what_role_means_is_learned_from_what_is_brought(tmp_path):
     mind = training.mind(1)
     assert mind.skill("CollectSelect").genome is not None
     assert mind.skill("ForageRole").genome is not None
+
+
+def test_of_each_five_starts_the_best_one_counts():
+    training = Training(role_trainings.PLANS.kept / "delivered_narrow")
+    scores = {
+        attempt: role_trainings.score_in_economy(training.mind(attempt)) for attempt in (1, 2, 3)
+    }
+    assert scores[3] < -0.8 < min(scores[1], scores[2])
+    best = role_trainings.best_starts(training, 2)
+    assert best[0] == max((1, 2), key=scores.__getitem__)
+    assert len(best) == len(training.finished) // 2
+    assert role_trainings.best_starts(training)[0] in (1, 2)
 
 
 def test_worlds_for_choosing_and_reporting_are_apart():
