@@ -77,6 +77,22 @@ class MindDescription:
 
         save_description(self, path)
 
+    def __eq__(self, other: object) -> bool:
+        """Say whether two minds are written alike: what `save` writes of them is the same."""
+        if self is other or not isinstance(other, MindDescription):
+            return self is other or NotImplemented
+        if (self.name, self.skills.keys()) != (other.name, other.skills.keys()):
+            return False
+        from socialmind.mind.files.folder import files_of
+
+        try:
+            return files_of(self) == files_of(other)
+        except ModelError:  # a function without a file or text, which is like no other
+            return False
+
+    def __hash__(self) -> int:
+        return hash((self.name, tuple(sorted(self.skills))))
+
     def __reduce__(self) -> tuple[Any, ...]:
         from socialmind.work.packing import packed
 

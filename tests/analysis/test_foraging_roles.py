@@ -3,10 +3,15 @@
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from socialmind.errors import SocialmindError
+from socialmind.learning import Training
+from socialmind.learning.lessons.keys import seeds_for
+from socialmind.learning.training.course import TrainingCourse
 from socialmind.mind import Perceptron
+from socialmind.mind.files.packing import files_of
 from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
@@ -14,6 +19,9 @@ trainings = load_file(FOLDER / "trainings.py")
 results = load_file(FOLDER / "results.py")
 scanning = load_file(FOLDER / "scheme_scan.py")
 studies = load_file(FOLDER / "studies.py").studies
+role_trainings = load_file(FOLDER / "role_trainings.py")
+attempts = load_file(FOLDER / "attempts.py")
+worlds = load_file(FOLDER / "worlds.py")
 STAY = np.zeros(39)
 STAY[21] = 1.0  # the influence on the role as it is
 
@@ -83,3 +91,91 @@ def test_the_scan_of_the_scheme_has_a_row_for_each_condition():
     table = scanning.scan((4.0,), (5.0,), worlds=1)
     assert table["condition"].tolist() == list(scanning.TRIED)
     assert set(table["condition"]) <= set(results.IN_THE_ECONOMY)
+
+
+# Trainings of the role lessons --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "name", ["delivered_role", "delivered_narrow", "at_once", "supervised_role", "thesis_role"]
+)
+def test_each_role_lesson_fits_its_mind_also_when_small(name):
+    plan = role_trainings.PLANS[name]
+    assert plan.attempts >= 10
+    for one in (plan, plan.small()):
+        TrainingCourse(one.curriculum(), one.mind(), one.seed, "compiled")
+
+
+def test_the_supervised_lesson_is_the_models_own():
+    (lesson,) = role_trainings.PLANS["supervised_role"].curriculum().lessons
+    assert lesson.record() == trainings.LESSONS.lesson.record()
+    assert role_trainings.PLANS["supervised_role"].seed == trainings.SEED
+    assert files_of(role_trainings.PLANS["supervised_role"].mind()) == files_of(
+        trainings.mind_of("learned")
+    )
+
+
+def test_what_role_means_is_learned_from_what_is_brought(tmp_path):
+    small = role_trainings.PLANS["delivered_role"].small(1, 2, population=6, repetitions=2)
+    training = small.train(tmp_path / "small", workers=1)
+    assert training.finished == [1]
+    mind = training.mind(1)
+    assert mind.skill("CollectSelect").genome is not None
+    assert mind.skill("ForageRole").genome is not None
+
+
+def test_of_each_five_starts_the_best_one_counts():
+    training = Training(role_trainings.PLANS.kept / "delivered_narrow")
+    scores = {
+        attempt: role_trainings.score_in_economy(training.mind(attempt)) for attempt in (1, 2, 3)
+    }
+    assert scores[3] < -0.8 < min(scores[1], scores[2])
+    best = role_trainings.best_starts(training, 2)
+    assert best[0] == max((1, 2), key=scores.__getitem__)
+    assert len(best) == len(training.finished) // 2
+    assert role_trainings.best_starts(training)[0] in (1, 2)
+
+
+def test_worlds_for_choosing_and_reporting_are_apart():
+    assert not set(worlds.CHOOSING) & set(worlds.REPORTED)
+    assert not set(worlds.CHOOSING_ECONOMY) & set(worlds.REPORTED_ECONOMY)
+    societies = load_file(FOLDER.parent / "specialisation" / "societies.py")
+    page = range(societies.SEED, societies.SEED + societies.FULL.worlds)
+    assert set(page) <= set(worlds.REPORTED)
+    # Those of trainings are hashes of 64 bits.
+    assert min(seeds_for(100, "world", worlds.TRAINING)) > 10_000
+
+
+# Attempts -----------------------------------------------------------------------------------------
+
+
+def test_attempts_are_reported_side_by_side_and_over_trainings_and_worlds():
+    rows = [
+        ("learned", attempt, "undisturbed", world, int(attempt == 1), 0.5 * attempt, 800, 600)
+        for attempt in (1, 2)
+        for world in (1, 2, 3)
+    ]
+    rows.append((attempts.PICKED, 1, "undisturbed", 1, 1, 0.1, 700, 610))
+    table = pd.DataFrame(rows, columns=[*attempts.KEYS, *attempts.JUDGED])
+    text = attempts.report(table)
+    assert "| learned | 1 | 100% | 0.50 | 600 |" in text
+    assert "| learned | 2 | 0% | 1.00 | 600 |" in text
+    assert "(picked) | 1 | 100% | 0.10 | 610 |" in text
+    assert "| learned | 2 | undisturbed | 50% | 0% to 100% | 0%, 100% |" in text
+
+
+def test_a_way_is_judged_by_what_is_brought_and_not_judged_again(tmp_path, monkeypatch):
+    one = attempts.Contestant("fixed roles", 0, None, {"unlearned": 1, "foragers": 3})
+    monkeypatch.setattr(attempts, "contestants", lambda: iter([one]))
+    path = tmp_path / "attempts.csv"
+    first = attempts.judge_all(path, [6001], ticks=2500)
+    assert first["condition"].tolist() == list(attempts.CONDITIONS)
+    assert (first["changes"] == 0).all() and (first["delivered"] > 3).all()
+    monkeypatch.setattr(attempts, "judged", None)  # it would fail
+    assert len(attempts.judge_all(path, [6001], ticks=2500)) == len(first)
+
+
+def test_all_kept_attempts_are_judged_and_the_picked_one_among_them():
+    ways = [(one.way, one.attempt) for one in attempts.contestants()]
+    assert len(set(ways)) == len(ways)
+    assert {(attempts.PICKED, 1), ("supervised_role", 3), ("fixed_thresholds", 0)} <= set(ways)

@@ -72,6 +72,18 @@ class Division:
     tasks_to_agents: float
     information: float
 
+    @property
+    def both(self) -> float:
+        """I / √(H(agents) H(tasks)), the geometric mean of both: one index of the whole matrix.
+
+        Of the fourteen that Gorelick and Bertram (2007, Insectes Sociaux 54: 105–112) review they
+        ask for those that take agents and tasks at once.
+
+        >>> division_of_labour([[4, 0], [4, 0], [0, 8]]).both  # √(1 · 2/3)
+        0.816496580927726
+        """
+        return math.sqrt(self.agents_to_tasks * self.tasks_to_agents)
+
 
 def division_of_labour(works: ArrayLike) -> Division:
     """Measure how a society divides its work.

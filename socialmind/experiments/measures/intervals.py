@@ -87,7 +87,7 @@ def interval_of(
     below = float((~tied & (above < 0)).mean() + tied.mean() / 2)
     bias = _NORMAL.inv_cdf(min(max(below, 1 / RESAMPLES), 1 - 1 / RESAMPLES))
     acceleration = _acceleration(sample, combine)
-    wide = _wide(level, len(sample))
+    wide = widened(level, len(sample))
     ends = (bias - wide, bias + wide)
     bounds = [_NORMAL.cdf(bias + z / (1 - acceleration * z)) for z in ends]
     low, high = np.quantile(means, bounds).tolist()
@@ -133,10 +133,10 @@ def _means_of_resamples(sample: NDArray[Any]) -> NDArray[np.float64]:
     return np.concatenate(parts)
 
 
-def _wide(level: float, n: int) -> float:
+def widened(level: float, n: int) -> float:
     """Return how many standard errors an interval reaches to either side.
 
-    >>> round(_wide(0.95, 21), 3)  # t = 2.086 of 20 degrees of freedom, and √(21 / 20)
+    >>> round(widened(0.95, 21), 3)  # t = 2.086 of 20 degrees of freedom, and √(21 / 20)
     2.137
     """
     z, free = _NORMAL.inv_cdf((1 + level) / 2), n - 1

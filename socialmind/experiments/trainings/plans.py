@@ -73,6 +73,8 @@ class TrainingPlan:
         """
 
         def change(lesson: Lesson) -> Lesson:
+            given = {"population": population, "elite": 3}
+            few = {name: one for name, one in given.items() if name in lesson.kind.known_settings}
             return lesson.changed(
                 generations=min(lesson.generations, generations),
                 budget=None,
@@ -80,7 +82,7 @@ class TrainingPlan:
                 ticks=lesson.ticks if ticks is None else min(lesson.episode_ticks, ticks),
                 finals=8,
                 validation=min(lesson.validation, 16),
-                settings={**lesson.settings, "population": population, "elite": 3},
+                settings={**lesson.settings, **few},
             )
 
         return replace(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -56,6 +57,18 @@ def save_description(description: Modules, path: str | Path) -> None:
         yaml_writer.save(description, path)
     else:
         write_folder(description, path)
+
+
+def files_of(description: Modules) -> dict[str, bytes]:
+    """Return the files of a mind's folder, by their paths in it."""
+    with tempfile.TemporaryDirectory() as folder:
+        save_description(description, folder)
+        paths = sorted(path for path in Path(folder).rglob("*") if path.is_file())
+        return {
+            path.relative_to(folder).as_posix(): path.read_bytes()
+            for path in paths
+            if "__pycache__" not in path.parts  # installing leaves one beside a mind's programs
+        }
 
 
 def _is_yaml(path: Path) -> bool:

@@ -8,18 +8,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from socialmind.mind.description import MindDescription
+from socialmind.mind.files.folder import files_of
 
-
-def files_of(mind: MindDescription) -> dict[str, bytes]:
-    """Return the files of a mind's folder, by their paths in it."""
-    with tempfile.TemporaryDirectory() as folder:
-        mind.save(folder)
-        paths = sorted(path for path in Path(folder).rglob("*") if path.is_file())
-        return {
-            path.relative_to(folder).as_posix(): path.read_bytes()
-            for path in paths
-            if "__pycache__" not in path.parts  # installing leaves one beside a mind's programs
-        }
+__all__ = ["files_of", "mind_of"]
 
 
 def mind_of(files: Mapping[str, bytes]) -> MindDescription:

@@ -149,7 +149,7 @@ def test_it_is_the_bootstrap_of_scipy_at_the_widened_level(size, ratio):
 @pytest.mark.parametrize("level", [0.5, 0.8, 0.95])
 def test_it_is_as_wide_as_students_distribution_and_the_sample_say(n, level):
     right = stats.t.ppf((1 + level) / 2, n - 1) * math.sqrt(n / (n - 1))
-    assert intervals._wide(level, n) == pytest.approx(right, rel=0.002)
+    assert intervals.widened(level, n) == pytest.approx(right, rel=0.002)
 
 
 def product(one, other):
@@ -186,7 +186,7 @@ def test_it_is_efrons_formula_word_by_word(combine, level):
     apart = without.mean() - without
     speed = (apart**3).sum() / (6 * (apart**2).sum() ** 1.5)
     assert abs(bias) > 0.05 and abs(speed) > 0.05
-    wide = intervals._wide(level, 7)
+    wide = intervals.widened(level, 7)
     shares = [bias + z / (1 - speed * z) for z in (bias - wide, bias + wide)]
     low, high = np.quantile(draws, stats.norm.cdf(shares))
     assert (found.mean, found.low, found.high) == pytest.approx((value, low, high), abs=1e-9)

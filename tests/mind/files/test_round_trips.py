@@ -157,6 +157,7 @@ def test_a_mind_reads_back_as_equal(form, mind):
         mind.save(path)
         read = MindDescription.load(path)
         assert facts(read) == facts(mind)
+        assert read == mind and hash(read) == hash(mind)
         # Saving over it changes nothing, and leaves nothing behind.
         before = _contents(home)
         read.save(path)
@@ -347,3 +348,22 @@ def test_a_place_that_cannot_be_written_is_one_line(tmp_path):
     message = _refused(small_description(), tmp_path / "mind" / "in")
     assert message.startswith(str(tmp_path / "mind"))
     assert "cannot be written" in message
+
+
+def test_minds_are_equal_that_are_written_alike(write_files, tmp_path):
+    mind = MindDescription.load(write_files(FILES))
+    mind.save(tmp_path / "saved.yaml")
+    assert MindDescription.load(tmp_path / "saved.yaml") == mind
+    learner = next(one for one in mind.skills.values() if one.genome_size)
+    other = mind.with_modules(skills=[learner.changed(genome=np.full(learner.genome_size, 0.25))])
+    assert other != mind
+    assert mind != "mind"
+
+
+def test_functions_that_cannot_be_written_are_like_no_others():
+    def robot():
+        skill = Skill("Turn", ["SE:Far"], ["MO:MotL"], Programmed(lambda far: far))
+        return MindDescription("robot", ["Far"], ["MotL"], skills=[skill])
+
+    one = robot()
+    assert one == one and one != robot()

@@ -1,0 +1,18 @@
+"""Which worlds there are: for learning, for choosing and for reporting, and none is in two of them.
+
+Trainings draw worlds of 64 bits from a hash of `TRAINING`, the attempt, the lesson and the
+generation; their finals too. What is chosen, such as parameters of a rule, or one of ten attempts,
+is chosen in the worlds for choosing. What a page or table says was measured in those for
+reporting.
+"""
+
+TRAINING = 8
+"""The seed of trainings."""
+CHOOSING = range(3001, 3101)
+"""Worlds in bodies in which attempts and parameters are chosen."""
+REPORTED = range(6001, 6101)
+"""Worlds in bodies of which results tell; the first 50 are those of `analysis/specialisation`."""
+CHOOSING_ECONOMY = range(10_000, 10_128)
+"""Worlds of the economy in which parameters are chosen."""
+REPORTED_ECONOMY = range(256)
+"""Worlds of the economy of which results tell."""
