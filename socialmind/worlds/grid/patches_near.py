@@ -17,7 +17,8 @@ from numba.extending import register_jitable
 def place_on(value: float, low: int, size: int, wraps: int) -> int:
     """Return the column, or row, of a coordinate, counted from 0."""
     if wraps:
-        return (math.floor(value + 0.5) - low) % size
+        place = math.floor(value + 0.5) - low
+        return place if 0 <= place < size else place % size
     if not low - 0.5 <= value < low - 0.5 + size:
         raise ValueError("a point outside the world; ask world.is_inside(x, y) before")
     return min(math.floor(value + 0.5) - low, size - 1)  # a hair before the wall, rounded up
@@ -128,6 +129,12 @@ def count_around(
 
 
 @register_jitable
+def once_round(place: int, size: int) -> int:
+    """Return a column, or row, that lies at most once round the world, as one in it."""
+    return place + size if place < 0 else (place - size if place >= size else place)
+
+
+@register_jitable
 def nth_around(
     number: int,
     x: float,
@@ -148,7 +155,8 @@ def nth_around(
     if not four:
         if number >= own_x * rows + own_y:
             number += 1
-        across, up = number // rows, number % rows
+        across = number // rows
+        up = number - across * rows
     elif number < own_x:
         across, up = number, own_y
     elif number < own_x + rows - 1:
@@ -157,4 +165,4 @@ def nth_around(
             up += 1
     else:
         across, up = number - rows + 2, own_y
-    return (first_x + across) % width * height + (first_y + up) % height
+    return once_round(first_x + across, width) * height + once_round(first_y + up, height)
