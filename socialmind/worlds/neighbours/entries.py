@@ -9,7 +9,8 @@ The arrays of an index, in what follows:
 
 - cells: how the world is cut.
 - starts: where in the entries each cell begins, and after the last where it ends.
-- entries: where an agent stands, its place in the order of birth, what it went; beside whom it is.
+- entries: where an agent stands and its place in the order of birth; how far it went (`kept`), or,
+  in a list, its cell and who is beside it.
 - heads: the first in the list of each cell, −1 where there is none.
 - spots: where in the entries the agent of a slot is, −1 for the dead.
 - rows, counters, order, alive: the population's, as `agents.bookkeeping` has them.
