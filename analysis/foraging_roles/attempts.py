@@ -155,15 +155,15 @@ def report(table: pd.DataFrame) -> str:
     """Return the attempts side by side, and the means of each way, as Markdown."""
     conditions = [one for one in CONDITIONS if one in set(table["condition"])]
     lines = [
-        "| way | attempt | " + " | ".join(conditions) + " | changes | objects |",
-        "|---" * (len(conditions) + 4) + "|",
+        "| way | attempt | worlds | " + " | ".join(conditions) + " | changes | objects |",
+        "|---" * (len(conditions) + 5) + "|",
     ]
     for (way, attempt), part in table.groupby(["way", "attempt"], sort=False):
         within = part.groupby("condition")["within_one"].mean()
         calm = part[part["condition"] == "undisturbed"]
         marked = " (picked)" if way == PICKED else ""
-        cells = [f"{way}{marked}", str(attempt or "–")]
-        cells += [f"{within[one]:.0%}" for one in conditions]
+        cells = [f"{way}{marked}", str(attempt or "–"), str(part["world"].nunique())]
+        cells += [f"{within[one]:.0%}" if one in within else "–" for one in conditions]
         cells += [f"{calm['changes'].mean():.2f}", f"{calm['delivered'].mean():.0f}"]
         lines.append("| " + " | ".join(cells) + " |")
     lines += [
@@ -173,7 +173,8 @@ def report(table: pd.DataFrame) -> str:
     ]
     for (way, condition), part in table.groupby(["way", "condition"], sort=False):
         square = part.pivot_table(index="attempt", columns="world", values="within_one")
-        if len(square) < 2:
+        square = square.dropna(axis="columns")  # the worlds in which all were judged
+        if len(square) < 2 or square.empty:
             continue
         found = crossed_interval(square.to_numpy())
         each = square.mean(axis=1)

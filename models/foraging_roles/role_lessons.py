@@ -137,8 +137,8 @@ delivered_finely = delivered_role.changed(
 delivered_narrow = delivered_role.changed(
     settings={"population": 40, "step": 0.5}, repetitions=16, generations=400
 )
-"""All with as few individuals as `supervised_role`. Many attempts never get away from robots that
-stay as they are."""
+"""All with as few individuals as `supervised_role`. Many attempts never come to divide their
+work."""
 
 BOTH = (ROLE, CHOICE)
 at_once = Lesson(

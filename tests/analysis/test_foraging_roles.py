@@ -158,9 +158,9 @@ def test_attempts_are_reported_side_by_side_and_over_trainings_and_worlds():
     rows.append((attempts.PICKED, 1, "undisturbed", 1, 1, 0.1, 700, 610))
     table = pd.DataFrame(rows, columns=[*attempts.KEYS, *attempts.JUDGED])
     text = attempts.report(table)
-    assert "| learned | 1 | 100% | 0.50 | 600 |" in text
-    assert "| learned | 2 | 0% | 1.00 | 600 |" in text
-    assert "(picked) | 1 | 100% | 0.10 | 610 |" in text
+    assert "| learned | 1 | 3 | 100% | 0.50 | 600 |" in text
+    assert "| learned | 2 | 3 | 0% | 1.00 | 600 |" in text
+    assert "(picked) | 1 | 1 | 100% | 0.10 | 610 |" in text
     assert "| learned | 2 | undisturbed | 50% | 0% to 100% | 0%, 100% |" in text
 
 
