@@ -30,6 +30,7 @@ INTS = [
 SMALL_INTS = [*range(-3, 12), 40, 62, 63, 64, 1000]
 
 ONE = {  # of one number: what Python calls it
+    "square": lambda x: x**2,
     "to_int": int,
     "trunc": math.trunc,
     "floor": math.floor,
