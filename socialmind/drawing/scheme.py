@@ -34,6 +34,8 @@ HEADING = 1.1
 """Lines, for the name of a group, and for that of a role."""
 INSET = 0.02
 """Of the width, between a role's box and those of its culturons."""
+LETTER = 0.62
+"""How wide a letter is, of the size of its font."""
 THIN, THICK = 0.5, 2.2
 MARKS = dict(zip(TYPES, "osvD^P", strict=True))
 """How boxes are marked by the type of their cogniton."""
@@ -131,7 +133,9 @@ def _draw_group(
         for one, links in held:
             lines = max(1, len(links))
             colour = tuple(part / 255 for part in one.colour)
-            _box(axes, INSET / 2, COGNITONS - INSET / 4, inner, lines, one.name, colour)
+            room = (COGNITONS - 2 * INSET) * axes.bbox.width / axes.figure.dpi * 72
+            size = min(7.0, room / (LETTER * len(one.name)))
+            _box(axes, INSET / 2, COGNITONS - INSET / 4, inner, lines, one.name, colour, size)
             _lines(axes, links, inner, plans, largest, "-.")
             inner += lines + GAP / 2
         top += high + GAP / 2
@@ -189,7 +193,7 @@ def _links(cogniton: Cogniton | Culturon, scheme: CognitiveScheme) -> Iterator[_
 
 def _box(
     axes: Axes, left: float, right: float, top: float, high: float, name: str,
-    colour: tuple[float, ...] | None,
+    colour: tuple[float, ...] | None, size: float = 7.0,
 ) -> None:  # fmt: skip
     box = FancyBboxPatch(
         (left + 0.005, top + 0.06), right - left - 0.01, high - 0.12,
@@ -200,7 +204,7 @@ def _box(
     if colour is not None:
         axes.plot([left + 0.016] * 2, [top + 0.25, top + high - 0.25], color=colour, linewidth=2.0)
     middle = (left + right) / 2 + (0.012 if colour is not None else 0)
-    axes.text(middle, top + high / 2, name, fontsize=7, ha="center", va="center")
+    axes.text(middle, top + high / 2, name, fontsize=size, ha="center", va="center")
 
 
 def _curve(axes: Axes, link: _Link, begin: float, end: float, largest: float, style: str) -> None:
