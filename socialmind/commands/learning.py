@@ -160,7 +160,7 @@ def line_of(news: News, left: float | None) -> str:
     speed = news.ticks / max(news.seconds, 1e-9)
     parts = [
         f"attempt {news.attempt}, {news.lesson.name}",
-        f"generation {news.generation:,} of {news.lesson.generations:,}",
+        f"generation {news.generation:,} of {news.lesson.starts * news.lesson.generations:,}",
         f"best {news.best:.4g}",
         f"mean {news.mean:.4g}",
         f"{speed:,.0f} ticks/s",

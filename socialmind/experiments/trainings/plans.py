@@ -77,6 +77,7 @@ class TrainingPlan:
             few = {name: one for name, one in given.items() if name in lesson.kind.known_settings}
             return lesson.changed(
                 generations=min(lesson.generations, generations),
+                starts=min(lesson.starts, 2),
                 budget=None,
                 repetitions=repetitions,
                 ticks=lesson.ticks if ticks is None else min(lesson.episode_ticks, ticks),
@@ -115,7 +116,7 @@ def most_ticks(lesson: Lesson) -> int:
     """Return the ticks of a lesson whose episodes all last to the end."""
     population = int(lesson.settings["population"])
     generation = population * lesson.repetitions * lesson.episode_ticks
-    whole = lesson.generations * generation
+    whole = lesson.starts * lesson.generations * generation
     return whole if lesson.budget is None else min(whole, lesson.budget + generation)
 
 

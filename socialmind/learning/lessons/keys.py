@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import hashlib
 
-WORLD, OPTIMISER, FINAL, BEGINNING, VALIDATION = (
+WORLD, OPTIMISER, FINAL, BEGINNING, VALIDATION, START = (
     "world",
     "optimiser",
     "final",
     "beginning",
     "validation",
+    "start",
 )
 """What learning draws seeds for."""
 

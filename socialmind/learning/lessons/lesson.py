@@ -59,6 +59,10 @@ class Lesson:
         parameters: of the environment, by name.
         finalists: how many individuals are judged once more after the last generation, 1 or more.
         finals: on how many worlds, 1 or more.
+        starts: how many times it is begun at most, each time for all its generations and by other
+            draws, 1 or more. The winner of the finals of all starts counts, which are on the same
+            worlds.
+        enough: a score in the finals from which there is no other start; None for all of them.
         validation: on how many worlds, the same ones in all generations, the best individual of
             each generation is judged once more for the curve alone; 0 for none. It changes nothing
             of what is learned, and its ticks are not counted.
@@ -94,6 +98,8 @@ class Lesson:
     stand_ins: tuple[Skill, ...] = ()
     finalists: int = 10
     finals: int = 32
+    starts: int = 1
+    enough: float | None = None
     validation: int = 0
     file: str | None = field(default=None, repr=False)
     line: int | None = field(default=None, repr=False)
@@ -106,7 +112,7 @@ class Lesson:
                 f"with the environment {self.environment!r}", "a class with rewards, or its name"
             )
         self._check_skills()
-        for what in ("repetitions", "generations", "finalists", "finals"):
+        for what in ("repetitions", "generations", "finalists", "finals", "starts"):
             self._check_whole(what, getattr(self, what))
         for what in ("ticks", "budget"):
             if getattr(self, what) is not None:
@@ -119,6 +125,8 @@ class Lesson:
         spread = self.spread
         if not is_number(spread) or spread < 0.0:
             raise self.refused(f"with spread={shown(spread)}", "a number, 0 or more")
+        if self.enough is not None and not is_number(self.enough):
+            raise self.refused(f"with enough={shown(self.enough)}", "a score, or None")
         if self.drive is not None and not callable(self.drive):
             raise self.refused(f"with the drive {self.drive!r}", "a function of the mind")
         try:
@@ -207,6 +215,7 @@ class Lesson:
             "finals": self.finals,
             # A lesson without them has the record that it would have if there were no such thing.
             **({"validation": self.validation} if self.validation else {}),
+            **({"starts": self.starts, "enough": self.enough} if self.starts > 1 else {}),
             **({"stand_ins": [one.name for one in self.stand_ins]} if self.stand_ins else {}),
         }
 

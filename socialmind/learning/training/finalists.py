@@ -7,7 +7,7 @@ judged on easy worlds. So the foremost are compared on common ones.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -103,6 +103,32 @@ class Finalists:
                 some.append(individual_of(archive.part(arrays, f"{name}/{number}/")))
 
 
+@dataclass(frozen=True, eq=False)
+class Finals:
+    """What finals came to, of one start or of several.
+
+    Attributes:
+        winner: the individual that did best.
+        score, deviation: the mean and the standard deviation of its scores.
+        finalists: the mean scores by generation.
+        ticks: of the finals.
+    """
+
+    winner: Individual
+    score: float
+    deviation: float
+    finalists: tuple[tuple[int, float], ...]
+    ticks: int
+
+    def after(self, before: Finals | None) -> Finals:
+        """Return what both came to; of equals the one before counts."""
+        if before is None:
+            return self
+        better = self if self.score > before.score else before
+        both = before.finalists + self.finalists
+        return replace(better, finalists=both, ticks=before.ticks + self.ticks)
+
+
 def arrays_of(individual: Individual) -> dict[str, Any]:
     """Return an individual as arrays by name."""
     graph = individual.graph
@@ -119,3 +145,20 @@ def individual_of(arrays: Mapping[str, Any]) -> Individual:
     score, generation = arrays["place"]
     graph = NeatGraph.from_lines(lines.splitlines()) if lines else None
     return Individual(np.array(arrays["genome"]), graph, float(score), int(generation))
+
+
+def arrays_of_finals(finals: Finals) -> dict[str, Any]:
+    """Return finals as arrays by name."""
+    return {
+        **archive.under("winner/", arrays_of(finals.winner)),
+        "finalists": np.array(finals.finalists),
+        "numbers": np.array([finals.score, finals.deviation, finals.ticks]),
+    }
+
+
+def finals_of(arrays: Mapping[str, Any]) -> Finals:
+    """Return the finals of arrays that `arrays_of_finals` gave."""
+    score, deviation, ticks = arrays["numbers"].tolist()
+    finalists = tuple((int(generation), mean) for generation, mean in arrays["finalists"].tolist())
+    winner = individual_of(archive.part(arrays, "winner/"))
+    return Finals(winner, score, deviation, finalists, int(ticks))

@@ -67,7 +67,7 @@ class Forecast:
             if cycle is not None and cycle.cycles is None:
                 return None if cycle.budget is None else total + cycle.budget
             lesson = curriculum.at(at)
-            ticks = lesson.generations * self._generation_ticks(lesson)
+            ticks = lesson.starts * lesson.generations * self._generation_ticks(lesson)
             total += ticks if lesson.budget is None else min(ticks, lesson.budget)
             at = curriculum.next(at)
         return total

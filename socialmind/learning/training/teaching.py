@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,7 +19,15 @@ from socialmind.learning.lessons import keys
 from socialmind.learning.lessons.lesson import FIXED, KNOWN, Lesson
 from socialmind.learning.optimisers.contract import Optimiser
 from socialmind.learning.training import archive
-from socialmind.learning.training.finalists import Finalists, Individual, arrays_of, individual_of
+from socialmind.learning.training.finalists import (
+    Finalists,
+    Finals,
+    Individual,
+    arrays_of,
+    arrays_of_finals,
+    finals_of,
+    individual_of,
+)
 from socialmind.mind.description import MindDescription
 from socialmind.mind.modules import Skill
 from socialmind.work.workers import Stop
@@ -40,8 +49,9 @@ class Result:
         deviation: the standard deviation of its scores there.
         best: the best individual of all generations (thesis, Algorithm 1).
         finalists: the mean scores in the finals, by generation.
-        rows: the curve, shape (generations, columns of `COLUMNS`, and `VALIDATED` if there is).
-        ticks: of all generations and the finals.
+        rows: the curve, shape (generations, columns of `COLUMNS`, and `VALIDATED` if there is); of
+            several starts one after the other.
+        ticks: of all generations and all finals.
     """
 
     winner: Individual
@@ -80,14 +90,21 @@ class Teaching:
         self._key = tuple(key)
         self._skills = [mind.skill(name) for name in lesson.skills]
         self.evaluation = evaluation_of(lesson, mind, engine)
-        self.optimiser = self._optimiser(resumed)
         self.rows: list[tuple[float, ...]] = []
         self.ticks = 0
-        self.finalists = Finalists(lesson.finalists)
         self._best: Individual | None = None
+        self._judged: Finals | None = None
+        self._begin(0, resumed)
+
+    def _begin(self, start: int, resumed: bool = False) -> None:
+        """Begin, for the first time or anew."""
+        self.start = start
+        self._drawn = (*self._key, keys.START, start) if start else self._key
+        self.optimiser = self._optimiser(resumed)
+        self.finalists = Finalists(self.lesson.finalists)
 
     def _optimiser(self, resumed: bool) -> Optimiser:
-        lesson, seed = self.lesson, keys.seed_for(keys.OPTIMISER, *self._key)
+        lesson, seed = self.lesson, keys.seed_for(keys.OPTIMISER, *self._drawn)
         if getattr(lesson.kind, "graphs", False):
             # Topologies grow from what the skill reads and commands, not from a number of weights.
             kind: Any = lesson.kind
@@ -99,7 +116,7 @@ class Teaching:
 
     def _first(self, size: int) -> NDArray[np.float64] | None:
         """Return the individuals that it begins from, if there are any."""
-        lesson, seed = self.lesson, keys.seed_for(keys.BEGINNING, *self._key)
+        lesson, seed = self.lesson, keys.seed_for(keys.BEGINNING, *self._drawn)
         if lesson.first is not None:
             given = lesson.first
             return np.asarray(given(self._skills[0], seed) if callable(given) else given)
@@ -120,9 +137,17 @@ class Teaching:
     @property
     def over(self) -> bool:
         """Whether no other generation begins."""
-        budget = self.lesson.budget
-        return self.generation >= self.lesson.generations or (
-            budget is not None and self.ticks >= budget
+        budget, enough = self.lesson.budget, self.lesson.enough
+        return (
+            self.generation >= self.lesson.generations * self.lesson.starts
+            or (budget is not None and self.ticks >= budget)
+            or (
+                # A start that is over has been judged.
+                self.generation == self.lesson.generations * (self.start + 1)
+                and self._judged is not None
+                and enough is not None
+                and self._judged.score >= enough
+            )
         )
 
     def advance(self, evaluators: Evaluators, stop: Stop) -> None:
@@ -149,10 +174,15 @@ class Teaching:
             float(scores[leader]),
             number,
         )
+        finalists = copy(self.finalists)
+        finalists.add(best)
         # Before anything changes: it may be stopped as well.
         validated = self._validated(best, evaluators, stop)
+        last = number == self.lesson.generations * (self.start + 1)
+        if last and self.lesson.starts > 1:
+            self._judged = self._finals(finalists, evaluators, stop).after(self._judged)
         self.optimiser.tell(scores)
-        self.finalists.add(best)
+        self.finalists = finalists
         if self._best is None or best.score > self._best.score:
             self._best = best
         self.ticks += int(outcome.ticks.sum())
@@ -163,6 +193,8 @@ class Teaching:
                 *validated,
             )
         )  # fmt: skip
+        if last and not self.over:
+            self._begin(self.start + 1)
 
     def _validated(self, best: Individual, evaluators: Evaluators, stop: Stop) -> tuple[float, ...]:
         """Return the score of an individual on the worlds of validation, if there are any."""
@@ -180,7 +212,7 @@ class Teaching:
 
     def _worlds(self, generation: int) -> list[int]:
         which = 0 if self.lesson.worlds == FIXED else generation
-        return keys.seeds_for(self.lesson.repetitions, keys.WORLD, *self._key, which)
+        return keys.seeds_for(self.lesson.repetitions, keys.WORLD, *self._drawn, which)
 
     def result(self, evaluators: Evaluators, stop: Stop) -> Result:
         """Judge the finalists on common worlds and return what the lesson has given.
@@ -190,7 +222,23 @@ class Teaching:
         """
         if self._best is None:
             raise ModelError("the finals of a lesson before its first generation")
-        chosen = self.finalists.chosen()
+        found = self._judged
+        begun_at = self.lesson.generations * self.start
+        whole = self.generation == begun_at + self.lesson.generations
+        if found is None or (self.generation > begun_at and not whole):
+            found = self._finals(self.finalists, evaluators, stop).after(found)
+        return Result(
+            found.winner,
+            found.score,
+            found.deviation,
+            self._best,
+            found.finalists,
+            np.array(self.rows),
+            self.ticks + found.ticks,
+        )
+
+    def _finals(self, finalists: Finalists, evaluators: Evaluators, stop: Stop) -> Finals:
+        chosen = finalists.chosen()
         if self.lesson.start == KNOWN:
             # What was known before is not given up for anything worse.
             known = np.concatenate([skill.genome for skill in self._skills])
@@ -201,14 +249,12 @@ class Teaching:
         outcome = evaluators.evaluate(self.evaluation, self._asked(chosen), worlds, stop)
         means = outcome.score.mean(axis=1)
         place = int(means.argmax())
-        return Result(
+        return Finals(
             chosen[place],
             float(means[place]),
             float(outcome.score[place].std()),
-            self._best,
             tuple((one.generation, float(mean)) for one, mean in zip(chosen, means, strict=True)),
-            np.array(self.rows),
-            self.ticks + int(outcome.ticks.sum()),
+            int(outcome.ticks.sum()),
         )
 
     def _skill_of(self, graph: Any, weights: Any) -> Skill:
@@ -226,10 +272,20 @@ class Teaching:
             **archive.under("optimiser/", self.optimiser.state()),
             **archive.under("finalists/", self.finalists.state()),
             **({} if self._best is None else archive.under("best/", arrays_of(self._best))),
+            **({"start": np.array(self.start)} if self.start else {}),
+            **(
+                {}
+                if self._judged is None
+                else archive.under("judged/", arrays_of_finals(self._judged))
+            ),
         }
 
     def restore(self, arrays: Mapping[str, Any]) -> None:
         """Go on from what `state` gave."""
+        if "start" in arrays:
+            self._begin(int(arrays["start"]), resumed=True)
+        judged = archive.part(arrays, "judged/")
+        self._judged = finals_of(judged) if judged else None
         self.rows = [tuple(row) for row in arrays["rows"].tolist()]
         self.ticks = int(arrays["ticks"])
         self.optimiser.restore(archive.part(arrays, "optimiser/"))

@@ -143,6 +143,38 @@ def test_first_individuals_stand_at_the_head(lesson, robot):
     assert 0 < workers.genomes[0][2, 0] < 1
 
 
+def test_it_is_begun_anew_by_other_draws_and_the_best_of_all_finals_counts(lesson, robot):
+    one, alone, _ = taught(lesson("Go", luck=0.5), robot)
+    teaching, result, workers = taught(lesson("Go", luck=0.5, starts=3), robot)
+    assert teaching.generation == 3 * 6
+    assert (result.rows[:6, :-1] == alone.rows[:, :-1]).all()
+    assert (result.rows[:, 0] == np.arange(1, 19)).all()
+    finals = [n for n, seeds in enumerate(workers.seeds) if len(seeds) == 5]
+    assert finals == [6, 13, 20]
+    assert len({workers.seeds[n] for n in finals}) == 1
+    judged_on = {seed for n, seeds in enumerate(workers.seeds) if n not in finals for seed in seeds}
+    assert len(judged_on) == 3 * 6 * 2
+    assert result.score == max(score for _, score in result.finalists)
+    assert dict(result.finalists[: len(alone.finalists)]) == dict(alone.finalists)
+    assert {(generation - 1) // 6 for generation, _ in result.finalists} == {0, 1, 2}
+    assert result.ticks == teaching.ticks + 3 * (alone.ticks - one.ticks)
+
+
+def test_there_is_no_other_start_when_one_is_good_enough(lesson, robot):
+    _, alone, _ = taught(lesson("Go"), robot)
+    _, content, _ = taught(lesson("Go", starts=3, enough=alone.score), robot)
+    assert (len(content.rows), content.score, content.ticks) == (6, alone.score, alone.ticks)
+    _, ambitious, _ = taught(lesson("Go", starts=3, enough=0.1), robot)
+    assert len(ambitious.rows) == 18
+
+
+def test_a_budget_that_cuts_a_start_short_lets_it_be_judged_all_the_same(lesson, robot):
+    one, _, _ = taught(lesson("Go"), robot)
+    cut, result, _ = taught(lesson("Go", starts=3, budget=one.ticks + 1), robot)
+    assert cut.generation == 7
+    assert result.finalists[-1][0] == 7
+
+
 def test_several_skills_learn_as_one(lesson, robot):
     mind = robot.with_modules(skills=[robot.skill("Top").changed(genome=np.ones(4))])
     teaching, result, _ = taught(lesson("Both", skill=("Turn", "Go"), master="Top"), mind)
@@ -161,11 +193,11 @@ def test_graphs_that_grow(lesson, robot):
 
 
 @pytest.mark.parametrize("optimiser", ["GENETIC", "NEAT"])
-@pytest.mark.parametrize("after", [0, 3, 6])
-def test_restored_it_goes_on_as_if_undisturbed(lesson, robot, tmp_path, optimiser, after):
+@pytest.mark.parametrize(("after", "starts"), [(0, 1), (3, 1), (6, 1), (6, 2), (9, 2), (12, 2)])
+def test_restored_it_goes_on_as_if_undisturbed(lesson, robot, tmp_path, optimiser, after, starts):
     if optimiser == "NEAT":
         pytest.importorskip("neat")
-    one = lesson("Go", optimiser=optimiser)
+    one = lesson("Go", optimiser=optimiser, starts=starts)
     workers = Evaluators(Threads(1))
     _, undisturbed, _ = taught(one, robot, workers)
     first = Teaching(one, robot, KEY, COMPILED)
@@ -182,6 +214,7 @@ def test_restored_it_goes_on_as_if_undisturbed(lesson, robot, tmp_path, optimise
     assert result.winner.same(undisturbed.winner)
     assert result.best.same(undisturbed.best)
     assert result.finalists == undisturbed.finalists
+    assert result.ticks == undisturbed.ticks
 
 
 @pytest.mark.parametrize(
