@@ -24,7 +24,7 @@ from socialmind.learning import Training
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription
 
-from .role_trainings import PLANS, best_starts
+from .role_trainings import PLANS
 from .threshold_scan import CONTROLLERS, RULES
 from .trainings import MODEL, kept, mind_of
 from .worlds import REPORTED
@@ -33,7 +33,7 @@ MEASURES = load_file(MODEL / "measures.py")
 RESULTS = Path(__file__).parent / "results"
 WORLDS, FEW = 40, 2
 TICKS, SHORT = 60_000, 4000
-SUPERVISED, NARROW = "supervised_role", "delivered_narrow"
+SUPERVISED = "supervised_role"
 PICKED = "the model's mind"
 CONDITIONS: Mapping[str, Mapping[str, int]] = {
     "undisturbed": {},
@@ -78,10 +78,6 @@ def contestants() -> Iterator[Contestant]:
             for attempt in training.finished:
                 if name != SUPERVISED or attempt > len(kept()["learned"]):
                     yield Contestant(name, attempt, training.mind(attempt))
-    if (PLANS.kept / NARROW).is_dir():
-        training = Training(PLANS.kept / NARROW)
-        for place, attempt in enumerate(best_starts(training), 1):
-            yield Contestant("best of five starts", place, training.mind(attempt))
     yield Contestant("programmed", 0, None, {"programmed": 1.0})
     for name, parameters in CONTROLLERS.items():
         yield Contestant(name, 0, None, parameters)

@@ -1,4 +1,4 @@
-"""The trainings of `role_lessons`, ten attempts each, as folders that can be gone on with.
+"""The trainings of `role_lessons`, as folders that can be gone on with.
 
 python -m analysis.foraging_roles.role_trainings delivered_role         # or gone on with
 python -m analysis.foraging_roles.role_trainings keep delivered_role    # into results/trainings/
@@ -15,39 +15,46 @@ from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
 from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
-from socialmind.learning import Curriculum, Training
-from socialmind.mind import MindDescription
+from socialmind.learning import Curriculum
 
-from .worlds import CHOOSING_ECONOMY, TRAINING
+from .worlds import TRAINING
 
 MODEL = model_folder("foraging_roles")
 LESSONS = load_file(MODEL / "role_lessons.py")
 ATTEMPTS = 10
-STARTS = 5
-"""Attempts at `delivered_narrow` of which the best one counts as one, chosen in worlds for it."""
+FEW, NARROW = 3, 5
+"""Of lessons that are kept to show why `delivered_anew` is as it is."""
 
 PLANS = TrainingPlans(
     Path(__file__).parent,
     {
         "delivered_role": TrainingPlan(
             "judged by what is brought home, CollectSelect learned before",
-            ATTEMPTS,
+            FEW,
             LESSONS.choosing,
             lambda: LESSONS.delivered,
             "foraging_roles",
             TRAINING,
         ),
         "delivered_narrow": TrainingPlan(
-            "the same with a third of the individuals; of five starts the best one counts",
-            ATTEMPTS * STARTS,
+            "the same with a third of the individuals",
+            NARROW,
             LESSONS.choosing,
             lambda: LESSONS.narrow,
             "foraging_roles",
             TRAINING,
         ),
+        "delivered_anew": TrainingPlan(
+            "the same, begun anew until it has succeeded",
+            ATTEMPTS,
+            LESSONS.choosing,
+            lambda: LESSONS.anew,
+            "foraging_roles",
+            TRAINING,
+        ),
         "at_once": TrainingPlan(
             "judged by what is brought home, CollectSelect learned together with ForageRole",
-            ATTEMPTS,
+            FEW,
             LESSONS.choosing,
             lambda: LESSONS.together,
             "foraging_roles",
@@ -71,27 +78,6 @@ PLANS = TrainingPlans(
         ),
     },
 )
-
-
-def best_starts(training: Training, starts: int = STARTS) -> list[int]:
-    """Return of each few attempts at a role by deliveries the best one, in worlds for choosing.
-
-    Args:
-        training: of `DeliveryEconomy`; attempts of a few that is not complete are left out.
-        starts: how many of them are one.
-    """
-    found, done = [], training.finished
-    for first in range(0, len(done) - starts + 1, starts):
-        few = done[first : first + starts]
-        found.append(max(few, key=lambda attempt: score_in_economy(training.mind(attempt))))
-    return found
-
-
-def score_in_economy(mind: MindDescription) -> float:
-    """Return what a mind comes to by the terms of the lesson, in the worlds for choosing."""
-    economy = LESSONS.DeliveryEconomy({}, mind, LESSONS.MASTER, LESSONS.ROLE)
-    outcome = economy.run([mind.skill(LESSONS.ROLE).genome], list(CHOOSING_ECONOMY))
-    return float(outcome.score.mean())
 
 
 if __name__ == "__main__":

@@ -140,6 +140,20 @@ delivered_narrow = delivered_role.changed(
 """All with as few individuals as `supervised_role`. Many attempts never come to divide their
 work."""
 
+delivered_anew = delivered_narrow.changed(
+    generations=220, starts=8, enough=-0.13, name="delivered_role, begun anew"
+)
+"""So it is begun anew until it has succeeded, eight times at most."""
+delivered_closely = delivered_narrow.changed(
+    name="delivered_role, closely",
+    settings={"population": 40, "step": 0.1},
+    repetitions=32,
+    generations=60,
+    start="known",
+    spread=0.05,
+)
+"""Then in twice as many worlds, near what was found."""
+
 BOTH = (ROLE, CHOICE)
 at_once = Lesson(
     "delivered_role",
@@ -184,5 +198,6 @@ thesis_role = Lesson(
 
 delivered = Curriculum((choose, delivered_role, delivered_finely), mind=choosing())
 narrow = Curriculum((choose, delivered_narrow), mind=choosing())
+anew = Curriculum((choose, delivered_anew, delivered_closely), mind=choosing())
 together = Curriculum((at_once, at_once_briskly), mind=choosing())
 thesis = Curriculum((thesis_role,), mind=as_in_thesis())
