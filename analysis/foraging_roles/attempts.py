@@ -20,20 +20,19 @@ import pandas as pd
 
 from socialmind.catalogue import load_file
 from socialmind.experiments.measures.crossed import crossed_interval
-from socialmind.learning import Training
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription
 
+from .minds import minds_of
 from .role_trainings import PLANS
 from .threshold_scan import CONTROLLERS, RULES
-from .trainings import MODEL, kept, mind_of
+from .trainings import MODEL
 from .worlds import REPORTED
 
 MEASURES = load_file(MODEL / "measures.py")
 RESULTS = Path(__file__).parent / "results"
 WORLDS, FEW = 40, 2
 TICKS, SHORT = 60_000, 4000
-SUPERVISED = "supervised_role"
 PICKED = "the model's mind"
 CONDITIONS: Mapping[str, Mapping[str, int]] = {
     "undisturbed": {},
@@ -70,14 +69,9 @@ class Contestant:
 def contestants() -> Iterator[Contestant]:
     """Yield all that are judged: the model's mind, all attempts kept, and what is programmed."""
     yield Contestant(PICKED, 1)
-    for attempt, genome in enumerate(kept()["learned"], 1):
-        yield Contestant(SUPERVISED, attempt, mind_of("learned", genome))
     for name in PLANS:
-        if (PLANS.kept / name).is_dir():
-            training = Training(PLANS.kept / name)
-            for attempt in training.finished:
-                if name != SUPERVISED or attempt > len(kept()["learned"]):
-                    yield Contestant(name, attempt, training.mind(attempt))
+        for attempt, mind in minds_of(name).items():
+            yield Contestant(name, attempt, mind)
     yield Contestant("programmed", 0, None, {"programmed": 1.0})
     for name, parameters in CONTROLLERS.items():
         yield Contestant(name, 0, None, parameters)

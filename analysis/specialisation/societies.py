@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import Any
 
 import pandas as pd
 
+from socialmind.catalogue import load_file
 from socialmind.drawing import style as paper
+from socialmind.experiments.studies import topics
+
+TRAINED = topics()["foraging_roles"]
+CONTROLLERS = load_file(TRAINED / "threshold_scan.py").CONTROLLERS
 
 WANTED_B = 2 / 3
 """The share of objects B that is wanted, until the ratio is turned round."""
@@ -23,17 +29,26 @@ class Society:
         about: who decides about the robots' roles, in a line.
         parameters: of the model.
         colour: in figures.
-        thesis: whether its mind is the one that was learned as in the thesis.
+        dash: of its lines.
+        lesson: whose attempts its minds are, all that are kept in `analysis/foraging_roles`; empty
+            where nothing was learned.
     """
 
     name: str
     title: str
     about: str
-    parameters: Mapping[str, float] = field(default_factory=dict)
-    colour: str = paper.INK
-    thesis: bool = False
+    parameters: Mapping[str, float]
+    colour: str
+    dash: Any = "-"
+    lesson: str = ""
 
 
+def unlearned(which: int) -> Mapping[str, float]:
+    """Return the parameters of robots of which neither a scheme nor a mind decides."""
+    return {"unlearned": which}
+
+
+LEARNED: Mapping[str, float] = {"unlearned": 0}
 SOCIETIES = {
     one.name: one
     for one in (
@@ -44,36 +59,55 @@ SOCIETIES = {
             {"programmed": 1.0}, paper.RED,
         ),
         Society(
-            "learned", "learned",
-            "the skill ForageRole of a hierarchy, learned by all robots as one genome",
-            colour=paper.BLUE,
+            "fixed_thresholds", "fixed thresholds",
+            "response thresholds that differ between robots and stay (Bonabeau et al., 1998)",
+            CONTROLLERS["fixed_thresholds"], paper.GOLD,
+        ),
+        Society(
+            "reinforced_thresholds", "reinforced thresholds",
+            "response thresholds that fall with doing and rise without (Theraulaz et al., 1998)",
+            CONTROLLERS["reinforced_thresholds"], paper.GOLD, (0, (4, 2)),
+        ),
+        Society(
+            "delivered", "learned by deliveries",
+            "the skill ForageRole of a hierarchy, learned by all robots as one genome from what "
+            "they bring home; CollectSelect was learned before (lesson `delivered_anew`)",
+            LEARNED, paper.BLUE, lesson="delivered_anew",
+        ),
+        Society(
+            "supervised", "learned, supervised",
+            "the same skill, taught by a teacher that sees the variable ROLE; what ROLE means is a "
+            "program (lesson `supervised_role`)",
+            LEARNED, paper.BLUE, (0, (4, 2)), lesson="supervised_role",
+        ),
+        Society(
+            "counts", "learned by the counts",
+            "the same skill, a perceptron taught with nine undecided robots, one ratio and no "
+            "shock, judged by the counts alone; not in bodies, as the thesis's was",
+            LEARNED, paper.PURPLE, lesson="thesis",
         ),
         Society(
             "fixed", "fixed roles",
             "nobody: robots begin in the wanted split and stay what they are",
-            {"unlearned": 1}, paper.INK,
+            unlearned(1), paper.INK, (0, (4, 2)),
         ),
         Society(
             "random", "random roles",
             "luck: after each delivery the role is drawn by the ratio wanted at the start",
-            {"unlearned": 2}, paper.GREY,
+            unlearned(2), paper.GREY, (0, (1, 1.5)),
         ),
         Society(
             "greedy", "greedy",
             "the last payoff: a robot whose object was worth less than 0.5 takes the other role",
-            {"unlearned": 3}, paper.GOLD,
-        ),
-        Society(
-            "thesis", "as in the thesis",
-            "a perceptron that was learned as in the thesis: nine undecided robots, one ratio, no "
-            "shock, judged by the counts alone",
-            colour=paper.PURPLE, thesis=True,
+            unlearned(3), paper.GREY, (0, (5, 1.5, 1, 1.5)),
         ),
     )
 }  # fmt: skip
 """By name. In all of them the same trained skills, Collect A and Collect B, carry out the role."""
-REFERENCE = "learned"
+REFERENCE = "programmed"
 """The society that the others are compared with."""
+MIXED_WITH = "delivered"
+"""The society whose robots share a society with programmed ones."""
 
 
 @dataclass(frozen=True)
@@ -143,16 +177,20 @@ class Size:
     """How much is run.
 
     Attributes:
-        worlds: for each society and condition.
+        worlds: for each society, attempt and condition.
         ticks: of each.
-        shares: of programmed robots, in mixed societies.
+        mixed_worlds: for each mixture and attempt.
+        mixed: numbers of programmed robots among nine, in mixed societies.
+        attempts: of a lesson at most; None for all that are kept.
         farmers: seeds of the societies of farmers and artisans.
         farmers_ticks: of each.
     """
 
     worlds: int
     ticks: int
-    shares: tuple[float, ...]
+    mixed_worlds: int
+    mixed: tuple[int, ...]
+    attempts: int | None
     farmers: int
     farmers_ticks: int
 
@@ -162,7 +200,8 @@ class Size:
         return self.ticks // 2
 
 
-FULL = Size(50, 60_000, tuple(n / 9 for n in range(10)), 20, 50_000)
-QUICK = Size(6, 30_000, (0.0, 1 / 3, 2 / 3, 1.0), 6, 50_000)
+ROBOTS = 9
+FULL = Size(25, 60_000, 10, (3, 6), None, 20, 50_000)
+QUICK = Size(4, 20_000, 2, (3,), 2, 4, 20_000)
 SEED = 6001
-"""Of the first world; the others follow. All societies meet the same ones."""
+"""The seed of the first world of robots; worlds in which nothing was trained or chosen."""

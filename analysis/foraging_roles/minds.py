@@ -1,0 +1,26 @@
+"""The minds that lessons came to, every attempt that is kept."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from socialmind.learning import Training
+from socialmind.mind import MindDescription
+
+from .role_trainings import PLANS
+from .trainings import kept, mind_of
+
+
+def minds_of(lesson: str) -> Mapping[int, MindDescription]:
+    """Return the minds of a lesson's attempts by their numbers; none where none is kept.
+
+    Args:
+        lesson: a plan of `role_trainings`, or of `trainings`, whose genomes are kept as a table.
+    """
+    if lesson not in PLANS:
+        genomes = kept().get(lesson, [])
+        return {attempt: mind_of(lesson, genome) for attempt, genome in enumerate(genomes, 1)}
+    if not (PLANS.kept / lesson).is_dir():
+        return {}
+    training = Training(PLANS.kept / lesson)
+    return {attempt: training.mind(attempt) for attempt in training.finished}
