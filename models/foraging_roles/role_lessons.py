@@ -141,7 +141,7 @@ delivered_narrow = delivered_role.changed(
 work."""
 
 delivered_anew = delivered_narrow.changed(
-    generations=220, starts=8, enough=-0.13, name="delivered_role, begun anew"
+    generations=220, starts=8, enough=-0.17, name="delivered_role, begun anew"
 )
 """So it is begun anew until it has succeeded, eight times at most."""
 delivered_closely = delivered_narrow.changed(
