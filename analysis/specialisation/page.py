@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import platform
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import matplotlib
@@ -18,9 +16,11 @@ from socialmind.catalogue import model_folder
 from socialmind.mind import MindDescription
 
 from . import farmers, html
+from .claims import claims_of, told
+from .plots import KINDS
 from .societies import CONDITIONS, FULL, REFERENCE, SEED, SOCIETIES, Size
-from .tables import MEASURED, beyond_both, mixed_of
-from .words import capital, number, one_of, spread
+from .tables import MEASURED
+from .words import capital, number, one_of, percent, spread
 from .worlds import EVERY
 
 if TYPE_CHECKING:
@@ -28,15 +28,22 @@ if TYPE_CHECKING:
 
 
 TITLE = "Programmed and learned specialisation"
-FINDINGS = Path(__file__).with_name("findings.md")
-"""What was found in the full study, written by hand: a section for each part of the page."""
+NOT_SO = "Said of the study that is kept, and not so in this run:"
 
 
-def findings(section: str) -> str:
-    """Return what is written about a part of the page, as a list."""
-    text = FINDINGS.read_text(encoding="utf-8")
-    own = text.split(f"\n## {section}\n", 1)[1].split("\n## ", 1)[0]
-    return html.bullets(line.removeprefix("- ") for line in own.splitlines() if line)
+def found(section: str, tables: Mapping[str, pd.DataFrame], size: Size) -> str:
+    """Return what is said about a part of the page, as a list; of a small study nothing is."""
+    if size != FULL:
+        return ""
+    lines = []
+    for claim in claims_of(section):
+        one = told(claim, tables)
+        lines.append(
+            one.text
+            if one.holds
+            else f"Said of the study as it was kept, and not so in this run: {one.text}"
+        )
+    return html.bullets(lines)
 
 
 def page_of(
@@ -54,25 +61,28 @@ def page_of(
             "the farmers and artisans, with a learned mind in the place of their scheme.",
             lead=True,
         ),
-        findings("summary"),
+        found("summary", tables, size),
     ]
     if size != FULL:
         top.append(
             html.paragraph(
-                f"This is a small version: {size.worlds} worlds of {number(size.ticks, 0)} ticks, "
-                f"not {FULL.worlds} of {number(FULL.ticks, 0)}. What is said in words "
-                "is of the full one."
+                f"This is a small version, to see that all works: {size.worlds} worlds of "
+                f"{number(size.ticks, 0)} ticks, not {FULL.worlds} of {number(FULL.ticks, 0)}, and "
+                f"{size.attempts} attempts at each lesson. It draws no conclusions."
             )
         )
     sections = [
         html.section("Who is compared", _compared(figures, size), "societies"),
-        html.section("Left alone", _calm(tables, figures), "left-alone"),
+        html.section("Every attempt", _attempts(tables, figures, size), "attempts"),
+        html.section("Left alone", _calm(tables, figures, size), "left-alone"),
         html.section("After shocks", _shocked(tables, figures, size), "shocks"),
-        html.section("Both minds in one society", _mixed(tables, figures), "mixed"),
+        html.section("Both minds in one society", _mixed(tables, figures, size), "mixed"),
         html.section("The other way round: farmers and artisans",
-                       _farmers(tables, figures, village, size), "farmers"),
+                     _farmers(tables, figures, village, size), "farmers"),
         html.section("What is measured", _definitions(), "measures"),
-        html.section("How it was made", _made(size, command, seeds), "method"),
+        html.section("How it was made", _made(tables, size, command, seeds), "method"),
+        html.section("What this does not say", [found("limits", tables, size) or html.paragraph(
+            "See the full study.")], "limits"),
     ]  # fmt: skip
     return html.page(TITLE, top, sections)
 
@@ -102,18 +112,53 @@ def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
     ]
 
 
-def _calm(tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure]) -> list[str]:
+def _attempts(
+    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size
+) -> list[str]:
+    rows = []
+    for one in SOCIETIES.values():
+        own = tables["attempts"][tables["attempts"]["society"] == one.name]
+        for attempt, part in own.groupby("attempt", sort=False):
+            by = part.set_index("condition")
+            row: dict[str, object] = {"society": one.title, "attempt": attempt or "–"}
+            for name, condition in CONDITIONS.items():
+                row[condition.title] = percent(by.loc[name, "within"])
+            row["changes of roles"] = number(by.loc["undisturbed", "changes"])
+            row["objects"] = number(by.loc["undisturbed", "delivered"], 0)
+            rows.append(row)
     return [
-        findings("undisturbed"),
+        found("attempts", tables, size),
+        html.picture(
+            figures["attempts"],
+            "Figure 2. The share of worlds all through whose last quarter the split stays within "
+            "one robot of the wanted one. A dot is an attempt at a lesson; a line the mean with "
+            "its interval of 95 %, over attempts and worlds where there are attempts, over worlds "
+            "where nothing was learned.",
+            "Shares of worlds of every attempt, for each society and condition.",
+        ),
+        html.table(
+            rows,
+            "Table 1. Every attempt; none is left out. Shares of worlds within one robot of the "
+            "wanted split; undisturbed, changes of roles for each robot and 10,000 ticks, and "
+            "objects brought home.",
+            numbers=True,
+        ),
+    ]
+
+
+def _calm(
+    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size
+) -> list[str]:
+    return [
+        found("undisturbed", tables, size),
         html.picture(
             figures["course"],
-            "Figure 2. Distance to the wanted split; the share of robots that are specialised; "
-            "both as means of all worlds with intervals of 95 %, the dashed line being the shock. "
-            "Below, the share of worlds that have settled within one robot of the wanted split for "
-            "5,000 ticks.",
+            "Figure 3. Distance to the wanted split, and the share of robots that are specialised, "
+            "over time: means over all attempts and worlds, the dashed line being the shock. A "
+            "robot counts as in A until it has brought a B.",
             "Distance to the wanted split over time, for each society and condition.",
         ),
-        _comparison(tables, "undisturbed", "Table 1. Undisturbed."),
+        _comparison(tables, "undisturbed", "Table 2. Undisturbed."),
     ]
 
 
@@ -121,85 +166,74 @@ def _shocked(
     tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size
 ) -> list[str]:
     parts = []
-    for place, condition in enumerate((o for o in CONDITIONS.values() if o.parameter), 2):
+    for place, condition in enumerate((o for o in CONDITIONS.values() if o.parameter), 3):
         parts += [
             f"<h3>{capital(condition.title)}</h3>",
-            findings(condition.name),
+            found(condition.name, tables, size),
             _comparison(tables, condition.name, f"Table {place}. {condition.when}."),
         ]
     return [
         *parts,
         html.picture(
             figures["robots"],
-            f"Figure 3. The role of each robot in the first world ({SEED}), in which the wanted "
-            "ratio A : B is 1 : 2, and 2 : 1 after the dashed line.",
-            "The roles of nine robots over time in six societies.",
+            f"Figure 4. What each robot brings home, in the first world ({SEED}) and by the first "
+            "attempt. The wanted ratio A : B is 1 : 2, and 2 : 1 after the dashed line.",
+            "What nine robots bring home over time, a panel a society.",
         ),
         html.picture(
             figures["measures"],
-            "Figure 4. Every measure, with intervals of 95 %. Grey strokes in g: what luck alone "
-            "gives.",
-            "Means with intervals of eight measures, for each society and condition.",
+            "Figure 5. Every measure: means with intervals of 95 % over attempts and worlds. Grey "
+            "strokes in g: what luck alone gives.",
+            "Means with intervals of nine measures, for each society and condition.",
         ),
     ]
 
 
 def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str) -> str:
-    """A table of societies under a condition, with differences from the learned one."""
+    """A table of societies under a condition, with differences from the programmed one."""
     rows = []
     for name, measured in MEASURED.items():
         row: dict[str, object] = {"": f"{measured.title}\n{measured.unit}"}
         for one in SOCIETIES.values():
             where = {"society": one.name, "condition": condition}
-            found = one_of(tables["means"], name, **where)
-            cell = spread(found, measured.digits).replace(" (", "\n(")
+            cell = spread(one_of(tables["means"], name, **where), measured.digits)
             if one.name != REFERENCE:
-                row[one.title] = f"{cell}\n{_effect(tables['differences'], name, where)}"
-            else:
-                row[one.title] = cell
+                away = one_of(tables["differences"], name, **where)
+                told = spread({**away, "mean": away["difference"]}, measured.digits)
+                cell = f"{cell}\nΔ {told}"
+            row[one.title] = cell.replace(" (", "\n(")
         rows.append(row)
     return html.table(
         rows,
-        f"{caption} Means with intervals of 95 %; g and δ compare with the learned society.",
+        f"{caption} Means with intervals of 95 %; Δ is the difference from the programmed society "
+        "in the same worlds.",
         numbers=True,
     )
 
 
-def _effect(differences: pd.DataFrame, name: str, where: Mapping[str, object]) -> str:
-    """The effect sizes of a difference from the learned society."""
-    found = one_of(differences, name, reference=REFERENCE, **where)
-    size = f"g {number(found['g'], 1)}, " if math.isfinite(found["g"]) else ""
-    return f"{size}δ {number(found['delta'], 2)}"
-
-
-def _mixed(tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure]) -> list[str]:
-    return [
-        findings("mixed"),
-        beyond_table(beyond_both(mixed_of(tables["worlds"]))),
-        html.picture(
-            figures["mixed"],
-            "Figure 5. Over the share of programmed robots. Above: societies. Below: what becomes "
-            "of either kind of robots. Means with intervals of 95 %.",
-            "Measures of mixed societies over the share of programmed robots.",
-        ),
-    ]
-
-
-def beyond_table(beyond: Mapping[tuple[str, str], Sequence[tuple[float, int]]]) -> str:
-    """A table of the mixtures that lie beyond both kinds alone, by condition and measure."""
+def _mixed(
+    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size
+) -> list[str]:
     rows = [
         {
-            "condition": CONDITIONS[condition].title,
-            "measure": MEASURED[name].title,
-            "programmed robots": ", ".join(f"{round(9 * share)}" for share, _ in several),
-            "than either kind alone": ", ".join(
-                "more" if side > 0 else "less" for _, side in several
-            ),
+            "condition": CONDITIONS[row["condition"]].title,
+            "measure": " (".join(KINDS[row["measure"]]) + ")",
+            "programmed less learned": spread({**row, "mean": row["difference"]}),
         }
-        for (condition, name), several in beyond.items()
-        if several
+        for row in tables["mixed-kinds-differences"].to_dict("records")
     ]
-    return html.table(rows, "Mixtures beyond both kinds alone, of nine robots.") if rows else ""
+    return [
+        found("mixed", tables, size),
+        html.picture(
+            figures["mixed"],
+            "Figure 6. Over the share of programmed robots; the others are “learned by "
+            "deliveries”. Above: societies. Below: what becomes of either kind of robots. Means "
+            "with intervals of 95 % over attempts and worlds.",
+            "Measures of mixed societies over the share of programmed robots.",
+        ),
+        html.table(rows, "Table 6. Programmed and learned robots in one society: differences with "
+                   "intervals of 95 %.", numbers=True),
+    ]  # fmt: skip
 
 
 def _farmers(
@@ -220,18 +254,18 @@ def _farmers(
             "from the same cognitons; and from what it does a scheme of few links is distilled. "
             f"{size.farmers} seeds, {number(size.farmers_ticks, 0)} ticks."
         ),
-        findings("farmers"),
+        found("farmers", tables, size),
         html.picture(
             figures["farmers"],
-            "Figure 6. Three societies on the same seeds: over time, and measure by measure, with "
+            "Figure 7. Three societies on the same seeds: over time, and measure by measure, with "
             "intervals of 95 %. Grey strokes: what luck alone gives.",
             "Measures of three societies of farmers and artisans.",
         ),
-        html.table(rows, "Table 5. Means with intervals of 95 %; unknown where none settled.",
+        html.table(rows, "Table 7. Means with intervals of 95 %; unknown where none settled.",
                      numbers=True),
         html.picture(
             figures["schemes"],
-            "Figure 7. The scheme that was written, and the one distilled from the learned mind: "
+            "Figure 8. The scheme that was written, and the one distilled from the learned mind: "
             "cognitons at the left, plans at the right. Numbers are the links’ weights; a line is "
             "the broader the larger its weight is beside the scheme’s largest.",
             "Two cognitive schemes with their links.",
@@ -255,18 +289,18 @@ def _definitions() -> list[str]:
             ]
         ),
         html.paragraph(
-            "Intervals are of 95 %, by the bias-corrected and accelerated bootstrap over worlds "
-            "(Efron, 1987). Societies that met the same worlds are compared in pairs: the interval "
-            "is that of the mean difference; g is Hedges’ g for pairs, by the mean standard "
-            "deviation of the two; δ is Cliff’s delta for pairs, the share of worlds in which the "
-            "number is larger less that in which it is smaller. An interval that holds 0 does "
-            "not show that there is no difference; nothing is corrected for the number of "
-            "comparisons, so the effects are what to read."
+            "Robots are known by what they bring home: one is in B from when it brings a B until "
+            "it brings an A, and else in A, whatever its mind says of its role. Intervals are of "
+            "95 %. Where a lesson has several attempts they are over attempts and worlds: both are "
+            "drawn anew, each on its own (Owen, 2007); else they are over worlds, by the "
+            "bias-corrected and accelerated bootstrap (Efron, 1987). Societies are compared in the "
+            "same worlds. An interval that holds 0 does not show that there is no difference: it "
+            "says how large one could be. Nothing is corrected for the number of comparisons."
         ),
     ]
 
 
-def _made(size: Size, command: str, seeds: str) -> list[str]:
+def _made(tables: Mapping[str, pd.DataFrame], size: Size, command: str, seeds: str) -> list[str]:
     mind = MindDescription.load(model_folder("foraging_roles") / "mind")
     versions = {
         "socialmind": socialmind.__version__,
@@ -275,14 +309,26 @@ def _made(size: Size, command: str, seeds: str) -> list[str]:
         "numba": numba.__version__,
         "Matplotlib": matplotlib.__version__,
     }
-    told = ", ".join(f"{name} {version}" for name, version in versions.items())
+    software = ", ".join(f"{name} {version}" for name, version in versions.items())
     return [
         html.code(command),
         html.paragraph(
-            f"Worlds of robots: seeds {seeds}, `foraging_roles` with its mind of "
-            f"{len(mind.skills)} skills; roles and deliveries are recorded every {EVERY} ticks. "
-            f"Farmers and artisans: seeds 0 … {size.farmers - 1}, recorded every {farmers.EVERY} "
-            f"ticks. The same command gives the same file, with the same versions: {told}."
+            f"Worlds of robots: seeds {seeds}, those of mixed societies the first "
+            f"{size.mixed_worlds} of them; nothing was trained or chosen in them. Nothing was "
+            f"excluded. `foraging_roles` with its mind of {len(mind.skills)} skills; what robots "
+            f"bring home is recorded every {EVERY} ticks. Farmers and artisans: seeds 0 … "
+            f"{size.farmers - 1}, recorded every {farmers.EVERY} ticks. The same command gives the "
+            f"same file, with the same versions: {software}."
+        ),
+        html.table(
+            [
+                {"lesson": society.lesson, "attempts": int(part["attempt"].nunique())}
+                for society in SOCIETIES.values()
+                if society.lesson
+                for part in [tables["attempts"][tables["attempts"]["society"] == society.name]]
+            ],
+            "Lessons and their attempts, of seed 8. `analysis/foraging_roles` has what they were "
+            "judged by, their budgets, and the commands that make them again.",
         ),
         html.paragraph(
             "The tables stand beside this page as CSV, the figures as PDF, in the folder "

@@ -26,59 +26,97 @@ if TYPE_CHECKING:
     from coglogo_py import CognitiveScheme
 
 A, B = paper.GOLD, paper.PURPLE
-DASHES = {"fixed": (0, (4, 2)), "random": (0, (1, 1.5)), "greedy": (0, (5, 1.5, 1, 1.5))}
 FARMERS = {"written": paper.RED, "learned": paper.BLUE, "distilled": paper.PURPLE}
 LETTERS = "abcdefghijkl"
+ACROSS = 4
+"""Panels of robots side by side."""
 
 
-def course(over_time: pd.DataFrame, settled: pd.DataFrame, size: Size) -> Figure:
-    """Draw distance and specialised robots over time, and what share of worlds has settled.
+def attempts(each: pd.DataFrame, table: pd.DataFrame) -> Figure:
+    """Draw every attempt's share of worlds within one robot of the wanted split, and the means.
 
     Args:
-        over_time: `society`, `condition`, `tick`, `measure`, `mean`, `low`, `high`.
-        settled: `society`, `condition`, `ticks`, `share`.
-        size: of the study.
+        each: `society`, `attempt`, `condition`, `within`.
+        table: `society`, `condition`, `measure`, `mean`, `low`, `high`.
     """
-    figure = paper.figure(paper.PAGE, 146)
-    panels = figure.subplots(3, len(CONDITIONS), sharey="row")
-    letters = iter(LETTERS)
-    for axes, condition in zip(panels[0], CONDITIONS.values(), strict=True):
-        paper.panel_title(axes, next(letters), condition.title)
-        _over_time(axes, over_time[over_time["measure"] == "distance"], condition, size)
-    for axes, condition in zip(panels[1], CONDITIONS.values(), strict=True):
-        paper.panel_title(axes, next(letters), "specialised")
-        _over_time(axes, over_time[over_time["measure"] == "specialised"], condition, size)
-    for axes, condition in zip(panels[2], CONDITIONS.values(), strict=True):
-        title = "settled again" if condition.parameter else "settled"
-        paper.panel_title(axes, next(letters), title)
-        unit = paper.time_axis(axes, [0, size.half if condition.parameter else size.ticks])
-        for society, part in _parts(settled, condition.name):
-            axes.step(
-                part["ticks"] / unit, part["share"], where="post",
-                color=SOCIETIES[society].colour, linestyle=DASHES.get(society, "-"),
-            )  # fmt: skip
-        since = "since the shock" if condition.parameter else "since the start"
-        axes.set_xlabel(f"{since}\n({'thousand ' if unit > 1 else ''}ticks)")
-    far = over_time.loc[over_time["measure"] == "distance", "high"]
-    panels[0, 0].set_ylim(*paper.limits_with_zero(far.tolist()))
-    for axes, label in zip(
-        panels[:, 0], ("distance (robots)", "robots (share)", "worlds (share)"), strict=True
-    ):
-        axes.set_ylabel(label)
-    for axes in panels[1:, 0]:
-        axes.set_ylim(-0.03, 1.04)
-    _legend(figure, [_line(one) for one in SOCIETIES])
+    figure = paper.figure(paper.PAGE, 66)
+    panels = figure.subplots(1, len(CONDITIONS), sharey=True)
+    own = table[table["measure"] == "within"]
+    rows = {society: place for place, society in enumerate(SOCIETIES)}
+    for letter, axes, condition in zip(LETTERS, panels, CONDITIONS.values(), strict=False):
+        for society, row in rows.items():
+            one = SOCIETIES[society]
+            dots = each[(each["society"] == society) & (each["condition"] == condition.name)]
+            if len(dots) > 1:
+                # Side by side where they are the same, so that every attempt is seen.
+                high = np.linspace(-0.3, 0.02, len(dots))
+                axes.plot(
+                    dots["within"].sort_values(), row + high, linestyle="", marker="o",
+                    markersize=3.2, mfc="none", mec=one.colour, mew=0.7,
+                )  # fmt: skip
+            ((_, found),) = own[
+                (own["society"] == society) & (own["condition"] == condition.name)
+            ].iterrows()
+            _dot(axes, row + 0.22, found, one.colour, "D")
+        _rows(axes, rows)
+        axes.set_xlim(-0.04, 1.04)
+        axes.set_xticks((0, 0.5, 1), ("0", "0.5", "1"))
+        axes.set_xlabel("share of worlds")
+        paper.panel_title(axes, letter, condition.title)
+    _legend(figure, [
+        Line2D([], [], color=paper.INK, linestyle="", marker="o", markersize=3.2, mfc="none",
+               mew=0.7, label="an attempt"),
+        Line2D([], [], color=paper.INK, marker="D", markersize=2.8, linewidth=0.9,
+               label="mean with its interval"),
+    ])  # fmt: skip
     return figure
 
 
-def _over_time(axes: Axes, table: pd.DataFrame, condition: Condition, size: Size) -> None:
-    """Draw means over time with their intervals, a line a society."""
+def _rows(axes: Axes, rows: Mapping[str, int]) -> None:
+    """A row for each society, from above."""
+    for place in range(1, len(rows)):
+        axes.axhline(place - 0.5, color="#e6e6e6", linewidth=0.6, zorder=0)
+    axes.set_ylim(len(rows) - 0.5, -0.5)
+    axes.set_yticks(list(rows.values()), [SOCIETIES[one].title for one in rows])
+    axes.tick_params(axis="y", length=0)
+    axes.spines["left"].set_visible(False)
+
+
+def course(over_time: pd.DataFrame, size: Size) -> Figure:
+    """Draw distance and specialised robots over time.
+
+    Args:
+        over_time: `society`, `condition`, `tick`, `distance`, `specialised`.
+        size: of the study.
+    """
+    figure = paper.figure(paper.PAGE, 104)
+    panels = figure.subplots(2, len(CONDITIONS), sharey="row", sharex=True)
+    letters = iter(LETTERS)
+    for row, measure, title in zip(
+        panels, ("distance", "specialised"), ("", "specialised"), strict=True
+    ):
+        for axes, condition in zip(row, CONDITIONS.values(), strict=True):
+            paper.panel_title(axes, next(letters), title or condition.title)
+            _over_time(axes, over_time, measure, condition, size)
+    for axes in panels[0]:
+        axes.set_xlabel("")
+    panels[0, 0].set_ylim(*paper.limits_with_zero(over_time["distance"].tolist()))
+    panels[0, 0].set_ylabel("distance (robots)")
+    panels[1, 0].set_ylabel("robots (share)")
+    panels[1, 0].set_ylim(-0.03, 1.04)
+    _legend(figure, [_line(one) for one in SOCIETIES], 5)
+    return figure
+
+
+def _over_time(
+    axes: Axes, table: pd.DataFrame, measure: str, condition: Condition, size: Size
+) -> None:
+    """Draw means over time, a line a society."""
     unit = paper.time_axis(axes, [0, size.ticks])
     for society, part in _parts(table, condition.name):
+        one = SOCIETIES[society]
         x = part["tick"].to_numpy() / unit
-        colour = SOCIETIES[society].colour
-        axes.fill_between(x, part["low"], part["high"], color=colour, alpha=0.15, linewidth=0)
-        axes.plot(x, part["mean"], color=colour, linestyle=DASHES.get(society, "-"))
+        axes.plot(x, part[measure], color=one.colour, linestyle=one.dash)
     for shock in condition.shocks(size.half):
         axes.axvline(shock / unit, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
 
@@ -91,8 +129,7 @@ def _parts(table: pd.DataFrame, condition: str) -> list[tuple[str, pd.DataFrame]
 
 def _line(society: str) -> Line2D:
     one = SOCIETIES[society]
-    style: Any = DASHES.get(society, "-")
-    return Line2D([], [], color=one.colour, linestyle=style, label=one.title)
+    return Line2D([], [], color=one.colour, linestyle=one.dash, label=one.title)
 
 
 def _legend(figure: Figure, marks: Sequence[Line2D | Patch], columns: int = 6) -> None:
@@ -106,7 +143,7 @@ def measures(table: pd.DataFrame) -> Figure:
     Args:
         table: `society`, `condition`, `measure`, `mean`, `low`, `high`.
     """
-    figure = paper.figure(paper.PAGE, 172)
+    figure = paper.figure(paper.PAGE, 210)
     panels = figure.subplots(3, 3, sharey=True).flat
     rows = {society: place for place, society in enumerate(SOCIETIES)}
     offsets = np.linspace(-0.27, 0.27, len(CONDITIONS))
@@ -120,12 +157,7 @@ def measures(table: pd.DataFrame) -> Figure:
                 if measured.name == "agents_to_tasks":
                     chance = dict(_parts(luck, condition.name))[society]["mean"].iloc[0]
                     axes.plot([chance] * 2, [row - 0.07, row + 0.07], color=paper.GREY)
-        for place in range(1, len(rows)):
-            axes.axhline(place - 0.5, color="#e6e6e6", linewidth=0.6, zorder=0)
-        axes.set_ylim(len(rows) - 0.5, -0.5)
-        axes.set_yticks(list(rows.values()), [SOCIETIES[one].title for one in rows])
-        axes.tick_params(axis="y", length=0)
-        axes.spines["left"].set_visible(False)
+        _rows(axes, rows)
         _across(axes, own)
         axes.set_xlabel(measured.unit)
         paper.panel_title(axes, letter, measured.title)
@@ -160,8 +192,8 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
         condition: its name.
         size: of the study.
     """
-    figure = paper.figure(paper.PAGE, 92)
-    panels = figure.subplots(2, len(SOCIETIES) // 2, sharex=True, sharey=True)
+    figure = paper.figure(paper.PAGE, 128)
+    panels = figure.subplots(-(-len(SOCIETIES) // ACROSS), ACROSS, sharex=True, sharey=True)
     for letter, axes, (society, part) in zip(
         LETTERS, panels.flat, _parts(spells, condition), strict=False
     ):
@@ -176,11 +208,13 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
         axes.set_ylim(0.4, part["agent"].max() + 1.6)
         axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
         paper.panel_title(axes, letter, SOCIETIES[society].title)
-    for axes in panels[0]:
+    for axes in panels.flat[len(SOCIETIES) :]:
+        axes.set_axis_off()
+    for axes in panels[:-1].flat:
         axes.set_xlabel("")
     for axes in panels[:, 0]:
         axes.set_ylabel("robot")
-    _legend(figure, [Patch(color=A, label="in A"), Patch(color=B, label="in B")])
+    _legend(figure, [Patch(color=A, label="brings A"), Patch(color=B, label="brings B")])
     return figure
 
 

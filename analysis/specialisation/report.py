@@ -15,18 +15,15 @@ from socialmind.experiments.measures.effects import comparisons
 
 from . import farmers, plots
 from .page import page_of
-from .societies import CONDITIONS, Size
+from .societies import MIXED, MIXED_WITH, SEED, Size
 from .tables import (
     MEASURED,
-    OVER_SHARES,
+    attempts,
     between_kinds,
     differences,
     judged,
     means,
-    mixed_of,
     over_time,
-    settled_by,
-    slopes,
     with_changes,
 )
 
@@ -36,8 +33,6 @@ if TYPE_CHECKING:
     from .runs import Records
 
 BOTH = ("society", "condition")
-OTHERS = ("programmed", "learned")
-"""The societies that all others are compared with."""
 SCHEME = "scheme.yaml"
 
 
@@ -78,37 +73,52 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
     """Return all tables by name."""
     worlds = judged(with_changes(records.worlds, records.kinds))
     alone = worlds[worlds["society"] != "mixed"]
-    mixed = mixed_of(worlds)
-    kinds = mixed_of(records.kinds)
-    measures = [*MEASURED, "settled", "agents_to_tasks_by_chance", "beyond_chance"]
-    shares = ["condition", "share"]
+    mixed = mixed_of(worlds, size)
+    kinds = records.kinds[records.kinds["society"] == "mixed"]
+    measures = [*MEASURED, "agents_to_tasks_by_chance", "beyond_chance"]
     villagers = village.worlds.assign(
         beyond_chance=village.worlds["agents_to_tasks"]
-        - village.worlds["agents_to_tasks_by_chance"]
+        - village.worlds["agents_to_tasks_by_chance"],
+        attempt=0,
     )
     of_villagers = [*farmers.MEASURED, "agents_to_tasks_by_chance", "beyond_chance"]
+    against = comparisons(villagers.drop(columns="attempt"), "learned", measures=of_villagers)
     return {
         "worlds": worlds,
+        "attempts": attempts(alone),
         "means": means(alone, BOTH, measures),
-        "differences": differences(alone, OTHERS),
+        "differences": differences(alone),
         "course": over_time(records.course[records.course["society"] != "mixed"], BOTH),
-        "settled": pd.concat(
-            [
-                settled_by(part, BOTH, size.half if CONDITIONS[name].parameter else size.ticks)
-                for name, part in alone.groupby("condition", sort=False)
-            ],
-            ignore_index=True,
-        ),
-        "robots": records.spells[records.spells["society"] != "mixed"],
-        "mixed-means": means(mixed, shares, measures),
-        "mixed-slopes": slopes(mixed, OVER_SHARES),
-        "mixed-kinds": means(kinds, [*shares, "kind"], list(plots.KINDS)),
+        "robots": first_spells(records.spells),
+        "mixed-means": means(mixed, ["condition", "share"], measures),
+        "mixed-kinds": means(kinds, ["condition", "share", "kind"], list(plots.KINDS)),
         "mixed-kinds-differences": between_kinds(kinds, list(plots.KINDS)),
-        "farmers": villagers,
+        "farmers": villagers.drop(columns="attempt"),
         "farmers-means": means(villagers, ["society"], of_villagers),
-        "farmers-differences": comparisons(villagers, "learned", measures=of_villagers),
-        "farmers-course": means(village.course, ["society", "tick"], ["artisans", "specialised"]),
+        "farmers-differences": against.rename(
+            columns={"difference_low": "low", "difference_high": "high"}
+        ),
+        "farmers-course": farmers_over_time(village.course),
     }
+
+
+def farmers_over_time(course: pd.DataFrame) -> pd.DataFrame:
+    """Return artisans and specialised agents over time: means with intervals over seeds."""
+    return means(course.assign(attempt=0), ["society", "tick"], ["artisans", "specialised"])
+
+
+def mixed_of(worlds: pd.DataFrame, size: Size) -> pd.DataFrame:
+    """Return mixed societies, and those of one kind alone, in the worlds that they share."""
+    alike = worlds["society"].isin(["mixed", MIXED_WITH, "programmed"])
+    met = worlds["seed"] < SEED + size.mixed_worlds
+    return worlds[alike & met & worlds["condition"].isin(MIXED)]
+
+
+def first_spells(spells: pd.DataFrame) -> pd.DataFrame:
+    """Return the spells of the first attempt of each society."""
+    alone = spells[spells["society"] != "mixed"]
+    first = alone.groupby("society")["attempt"].transform("min")
+    return alone[alone["attempt"] == first].drop(columns=["attempt", "share"])
 
 
 def figures_of(
@@ -120,7 +130,8 @@ def figures_of(
             {"programmed robots": CognitiveScheme.load(model_folder("foraging_roles") / SCHEME)},
             paper.PAGE * 0.6,
         ),
-        "course": plots.course(tables["course"], tables["settled"], size),
+        "attempts": plots.attempts(tables["attempts"], tables["means"]),
+        "course": plots.course(tables["course"], size),
         "robots": plots.robots(tables["robots"], "turned", size),
         "measures": plots.measures(tables["means"]),
         "mixed": plots.mixed(tables["mixed-means"], tables["mixed-kinds"]),

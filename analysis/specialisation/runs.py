@@ -16,64 +16,100 @@ from typing import Any
 import pandas as pd
 
 import socialmind
-from socialmind.catalogue import model_folder, source_hash
+from socialmind.catalogue import load_file, model_folder, source_hash
+from socialmind.errors import SocialmindError
 from socialmind.work.side_by_side import side_by_side
 
-from .societies import CONDITIONS, MIXED, SEED, SOCIETIES, Size
+from .societies import (
+    CONDITIONS,
+    MIXED,
+    MIXED_WITH,
+    ROBOTS,
+    SEED,
+    SOCIETIES,
+    TRAINED,
+    Size,
+)
 from .worlds import EVERY, SHOWN_EVERY, lived
 
+MINDS = load_file(TRAINED / "minds.py")
 TABLES = ("worlds", "course", "kinds", "spells")
-KEYS = ("society", "share")
-BLOCK = 10
+KEYS = ("society", "attempt", "share")
+BLOCK = 5
 """Worlds of a society that are kept together."""
 
 
 @dataclass(frozen=True)
 class Cell:
-    """A society, and what happens to it.
+    """A society of robots with one mind, and what happens to it.
 
     Attributes:
         society: its name; "mixed" for one of both kinds.
+        attempt: of the lesson; 0 where nothing was learned.
         share: of programmed robots.
         conditions: their names.
+        worlds: how many.
         parameters: of the model.
-        weights: of the mind that was learned as in the thesis; None for others.
+        lesson: whose mind it has; empty for none.
     """
 
     society: str
+    attempt: int
     share: float
     conditions: tuple[str, ...]
+    worlds: int
     parameters: Mapping[str, float] = field(default_factory=dict)
-    weights: tuple[float, ...] | None = None
+    lesson: str = ""
 
     @property
     def name(self) -> str:
         """How its folder is called."""
-        return f"{self.society}-{self.share:.3f}" if self.society == "mixed" else self.society
+        return f"{self.society}-{self.attempt}-{self.share:.3f}"
+
+    @property
+    def blocks(self) -> list[range]:
+        """The seeds of its worlds, block by block."""
+        last = SEED + self.worlds
+        return [range(first, min(first + BLOCK, last)) for first in range(SEED, last, BLOCK)]
 
 
-def cells_of(size: Size, weights: Sequence[float]) -> list[Cell]:
+def cells_of(size: Size) -> list[Cell]:
     """Return all there is to run, each once.
 
     Args:
         size: of the study.
-        weights: of the mind that was learned as in the thesis.
     """
-    found = [
-        Cell(
-            one.name,
-            float(one.parameters.get("programmed", 0.0)),
-            tuple(CONDITIONS),
-            one.parameters,
-            tuple(weights) if one.thesis else None,
-        )
-        for one in SOCIETIES.values()
-    ]
+    every, found = tuple(CONDITIONS), []
+    for one in SOCIETIES.values():
+        share = float(one.parameters.get("programmed", 0.0))
+        found += [
+            Cell(one.name, attempt, share, every, size.worlds, one.parameters, one.lesson)
+            for attempt in (attempts_at(one.lesson, size) if one.lesson else (0,))
+        ]
+    learned = SOCIETIES[MIXED_WITH]
     found += [
-        Cell("mixed", share, MIXED, {"programmed": share})
-        for share in size.shares
-        if 0 < share < 1  # of one kind alone they are societies above
-    ]
+        Cell(
+            "mixed", attempt, programmed / ROBOTS, MIXED, size.mixed_worlds,
+            {**learned.parameters, "programmed": programmed / ROBOTS}, learned.lesson,
+        )
+        for attempt in attempts_at(learned.lesson, size)
+        for programmed in size.mixed
+    ]  # fmt: skip
+    return found
+
+
+def attempts_at(lesson: str, size: Size) -> list[int]:
+    """Return the attempts at a lesson that are looked at.
+
+    Raises:
+        SocialmindError: none is kept; it says what makes them.
+    """
+    found = sorted(MINDS.minds_of(lesson))[: size.attempts]
+    if not found:
+        what = f"no attempt at {lesson} is kept in analysis/foraging_roles/results"
+        raise SocialmindError(
+            f"{what}; python -m analysis.foraging_roles.role_trainings {lesson} makes them"
+        )
     return found
 
 
@@ -82,7 +118,7 @@ class Records:
     """What was seen of all worlds.
 
     Attributes:
-        worlds: `society`, `share`, `condition`, `seed` and the measures, a row a run.
+        worlds: `society`, `attempt`, `share`, `condition`, `seed` and the measures, a row a run.
         course: likewise `seed`, `tick`, `distance`, `specialised`.
         kinds: likewise `seed`, `kind` and what became of it.
         spells: likewise `seed`, `agent`, `since`, `until`, `role`, of the first world.
@@ -106,17 +142,16 @@ def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = Non
     Returns:
         What was seen, as it is kept.
     """
-    last = SEED + size.worlds
-    blocks = [range(first, min(first + BLOCK, last)) for first in range(SEED, last, BLOCK)]
     folders = {cell.name: home / stamp(cell, size.ticks) / cell.name for cell in cells}
     missing = [
         (cell, seeds)
-        for seeds in blocks
+        for place in range(max(len(cell.blocks) for cell in cells))
         for cell in cells
+        for seeds in cell.blocks[place : place + 1]
         if not all(_file(folders[cell.name], table, seeds).is_file() for table in TABLES)
     ]
     calls: list[tuple[Any, ...]] = [
-        (cell.conditions, seed, size.ticks, dict(cell.parameters), cell.weights)
+        (cell.conditions, seed, size.ticks, dict(cell.parameters), cell.lesson, cell.attempt)
         for cell, seeds in missing
         for seed in seeds
     ]
@@ -131,7 +166,7 @@ def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = Non
                 [
                     _read(_file(folders[cell.name], table, seeds), cell)
                     for cell in cells
-                    for seeds in (blocks[:1] if table == "spells" else blocks)
+                    for seeds in cell.blocks[: 1 if table == "spells" else None]
                 ],
                 ignore_index=True,
             )
@@ -144,7 +179,7 @@ def stamp(cell: Cell, ticks: int) -> str:
     """Return a hash of all that decides what comes of a cell: code, minds and parameters."""
     model, half = model_folder("foraging_roles"), ticks // 2
     known = [socialmind.__version__, source_hash(model), ticks, EVERY, SHOWN_EVERY]
-    known += [dict(cell.parameters), cell.weights]
+    known += [dict(cell.parameters), _weights(cell.lesson, cell.attempt)]
     for name in cell.conditions:
         what = CONDITIONS[name]
         known += [name, what.parameters(half), what.wanted(half).to_dict("records")]
@@ -153,6 +188,12 @@ def stamp(cell: Cell, ticks: int) -> str:
     for path in (Path(__file__).with_name("worlds.py"), *filter(Path.is_file, data)):
         total.update(f"{path.name}\0".encode() + path.read_bytes())
     return total.hexdigest()[:12]
+
+
+def _weights(lesson: str, attempt: int) -> list[Any]:
+    mind = MINDS.minds_of(lesson)[attempt] if lesson else None
+    skills = [] if mind is None else mind.skills.values()
+    return [(one.name, one.genome.tolist()) for one in skills if one.genome is not None]
 
 
 def _file(folder: Path, table: str, seeds: range) -> Path:

@@ -81,6 +81,12 @@ SOCIETIES = {
             LEARNED, paper.BLUE, (0, (4, 2)), lesson="supervised_role",
         ),
         Society(
+            "picked", "supervised, picked",
+            "the mind of the model: one more attempt at the supervised lesson, picked because it "
+            "came out well; shown for what picking does",
+            LEARNED, paper.BLUE, (0, (1, 1.5)),
+        ),
+        Society(
             "counts", "learned by the counts",
             "the same skill, a perceptron taught with nine undecided robots, one ratio and no "
             "shock, judged by the counts alone; not in bodies, as the thesis's was",

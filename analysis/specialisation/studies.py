@@ -21,7 +21,7 @@ def compare(out: Path, quick: bool = False) -> list[Path]:
     from .societies import FULL, QUICK
 
     command = f"socialmind reproduce {NAME}{' --quick' if quick else ''}"
-    return make(out, QUICK if quick else FULL, command, train_small=quick)
+    return make(out, QUICK if quick else FULL, command)
 
 
 studies = (

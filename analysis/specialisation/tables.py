@@ -1,4 +1,4 @@
-"""The tables of the study: means with intervals, and differences with effect sizes."""
+"""The tables of the study: every attempt, means and differences, with intervals over both."""
 
 from __future__ import annotations
 
@@ -9,11 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from socialmind.experiments.measures.effects import comparisons
-from socialmind.experiments.measures.intervals import interval_of
+from socialmind.experiments.measures.crossed import crossed_interval
+from socialmind.experiments.measures.intervals import Interval, interval_of
 
-from .societies import MIXED, REFERENCE
-from .words import one_of, side
+from .societies import REFERENCE
 
 
 @dataclass(frozen=True)
@@ -88,20 +87,14 @@ MEASURED = {
 """By name, in the order of figures and tables."""
 OVER_SHARES = ("last_distance", "settled_after", "changes", "agents_to_tasks")
 """Those that are looked at over the share of programmed robots."""
+RUN = ("society", "attempt", "share", "condition", "seed")
 
 
 def judged(worlds: pd.DataFrame) -> pd.DataFrame:
-    """Return worlds with whether each settled at last, and division of labour beyond luck's."""
+    """Return worlds with division of labour beyond luck's."""
     return worlds.assign(
-        settled=np.isfinite(last_settling(worlds)).astype(float),
-        beyond_chance=worlds["agents_to_tasks"] - worlds["agents_to_tasks_by_chance"],
+        beyond_chance=worlds["agents_to_tasks"] - worlds["agents_to_tasks_by_chance"]
     )
-
-
-def mixed_of(frame: pd.DataFrame) -> pd.DataFrame:
-    """Return what a table holds of mixed societies, those of one kind alone among them."""
-    alike = frame["society"].isin(["mixed", "learned", "programmed"])
-    return frame[alike & frame["condition"].isin(MIXED)]
 
 
 def with_changes(worlds: pd.DataFrame, kinds: pd.DataFrame) -> pd.DataFrame:
@@ -111,195 +104,146 @@ def with_changes(worlds: pd.DataFrame, kinds: pd.DataFrame) -> pd.DataFrame:
         worlds: a row for each run.
         kinds: of the same runs, a row for each kind of robots: `robots` and `changes`.
     """
-    run = ["society", "share", "condition", "seed"]
+    run = list(RUN)
     weighed = kinds.assign(changes=kinds["changes"] * kinds["robots"])
     sums = weighed.groupby(run)[["changes", "robots"]].sum()
     changes = (sums["changes"] / sums["robots"]).rename("changes")
     return worlds.join(changes, on=run)
 
 
-def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd.DataFrame:
-    """Return means with intervals.
+def square(part: pd.DataFrame, measure: str) -> np.ndarray:
+    """Return a measure as (attempts, worlds); worlds in which it is unknown are left out."""
+    table = part.pivot_table(index="attempt", columns="seed", values=measure, dropna=False)
+    table = table.replace([math.inf, -math.inf], math.nan).dropna(axis="columns")
+    return table.to_numpy(float)
+
+
+def interval(values: np.ndarray) -> Interval:
+    """Return the mean and its interval: over attempts and worlds, or worlds where one attempt is.
 
     Args:
-        frame: a row for each run.
+        values: (attempts, worlds).
+    """
+    if values.size == 0:
+        return Interval(math.nan, math.nan, math.nan)
+    return interval_of(values[0]) if len(values) == 1 else crossed_interval(values)
+
+
+def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd.DataFrame:
+    """Return means with intervals over attempts and worlds.
+
+    Args:
+        frame: a row for each run: `attempt`, `seed`.
         by: the columns that make groups, which are kept in the order in which they come.
         measures: the columns that are measured; infinite and missing numbers are left out.
 
     Returns:
-        A row for each group and measure: those of `by`, `measure`, `n`, `mean`, `low`, `high`.
+        A row for each group and measure: those of `by`, `measure`, `attempts`, `worlds`, `mean`,
+        `low`, `high`, and the means of the worst and the best attempt, `least` and `most`.
 
-    >>> frame = pd.DataFrame({"society": ["a", "a"], "goods": [1.0, 3.0]})
-    >>> means(frame, ["society"], ["goods"])[["society", "measure", "n", "mean"]]
-      society measure  n  mean
-    0       a   goods  2   2.0
+    >>> frame = pd.DataFrame({"society": "a", "attempt": 0, "seed": [1, 2], "goods": [1.0, 3.0]})
+    >>> means(frame, ["society"], ["goods"])[["society", "measure", "worlds", "mean"]]
+      society measure  worlds  mean
+    0       a   goods       2   2.0
     """
     rows = []
     for key, part in frame.groupby(list(by), sort=False):
         for name in measures:
-            known = part[name].to_numpy(float)
-            known = known[np.isfinite(known)]
-            row = {**dict(zip(by, key, strict=True)), "measure": name, "n": len(known)}
-            if len(known):
-                found = interval_of(known)
-                row |= {"mean": found.mean, "low": found.low, "high": found.high}
-            else:
-                row |= {"mean": math.nan, "low": math.nan, "high": math.nan}
-            rows.append(row)
+            values = square(part, name)
+            found = interval(values)
+            each = values.mean(axis=1) if values.size else np.array([math.nan])
+            rows.append(
+                {
+                    **dict(zip(by, key, strict=True)),
+                    "measure": name,
+                    "attempts": values.shape[0],
+                    "worlds": values.shape[1],
+                    "mean": found.mean,
+                    "low": found.low,
+                    "high": found.high,
+                    "least": each.min(),
+                    "most": each.max(),
+                }
+            )
+    return pd.DataFrame(rows)
+
+
+def attempts(worlds: pd.DataFrame) -> pd.DataFrame:
+    """Return what each attempt came to: the means of measures over its worlds."""
+    by = ["society", "attempt", "condition"]
+    return worlds.groupby(by, sort=False)[list(MEASURED)].mean().reset_index()
+
+
+def differences(worlds: pd.DataFrame, reference: str = REFERENCE) -> pd.DataFrame:
+    """Compare societies with another, condition by condition, in pairs of equal worlds.
+
+    Args:
+        worlds: `society`, `attempt`, `condition`, `seed` and measures.
+        reference: the society that the others are compared with, without attempts of its own.
+
+    Returns:
+        A row for each society, condition and measure: the mean of the differences, with its
+        interval over attempts and worlds.
+    """
+    rows = []
+    for condition, part in worlds.groupby("condition", sort=False):
+        base = part[part["society"] == reference].set_index("seed")
+        for society, own in part.groupby("society", sort=False):
+            if society == reference:
+                continue
+            for name in MEASURED:
+                away = own.assign(away=own[name] - own["seed"].map(base[name]))
+                found = interval(square(away, "away"))
+                rows.append(
+                    {
+                        "society": society,
+                        "condition": condition,
+                        "measure": name,
+                        "difference": found.mean,
+                        "low": found.low,
+                        "high": found.high,
+                    }
+                )
     return pd.DataFrame(rows)
 
 
 def over_time(course: pd.DataFrame, by: Sequence[str]) -> pd.DataFrame:
-    """Return mean distance and share of specialised robots at each record, as `means` does.
+    """Return mean distance and share of specialised robots at each record.
 
     Args:
         course: `seed`, `tick`, `distance`, `specialised`.
         by: the columns that make groups.
     """
-    return means(course, [*by, "tick"], ["distance", "specialised"])
-
-
-def settled_by(worlds: pd.DataFrame, by: Sequence[str], end: int) -> pd.DataFrame:
-    """Return what share of worlds has settled how soon after the start, or after the shock.
-
-    Args:
-        worlds: `settling_ticks`, and `recovery_ticks_1` where there was a shock.
-        by: the columns that make groups.
-        end: the last number of ticks that is of interest.
-
-    Returns:
-        A row for each group and step: those of `by`, `ticks`, `share`.
-
-    >>> worlds = pd.DataFrame({"society": "a", "settling_ticks": [100.0, math.inf],
-    ...                        "recovery_ticks_1": math.nan})
-    >>> settled_by(worlds, ["society"], 900)[["ticks", "share"]].values.tolist()
-    [[0.0, 0.0], [100.0, 0.5], [900.0, 0.5]]
-    """
-    rows = []
-    for key, part in worlds.groupby(list(by), sort=False):
-        took = np.sort(last_settling(part))
-        steps = np.unique(took[took <= end])
-        share = [float((took <= step).mean()) for step in steps]
-        points = list(zip(steps.tolist(), share, strict=True))
-        if not points or points[0][0] > 0:
-            points.insert(0, (0.0, 0.0))
-        points.append((float(end), points[-1][1]))
-        rows += [
-            {**dict(zip(by, key, strict=True)), "ticks": ticks, "share": part_settled}
-            for ticks, part_settled in points
-        ]
-    return pd.DataFrame(rows)
-
-
-def last_settling(worlds: pd.DataFrame) -> np.ndarray:
-    """Return the ticks to settle after the shock, or from the start where there was none."""
-    first = worlds["settling_ticks"]
-    again = worlds.get("recovery_ticks_1", first)  # no column where there was no shock at all
-    return again.fillna(first).to_numpy(float)
-
-
-def differences(worlds: pd.DataFrame, references: Sequence[str] = (REFERENCE,)) -> pd.DataFrame:
-    """Compare societies with others, condition by condition, in pairs of equal worlds.
-
-    Args:
-        worlds: `society`, `condition`, `seed` and measures.
-        references: the societies that the others are compared with.
-
-    Returns:
-        As `experiments.measures.effects.comparisons` gives it, with `condition` and `reference`
-        before it.
-    """
-    parts = []
-    for reference in references:
-        for condition, part in worlds.groupby("condition", sort=False):
-            columns = ["society", "seed", *MEASURED]
-            found = comparisons(part[columns], reference)
-            found.insert(0, "condition", condition)
-            found.insert(1, "reference", reference)
-            parts.append(found)
-    return pd.concat(parts, ignore_index=True)
-
-
-def slopes(mixed: pd.DataFrame, measures: Sequence[str]) -> pd.DataFrame:
-    """Return how measures rise with the share of programmed robots, world by world.
-
-    In each world a straight line is fitted to a measure over the share; `slope` is the mean of the
-    worlds' slopes, from a share of 0 to one of 1.
-
-    Args:
-        mixed: `condition`, `share`, `seed` and measures.
-        measures: their columns.
-
-    Returns:
-        A row for each condition and measure: `slope`, `low`, `high`, `n` worlds.
-
-    >>> mixed = pd.DataFrame({"condition": "calm", "share": [0.0, 0.5, 1.0] * 2,
-    ...                       "seed": [1, 1, 1, 2, 2, 2], "off": [1.0, 2.0, 3.0, 0.0, 1.0, 2.0]})
-    >>> slopes(mixed, ["off"])[["slope", "low", "n"]].round(6).values.tolist()
-    [[2.0, 2.0, 2.0]]
-    """
-    rows = []
-    for condition, part in mixed.groupby("condition", sort=False):
-        for name in measures:
-            table = part.pivot(index="seed", columns="share", values=name).dropna()
-            shares = table.columns.to_numpy(float)
-            away = shares - shares.mean()
-            each = table.to_numpy(float) @ away / (away**2).sum()
-            found = interval_of(np.round(each, 12)) if len(each) else None
-            rows.append(
-                {
-                    "condition": condition,
-                    "measure": name,
-                    "n": len(each),
-                    "slope": math.nan if found is None else found.mean,
-                    "low": math.nan if found is None else found.low,
-                    "high": math.nan if found is None else found.high,
-                }
-            )
-    return pd.DataFrame(rows)
+    groups = course.groupby([*by, "tick"], sort=False)[["distance", "specialised"]]
+    return groups.mean().reset_index()
 
 
 def between_kinds(kinds: pd.DataFrame, measures: Sequence[str]) -> pd.DataFrame:
     """Compare the programmed with the learned robots of mixed societies, world by world.
 
     Args:
-        kinds: `condition`, `seed`, `share`, `kind` and measures; societies of one kind alone do not
-            count.
+        kinds: of mixed societies: `condition`, `attempt`, `seed`, `share`, `kind` and measures.
         measures: their columns.
 
     Returns:
-        As `comparisons` gives it, with `condition` before it; each world's shares are averaged.
+        A row for each condition and measure: how much more it is of the programmed, averaged over
+        shares, with its interval over attempts and worlds.
     """
-    parts = []
-    both = kinds[(kinds["share"] > 0) & (kinds["share"] < 1)]
-    for condition, part in both.groupby("condition", sort=False):
-        alone = part.groupby(["kind", "seed"], sort=False)[list(measures)].mean().reset_index()
-        found = comparisons(alone, "learned", by="kind")
-        found.insert(0, "condition", condition)
-        parts.append(found)
-    return pd.concat(parts, ignore_index=True)
-
-
-def beyond_both(mixed: pd.DataFrame) -> dict[tuple[str, str], list[tuple[float, int]]]:
-    """Return where mixtures lie beyond both kinds alone.
-
-    Args:
-        mixed: `condition`, `share`, `seed` and measures.
-
-    Returns:
-        By condition and measure, shares and on which side of both kinds they are.
-    """
-    found: dict[tuple[str, str], list[tuple[float, int]]] = {}
-    for condition in MIXED:
-        own = mixed[mixed["condition"] == condition]
-        columns = [*OVER_SHARES, "seed", "share"]
-        ends = [comparisons(own[columns], end, by="share") for end in (0.0, 1.0)]
-        for name in OVER_SHARES:
-            several = []
-            for share in sorted(own["share"].unique()):
-                if 0 < share < 1:
-                    sides = {side(one_of(end, name, society=share)) for end in ends}
-                    if len(sides) == 1 and 0 not in sides:
-                        several.append((float(share), sides.pop()))
-            found[condition, name] = several
-    return found
+    rows = []
+    run = ["condition", "attempt", "seed", "share"]
+    for name in measures:
+        table = kinds.pivot_table(index=run, columns="kind", values=name)
+        away = (table["programmed"] - table["learned"]).rename("away").reset_index()
+        away = away.groupby(run[:3], sort=False)["away"].mean().reset_index()
+        for condition, part in away.groupby("condition", sort=False):
+            found = interval(square(part, "away"))
+            rows.append(
+                {
+                    "condition": condition,
+                    "measure": name,
+                    "difference": found.mean,
+                    "low": found.low,
+                    "high": found.high,
+                }
+            )
+    return pd.DataFrame(rows)

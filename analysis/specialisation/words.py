@@ -39,14 +39,13 @@ def capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def side(row: Mapping[str, Any]) -> int:
-    """Say on which side of 0 a difference is: 1 above, −1 below, 0 for neither.
+def percent(share: float) -> str:
+    """A share as a text has it.
 
-    >>> side({"difference_low": 0.1, "difference_high": 0.3}), side({"difference_low": math.nan})
-    (1, 0)
+    >>> percent(0.904)
+    '90 %'
     """
-    low, high = row.get("difference_low", math.nan), row.get("difference_high", math.nan)
-    return 1 if low > 0 else -1 if high < 0 else 0
+    return "unknown" if math.isnan(share) else f"{round(100 * share)} %"
 
 
 def one_of(table: pd.DataFrame, measure: str, **where: Any) -> dict[str, Any]:

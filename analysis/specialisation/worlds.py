@@ -13,18 +13,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
-from socialmind.catalogue import load_file, load_model
+from socialmind.catalogue import load_file, model_folder
 from socialmind.experiments.measures.division import works_of
 from socialmind.experiments.measures.settling import role_changes
 from socialmind.experiments.measures.specialisation import Course
 from socialmind.experiments.measures.split import role_of, wanted_shares
-from socialmind.experiments.studies import topics
 
-from .societies import CONDITIONS, Condition
+from .societies import CONDITIONS, TRAINED, Condition
 
 if TYPE_CHECKING:
     from socialmind import Model
 
+RULES = load_file(model_folder("foraging_roles") / "thresholds.py")
+"""The model by whose robots all are measured alike, by what they bring home."""
+B = 2
 EVERY = 100
 """Ticks between two records of roles and of what was delivered; a trip takes some 800."""
 SHOWN_EVERY = 500
@@ -36,7 +38,8 @@ def lived(
     seed: int,
     ticks: int,
     parameters: Mapping[str, float],
-    weights: Sequence[float] | None = None,
+    lesson: str = "",
+    attempt: int = 0,
 ) -> dict[str, list[dict[str, Any]]]:
     """Run a society to half-time, and from there on under each condition; measure each run.
 
@@ -45,7 +48,8 @@ def lived(
         seed: of the world.
         ticks: how long.
         parameters: that make the society.
-        weights: of the mind that was learned as in the thesis; None for the model's own.
+        lesson: whose mind the robots have; empty where they need none.
+        attempt: which of its attempts.
 
     Returns:
         Rows by table, each with its `condition`: `worlds`, the measures of the run; `course`,
@@ -53,8 +57,8 @@ def lived(
         learned; `spells`, the roles of each robot.
     """
     half = ticks // 2
-    mind = None if weights is None else _mind(tuple(weights))
-    model = load_model("foraging_roles")(seed=seed, hierarchy=mind, **parameters)
+    mind = _minds(lesson)[attempt] if lesson else None
+    model = RULES.ForagingByThresholds(seed=seed, hierarchy=mind, **parameters)
     before = watched(model, range(0, half, EVERY))
     model.advance(half - 1 - model.tick)  # what happens does so in the tick that ends at half-time
     state = model.state()
@@ -99,9 +103,8 @@ def looked_at(seen: pd.DataFrame, what: Condition, half: int) -> dict[str, list[
 
 
 @cache
-def _mind(weights: tuple[float, ...]) -> Any:
-    trainings = load_file(topics()["foraging_roles"] / "trainings.py")
-    return trainings.mind_of("thesis", np.array(weights))
+def _minds(lesson: str) -> Any:
+    return load_file(TRAINED / "minds.py").minds_of(lesson)
 
 
 def watched(model: Model, ticks: Iterable[int]) -> pd.DataFrame:
@@ -112,7 +115,8 @@ def watched(model: Model, ticks: Iterable[int]) -> pd.DataFrame:
         ticks: ascending.
 
     Returns:
-        `tick`, `agent`, `role`, `programmed`, and `a` and `b`, delivered so far.
+        `tick`, `agent`, `role`, the kind that it brought home last, and A before that;
+        `programmed`, and `a` and `b`, delivered so far.
     """
     seen = []
     for tick in ticks:
@@ -122,7 +126,7 @@ def watched(model: Model, ticks: Iterable[int]) -> pd.DataFrame:
             {
                 "tick": np.full(len(robots), tick),
                 "agent": np.array(robots.id),
-                "role": role_of(robots.is_b),
+                "role": role_of(robots.brought == B),
                 "programmed": np.array(robots.programmed, bool),
                 "a": np.array(robots.delivered_a),
                 "b": np.array(robots.delivered_b),

@@ -7,7 +7,6 @@ import pandas as pd
 import pytest
 
 from socialmind.errors import SocialmindError
-from socialmind.learning import Training
 from socialmind.learning.lessons.keys import seeds_for
 from socialmind.learning.training.course import TrainingCourse
 from socialmind.mind import Perceptron

@@ -2,43 +2,37 @@
 
 import re
 import sys
+from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 import pytest
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.measures import intervals
+from socialmind.experiments.measures import crossed, intervals
 from socialmind.experiments.studies import studies_in
 from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "specialisation"
 making = load_file(FOLDER / "making.py")
 PACKAGE = making.__name__
-farmers, page_module, report, runs, societies, tables, worlds = (
+claims, farmers, page_module, report, runs, societies, tables, worlds = (
     sys.modules[f"{PACKAGE}.{name}"]
-    for name in ("farmers", "page", "report", "runs", "societies", "tables", "worlds")
+    for name in ("claims", "farmers", "page", "report", "runs", "societies", "tables", "worlds")
 )
 RESAMPLES = 200  # enough to see that intervals are the same
-TINY = societies.Size(2, 2000, (0.0, 1 / 3, 1.0), 2, 1500)
+TINY = societies.Size(2, 2000, 2, (3,), 2, 2, 1500)
 COMMAND = "socialmind reproduce specialisation --quick"
+PARTS = ("summary", "attempts", *societies.CONDITIONS, "mixed", "farmers", "limits")
 
 
 @pytest.fixture(scope="module")
-def thesis():
-    trainings = load_file(FOLDER.parent / "foraging_roles" / "trainings.py")
-    size = trainings.mind_of("thesis").skill("ForageRole").genome_size
-    return np.random.default_rng(1).normal(size=size).tolist()
-
-
-@pytest.fixture(scope="module")
-def home(tmp_path_factory, thesis):
+def home(tmp_path_factory):
     """A folder in which a tiny study was made."""
     folder = tmp_path_factory.mktemp("study")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(making, "thesis_weights", lambda *_: thesis)
         patch.setattr(intervals, "RESAMPLES", RESAMPLES)
+        patch.setattr(crossed, "RESAMPLES", RESAMPLES)
         making.make(folder, TINY, COMMAND, workers=1)
     return folder
 
@@ -49,7 +43,7 @@ def home(tmp_path_factory, thesis):
 def test_the_page_holds_all_that_it_shows(home):
     page = (home / "specialisation.html").read_text(encoding="utf-8")
     sources = re.findall(r'<img [^>]*src="([^"]{0,30})', page)
-    assert len(sources) == 7
+    assert len(sources) == 8
     assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
     assert not re.search(r'(?:src|href)="(?!data:|#)', page)
     assert "http" not in re.sub(r'src="data:[^"]*"', "", page)
@@ -64,6 +58,7 @@ def test_every_figure_is_a_file_too(home):
     names = {path.stem for path in (home / "specialisation").glob("*.pdf")}
     assert names == {
         "programmed",
+        "attempts",
         "course",
         "robots",
         "measures",
@@ -73,23 +68,30 @@ def test_every_figure_is_a_file_too(home):
     }
 
 
+def test_a_small_study_draws_no_conclusions(home):
+    page = (home / "specialisation.html").read_text(encoding="utf-8")
+    assert "It draws no conclusions" in page
+    for part in PARTS:
+        for claim in claims.claims_of(part):
+            assert claim.text[:40] not in page
+
+
 def test_tables_are_tidy_and_worlds_are_paired(home):
     made = home / "specialisation"
     table = pd.read_csv(made / "worlds.csv")
-    assert {"society", "condition", "share", "seed", *tables.MEASURED} <= set(table.columns)
+    assert {*tables.RUN, *tables.MEASURED} <= set(table.columns)
     pure = table[table["society"] != "mixed"]
-    seeds = pure.groupby(["society", "condition"])["seed"].apply(tuple)
-    assert len(seeds) == len(societies.SOCIETIES) * len(societies.CONDITIONS)
+    seeds = pure.groupby(["society", "attempt", "condition"])["seed"].apply(tuple)
+    learned = [one for one in societies.SOCIETIES.values() if one.lesson]
+    assert len(seeds) == len(societies.CONDITIONS) * (len(societies.SOCIETIES) + len(learned))
     assert set(seeds) == {(societies.SEED, societies.SEED + 1)}
     assert set(table.loc[table["society"] == "mixed", "share"].round(3)) == {0.333}
+    each = pd.read_csv(made / "attempts.csv")
+    assert len(each) == len(seeds)
     # Until half-time nothing is known of the shock.
     course = pd.read_csv(made / "course.csv")
-    course = course[course["measure"] == "distance"]
     before = course[course["tick"] < TINY.half]
-    assert before.groupby(["society", "tick"])["mean"].nunique().eq(1).all()
-    fixed = course[(course["society"] == "fixed") & (course["tick"] >= TINY.half)]
-    assert fixed[fixed["condition"] == "undisturbed"]["mean"].lt(1e-9).all()
-    assert fixed[fixed["condition"] == "turned"]["mean"].between(2.99, 3.01).all()
+    assert before.groupby(["society", "tick"])["distance"].nunique().eq(1).all()
     kinds = pd.read_csv(made / "mixed-kinds.csv")
     assert set(kinds["kind"]) == {"programmed", "learned"}
     robots = pd.read_csv(made / "robots.csv")
@@ -97,10 +99,11 @@ def test_tables_are_tidy_and_worlds_are_paired(home):
     assert robots[robots["society"] == "programmed"]["programmed"].all()
 
 
-def test_the_same_is_made_twice(home, thesis, tmp_path, monkeypatch):
+def test_the_same_is_made_twice(home, tmp_path, monkeypatch):
     monkeypatch.setattr(intervals, "RESAMPLES", RESAMPLES)
-    cells = runs.cells_of(TINY, thesis)
-    for again in (cells[0], cells[5]):
+    monkeypatch.setattr(crossed, "RESAMPLES", RESAMPLES)
+    cells = runs.cells_of(TINY)
+    for again in (cells[0], cells[-1]):
         runs.run([again], TINY, tmp_path, workers=1)
     kept = [one for one in sorted(tmp_path.rglob("*")) if one.is_file()]
     assert len(kept) == 2 * len(runs.TABLES)
@@ -113,23 +116,22 @@ def test_the_same_is_made_twice(home, thesis, tmp_path, monkeypatch):
     assert page == (home / "specialisation.html").read_text(encoding="utf-8")
 
 
-def test_what_is_kept_is_not_run_again(home, thesis, monkeypatch):
+def test_what_is_kept_is_not_run_again(home, monkeypatch):
     monkeypatch.setattr(runs, "lived", None)
-    cells = runs.cells_of(TINY, thesis)
+    cells = runs.cells_of(TINY)
     found = runs.run(cells, TINY, home / "specialisation-worlds", workers=1)
-    assert len(found.worlds) == 2 * sum(len(cell.conditions) for cell in cells)
-    changed = runs.Cell("programmed", 1.0, cells[0].conditions, {"programmed": 0.5})
+    assert len(found.worlds) == sum(cell.worlds * len(cell.conditions) for cell in cells)
+    changed = replace(cells[0], parameters={"programmed": 0.5})
     assert runs.stamp(changed, TINY.ticks) != runs.stamp(cells[0], TINY.ticks)
     assert runs.stamp(cells[0], 2 * TINY.ticks) != runs.stamp(cells[0], TINY.ticks)
+    first, second = [one for one in cells if one.society == "supervised"]
+    assert runs.stamp(first, TINY.ticks) != runs.stamp(second, TINY.ticks)
 
 
-def test_without_the_thesis_s_mind_it_says_what_makes_it(monkeypatch, tmp_path):
-    others = load_file(FOLDER.parent / "foraging_roles" / "trainings.py")
-    results = load_file(FOLDER.parent / "foraging_roles" / "results.py")
-    monkeypatch.setattr(others, "kept", dict)
-    monkeypatch.setattr(results, "kept", dict)
-    with pytest.raises(SocialmindError, match=r"foraging_roles\.trainings thesis makes it"):
-        making.thesis_weights(tmp_path, train_small=False)
+def test_without_an_attempt_at_a_lesson_it_says_what_makes_it(monkeypatch):
+    monkeypatch.setattr(runs.MINDS, "minds_of", lambda _: {})
+    with pytest.raises(SocialmindError, match=r"role_trainings delivered_anew makes them"):
+        runs.cells_of(TINY)
 
 
 def test_there_is_a_quick_one():
@@ -146,7 +148,7 @@ def test_what_goes_on_from_half_time_is_what_would_have_come_of_it(condition):
     parameters, ticks = {"programmed": 0.5}, 2000
     what = societies.CONDITIONS[condition]
     found = worlds.lived(["undisturbed", condition], 3, ticks, parameters)
-    model = worlds.load_model("foraging_roles")(seed=3, **parameters, **what.parameters(ticks // 2))
+    model = worlds.RULES.ForagingByThresholds(seed=3, **parameters, **what.parameters(ticks // 2))
     alone = worlds.watched(model, range(0, ticks + 1, worlds.EVERY))
     expected = worlds.looked_at(alone, what, ticks // 2)
     for table, rows in found.items():
@@ -199,44 +201,107 @@ def test_goods_in_the_ratio_are_counted_by_halves():
 # Tables -------------------------------------------------------------------------------------------
 
 
-def test_mixtures_beyond_both_kinds():
-    rng = np.random.default_rng(0)
-    rows = []
-    for condition in societies.MIXED:
-        for share in (0.0, 0.5, 1.0):
-            for seed in range(8):
-                worse = 5.0 if share == 0.5 and condition == "turned" else 0.0
-                level = {name: rng.normal() / 10 for name in tables.OVER_SHARES}
-                level["last_distance"] += worse
-                rows.append({"condition": condition, "share": share, "seed": seed, **level})
-    found = tables.beyond_both(pd.DataFrame(rows))
-    assert found["turned", "last_distance"] == [(0.5, 1)]
-    assert found["undisturbed", "last_distance"] == []
-    slopes = tables.slopes(pd.DataFrame(rows), ["last_distance"])
-    assert (slopes["low"] < 0).all()
-    assert (slopes["high"] > 0).all()
-    shown = page_module.beyond_table(found)
-    assert "<td>ratio turned round</td><td>Distance</td><td>4</td><td>more</td>" in shown
-    assert page_module.beyond_table({}) == ""
+def runs_of(society, values, condition="calm"):
+    """Runs with a value for each attempt and world."""
+    return pd.DataFrame(
+        [
+            {"society": society, "attempt": attempt, "condition": condition, "seed": seed,
+             **dict.fromkeys(tables.MEASURED, value)}
+            for attempt, several in enumerate(values, 1)
+            for seed, value in enumerate(several)
+        ]
+    )  # fmt: skip
 
 
-# What was found -----------------------------------------------------------------------------------
+def test_means_are_over_attempts_and_worlds():
+    table = runs_of("a", [[1, 2, 3], [3, 4, 5], [8, 9, 10]])
+    row = tables.means(table, ["society"], ["within"]).iloc[0]
+    assert (row["mean"], row["least"], row["most"]) == (5, 2, 9)
+    assert (row["attempts"], row["worlds"]) == (3, 3)
+    assert row["low"] < 2.5
+    assert row["high"] > 8
+    one = tables.means(table[table["attempt"] == 1], ["society"], ["within"]).iloc[0]
+    assert one["high"] - one["low"] < 3
 
 
-@pytest.mark.parametrize("section", ["summary", "mixed", "farmers", *societies.CONDITIONS])
-def test_what_was_found_is_written_for_each_part_and_stands_on_the_kept_page(section):
-    written = page_module.findings(section)
-    assert written.count("<li>") >= 4
-    assert written in (FOLDER / "results" / "specialisation.html").read_text(encoding="utf-8")
+def test_differences_are_in_equal_worlds():
+    reference = runs_of("programmed", [[1, 5, 9, 2]])
+    above = runs_of("a", [[2, 6, 10, 3], [2.2, 6.2, 10.2, 3.2]])
+    found = tables.differences(pd.concat([reference, above]))
+    row = found[found["measure"] == "within"].iloc[0]
+    assert row["difference"] == pytest.approx(1.1)
+    # The worlds differ by far more than the societies do, and that is gone.
+    assert 0.7 < row["low"] < row["high"] < 1.5
 
 
-def test_effects_that_are_written_are_those_of_the_kept_tables():
-    made = FOLDER / "results" / "specialisation"
-    differences = pd.read_csv(made / "differences.csv")
-    pairs = differences.query("society == 'programmed' and reference == 'learned'")
-    for condition in societies.CONDITIONS:
-        written = page_module.findings(condition)
-        row = pairs.query(f"condition == '{condition}' and measure == 'changes'").iloc[0]
-        low, high = row["difference_low"], row["difference_high"]
-        told = f"(difference {row['difference']:.2f} ({low:.2f} to {high:.2f}); g {row['g']:.1f})"
-        assert told.replace("-", "−") in written
+def test_kinds_are_compared_within_their_society():
+    rows = [
+        {"condition": "calm", "attempt": attempt, "seed": seed, "share": share, "kind": kind,
+         "changes": 10 * seed + attempt + (kind == "learned") * (1 + share)}
+        for attempt in (1, 2) for seed in (1, 2, 3) for share in (0.25, 0.75)
+        for kind in ("programmed", "learned")
+    ]  # fmt: skip
+    (found,) = tables.between_kinds(pd.DataFrame(rows), ["changes"]).to_dict("records")
+    assert found["difference"] == pytest.approx(-1.5)
+
+
+# What is said -------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def made_up():
+    """Tables in which the society `a` has 1 more than the programmed one."""
+    worlds = pd.concat(
+        [runs_of("programmed", [[0.2, 0.4, 0.3]]), runs_of("a", [[1.2, 1.4, 1.3], [1.2, 1.4, 1.3]])]
+    )
+    return {
+        "means": tables.means(worlds, ["society", "condition"], list(tables.MEASURED)),
+        "differences": tables.differences(worlds),
+    }
+
+
+@pytest.mark.parametrize(
+    ("check", "so"),
+    [
+        ("at least 0.3 within programmed calm", True),
+        ("at least 0.31 within programmed calm", False),
+        ("at most 0.3 within programmed calm", True),
+        ("worst at least 1.2 within a calm", True),
+        ("worst at least 1.4 within a calm", False),
+        ("worst at most 1.4 within a calm", True),
+        ("more within a calm", True),
+        ("less within a calm", False),
+        ("untold within a calm", False),
+    ],
+)
+def test_checks_hold_or_do_not(made_up, check, so):
+    assert claims.holds(check, made_up) == so
+
+
+def test_a_claim_has_its_numbers_and_says_where_it_does_not_hold(made_up):
+    text = "{within a calm}, {difference within a calm}, {worst changes a calm}, {attempts a}"
+    told = claims.told(claims.Claim(("more within a calm",), text), made_up)
+    assert told.holds
+    assert told.text.startswith("130 % (")
+    assert told.text.endswith(", 1.30, 2")
+    assert not claims.told(claims.Claim(("less within a calm",), "x"), made_up).holds
+
+
+@pytest.mark.parametrize(
+    "wrong", ["within a calm", "more within", "more wit a calm", "more within b calm"]
+)
+def test_a_check_that_is_none_is_an_error(made_up, wrong):
+    with pytest.raises(SocialmindError):
+        claims.holds(wrong, made_up)
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_all_that_is_said_holds_of_the_kept_tables_and_stands_on_the_kept_page(part):
+    kept = FOLDER / "results"
+    found = {path.stem: pd.read_csv(path) for path in (kept / "specialisation").glob("*.csv")}
+    said = [claims.told(claim, found) for claim in claims.claims_of(part)]
+    assert said
+    assert [one.text for one in said if not one.holds] == []
+    page = (kept / "specialisation.html").read_text(encoding="utf-8")
+    for one in said:
+        assert page_module.html.bullets([one.text])[5:-6] in page

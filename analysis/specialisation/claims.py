@@ -1,0 +1,179 @@
+"""What the page says in words: each claim with the check on its tables that it stands or falls by.
+
+`claims.md` is written by hand, a section for each part of the page and a claim a line:
+
+    - [at least 0.9 within programmed turned] Programmed robots settle: {within programmed turned}.
+
+In square brackets stand checks, parted by semicolons; in braces numbers that are filled in. Where a
+check does not hold, in another run or with other seeds, the page says so in the claim's place.
+
+| check | holds where |
+|---|---|
+| `at least X MEASURE SOCIETY CONDITION` | the mean is X or more |
+| `at most X MEASURE SOCIETY CONDITION` | the mean is X or less |
+| `worst at least X MEASURE SOCIETY CONDITION` | that of the worst attempt is X or more |
+| `worst at most X …` | that of the worst attempt is X or less |
+| `more MEASURE SOCIETY CONDITION` | all of the interval is more than in the programmed society |
+| `less MEASURE SOCIETY CONDITION` | all of it is less |
+| `untold MEASURE SOCIETY CONDITION` | the interval of the difference holds 0 |
+
+Numbers are `MEASURE SOCIETY CONDITION`, a mean with its interval; `worst …` and `best …`, those of
+an attempt; `difference …`, from the programmed society; `attempts SOCIETY`. The condition `farmers`
+stands for the societies of farmers and artisans, `kinds` with the society `calm` or `turned` for
+programmed robots less learned ones of one society.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from socialmind.errors import SocialmindError
+
+from . import farmers
+from .tables import MEASURED
+from .words import number, percent, spread
+
+FILE = Path(__file__).with_name("claims.md")
+_LINE = re.compile(r"- \[(?P<checks>[^\]]+)\] (?P<text>.+)")
+_CHECK = re.compile(
+    r"(?:(?P<worst>worst )?at (?P<side>least|most) (?P<bound>[\d.]+)|(?P<way>more|less|untold)) "
+    r"(?P<place>.+)"
+)
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A sentence or two, and what they stand or fall by.
+
+    Attributes:
+        checks: as the file has them.
+        text: with numbers in braces.
+    """
+
+    checks: tuple[str, ...]
+    text: str
+
+
+@dataclass(frozen=True)
+class Told:
+    """A claim as the page has it.
+
+    Attributes:
+        text: with its numbers.
+        holds: whether all its checks do.
+    """
+
+    text: str
+    holds: bool
+
+
+def claims_of(section: str, file: Path = FILE) -> list[Claim]:
+    """Return the claims about a part of the page.
+
+    Raises:
+        SocialmindError: there is no such section, or a line that is not a claim.
+    """
+    parts = file.read_text(encoding="utf-8").split(f"\n## {section}\n", 1)
+    if len(parts) < 2:
+        raise SocialmindError(f"{file.name} has no section {section!r}")
+    found = []
+    for line in filter(None, parts[1].split("\n## ", 1)[0].splitlines()):
+        match = _LINE.fullmatch(line)
+        if match is None:
+            raise SocialmindError(f"{file.name}: {line!r}; expected - [checks] text")
+        found.append(Claim(tuple(match["checks"].split("; ")), match["text"]))
+    return found
+
+
+def told(claim: Claim, tables: Mapping[str, pd.DataFrame]) -> Told:
+    """Return a claim with its numbers, and whether it holds of tables."""
+    text = re.sub(r"\{([^}]+)\}", lambda found: _number(found[1], tables), claim.text)
+    return Told(text, all(holds(check, tables) for check in claim.checks))
+
+
+def holds(check: str, tables: Mapping[str, pd.DataFrame]) -> bool:
+    """Return whether a check holds of tables; what is unknown does not.
+
+    Raises:
+        SocialmindError: it is none, or is about what the tables do not have.
+    """
+    match = _CHECK.fullmatch(check)
+    if match is None:
+        raise SocialmindError(f"the check {check!r}; see the table in claims.py")
+    measure, society, condition = _place(match["place"])
+    if match["way"]:
+        row = _row(tables, _DIFFERENCES, measure, society, condition)
+        low, high = float(row["low"]), float(row["high"])
+        return {"more": low > 0, "less": high < 0, "untold": low <= 0 <= high}[match["way"]]
+    row = _row(tables, _MEANS, measure, society, condition)
+    least, bound = match["side"] == "least", float(match["bound"])
+    if not match["worst"]:
+        value = float(row["mean"])
+    else:
+        # The worst attempt is the one that is farthest on the side that the claim rules out.
+        value = float(row["least"] if least else row["most"])
+    return value >= bound if least else value <= bound
+
+
+_MEANS = {"farmers": "farmers-means", "": "means"}
+_DIFFERENCES = {"farmers": "farmers-differences", "kinds": "mixed-kinds-differences",
+                "": "differences"}  # fmt: skip
+
+
+def _place(text: str) -> tuple[str, str, str]:
+    words = text.split()
+    if len(words) != 3:
+        raise SocialmindError(f"{text!r} in a claim; expected measure, society, condition")
+    measure, society, condition = words
+    return measure, society, condition
+
+
+def _row(
+    tables: Mapping[str, pd.DataFrame], names: Mapping[str, str], measure: str, society: str,
+    condition: str,
+) -> Mapping[str, Any]:  # fmt: skip
+    table = tables[names.get(condition, names[""])]
+    where = {"measure": measure, "society": society, "condition": condition}
+    if condition == "farmers":
+        del where["condition"]
+    if condition == "kinds":
+        where = {"measure": measure, "condition": society}
+    for name, value in where.items():
+        table = table[table[name] == value]
+    if len(table) != 1:
+        raise SocialmindError(f"a claim about {measure} {society} {condition}, which is in no row")
+    return {str(name): value for name, value in table.iloc[0].items()}
+
+
+def _number(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
+    """A number of a claim, as a text has it."""
+    first, _, rest = text.partition(" ")
+    if first == "attempts":
+        means = tables["means"]
+        return str(int(means.loc[means["society"] == rest, "attempts"].iloc[0]))
+    if first in ("worst", "best", "difference"):
+        text = rest
+    measure, society, condition = _place(text)
+    share = measure == "within"
+    known = farmers.MEASURED if condition == "farmers" else MEASURED
+    digits = known[measure].digits if measure in known else 2
+    if first == "difference":
+        row = _row(tables, _DIFFERENCES, measure, society, condition)
+        return spread({**row, "mean": row["difference"]}, digits)
+    row = _row(tables, _MEANS, measure, society, condition)
+    if first in ("worst", "best"):
+        value = float(row["least" if first == "worst" else "most"])
+        return percent(value) if share else number(value, digits)
+    if not share:
+        return spread(row, digits)
+    low, high = float(row["low"]), float(row["high"])
+    if not math.isfinite(low) or low == high:
+        return percent(row["mean"])
+    return f"{percent(row['mean'])} ({percent(low)} to {percent(high)})"
