@@ -7,6 +7,7 @@ study that was stopped goes on where it was, and nothing stale is ever taken for
 from __future__ import annotations
 
 import hashlib
+import re
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,7 +17,7 @@ from typing import Any
 import pandas as pd
 
 import socialmind
-from socialmind.catalogue import load_file, model_folder, source_hash
+from socialmind.catalogue import load_file, model_folder
 from socialmind.errors import SocialmindError
 from socialmind.work.side_by_side import side_by_side
 
@@ -178,16 +179,31 @@ def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = Non
 def stamp(cell: Cell, ticks: int) -> str:
     """Return a hash of all that decides what comes of a cell: code, minds and parameters."""
     model, half = model_folder("foraging_roles"), ticks // 2
-    known = [socialmind.__version__, source_hash(model), ticks, EVERY, SHOWN_EVERY]
+    known: list[Any] = [socialmind.__version__, ticks, EVERY, SHOWN_EVERY]
     known += [dict(cell.parameters), _weights(cell.lesson, cell.attempt)]
     for name in cell.conditions:
         what = CONDITIONS[name]
         known += [name, what.parameters(half), what.wanted(half).to_dict("records")]
     total = hashlib.sha256(repr(known).encode())
     data = [one for one in sorted(model.rglob("*")) if one.suffix not in (".md", ".py", ".pyc")]
-    for path in (Path(__file__).with_name("worlds.py"), *filter(Path.is_file, data)):
+    rules = imported(model / "thresholds.py")
+    for path in (Path(__file__).with_name("worlds.py"), *rules, *filter(Path.is_file, data)):
         total.update(f"{path.name}\0".encode() + path.read_bytes())
     return total.hexdigest()[:12]
+
+
+def imported(first: Path) -> list[Path]:
+    """Return a file of a model and all of its folder that it imports; what others do is no matter.
+
+    >>> [one.name for one in imported(model_folder("foraging_roles") / "payoff.py")]
+    ['payoff.py', 'roles.py']
+    """
+    found = [first]
+    for path in found:
+        for name in re.findall(r"^from \.(\w+) import", path.read_text(encoding="utf-8"), re.M):
+            if (other := path.with_name(f"{name}.py")) not in found:
+                found.append(other)
+    return sorted(found)
 
 
 def _weights(lesson: str, attempt: int) -> list[Any]:
