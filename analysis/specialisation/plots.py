@@ -210,8 +210,10 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
         paper.panel_title(axes, letter, SOCIETIES[society].title)
     for axes in panels.flat[len(SOCIETIES) :]:
         axes.set_axis_off()
-    for axes in panels[:-1].flat:
+    for axes in panels.flat[: len(SOCIETIES) - ACROSS]:
         axes.set_xlabel("")
+    for axes in panels.flat[len(SOCIETIES) - ACROSS : len(SOCIETIES)]:
+        axes.tick_params(labelbottom=True)
     for axes in panels[:, 0]:
         axes.set_ylabel("robot")
     _legend(figure, [Patch(color=A, label="brings A"), Patch(color=B, label="brings B")])

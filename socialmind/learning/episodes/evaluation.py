@@ -74,9 +74,7 @@ class Evaluation:
             "ticks": self.ticks,
             "physics": self.engine,
         }
-        from socialmind.model import Model
-
-        if not issubclass(self.environment, Model):
+        if not self.of_a_model:
             return self.environment(**arguments)
         if not self.environment.shape.world.has_episodes:
             from socialmind.learning.episodes.society_episodes import SocietyEpisodes
@@ -85,6 +83,13 @@ class Evaluation:
         from socialmind.learning.episodes.plane_episodes import Episodes
 
         return Episodes(self.environment, **arguments)
+
+    @property
+    def of_a_model(self) -> bool:
+        """Whether the environment is a model, and no class that runs episodes in its own way."""
+        from socialmind.model import Model
+
+        return issubclass(self.environment, Model)
 
     def worker(self) -> _Evaluator:
         """Return who evaluates genomes on worlds, one piece after another."""

@@ -43,7 +43,7 @@ class Evaluators:
             Stopped: `stop` said so.
             ModelError: the environment failed.
         """
-        pieces = pieces_of(genomes, seeds, self._pieces(len(genomes) * len(seeds)))
+        pieces = pieces_of(genomes, seeds, self._pieces(evaluation, len(genomes) * len(seeds)))
         score = np.zeros((len(genomes), len(seeds)))
         ticks = np.zeros(score.shape, np.int64)
         task = evaluation if isinstance(genomes, np.ndarray) else evaluation.by_skill
@@ -52,9 +52,13 @@ class Evaluators:
             ticks[piece.individuals, piece.worlds] = one.ticks
         return Scores(score, ticks)
 
-    def _pieces(self, episodes: int) -> int:
+    def _pieces(self, evaluation: Evaluation, episodes: int) -> int:
         """Return into how many pieces so many episodes are cut, a few for each worker."""
         count = self._workers.count
-        if isinstance(self._workers, Threads):  # the lanes of each are to be filled
+        if isinstance(self._workers, Threads):
+            if not evaluation.of_a_model:
+                # Threads wait for each other in Python, and arrays are the faster the longer.
+                return 1
+            # The lanes of each are to be filled.
             return count * (2 if episodes >= 4 * LANES * count else 1)
         return 4 * count

@@ -56,6 +56,17 @@ def test_threads(evaluation, count):
             assert equal(Evaluators(workers).evaluate(one, GENOMES, SEEDS), expected(one))
 
 
+def test_what_runs_in_python_is_not_cut_for_threads(evaluation):
+    class Noting(Threads):
+        def results(self, task, pieces, stop):
+            self.pieces = len(pieces)
+            return super().results(task, pieces, stop)
+
+    with Noting(2) as workers:
+        Evaluators(workers).evaluate(evaluation(), GENOMES, SEEDS)
+    assert workers.pieces == 1
+
+
 def test_processes(evaluation, processes):
     for one in (evaluation(), evaluation(target=0.9)):
         assert equal(processes.evaluate(one, GENOMES, SEEDS), expected(one))
