@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 from numba.extending import register_jitable
 
+from socialmind.compiling.memory import index
 from socialmind.worlds.grid.patches_near import axis_around, once_round, place_on
 
 
@@ -127,8 +127,7 @@ def standing(
     first_x, _, own_x, first_y, _, own_y = area
     at_x = once_round(first_x + column, width) if wraps_x else first_x + column
     at_y = once_round(first_y + row, height) if wraps_y else first_y + row
-    # No place is below 0; numba would look whether one is to be counted from the end.
-    who = taken[np.uint64(at_x * height + at_y)]
+    who = taken[index(at_x * height + at_y)]
     theirs = (who >= 0) & (who % populations == number)
     slot = max(who, 0) // populations if populations == 1 or theirs else 0
     if kind == 0:
