@@ -74,7 +74,7 @@ def counting_on_patches(
         f"        {slot}, {asked_for} = "
         f"_near_standing_{asker}(_model, {who}, {kind}, {area}, {column}, {row})\n"
         # Where nobody stands the condition is asked of anybody: there is nothing to guess.
-        f"        {other} = _rows_{population}(_model)[np.uint64({slot})]\n"
+        f"        {other} = _rows_{population}(_model)[_index({slot})]\n"
         f"        {name} = {name} + ({asked_for} & CONDITION)\n"
     ).body
     lines[0].value, lines[2].value.args[2], lines[1].value = asked.args[1:]

@@ -455,7 +455,8 @@ class _Lowering(ast.NodeTransformer):
             f"for {place} in _range({begin}, {end}):\n"
             f"    _found_{self.loops} = _{by}_{slot}_{population}(_model, {place})\n"
             f"{dead}"
-            f"    {ast.unparse(node.target)} = _rows_{population}(_model)[_found_{self.loops}]\n"
+            f"    {ast.unparse(node.target)} = "
+            f"_rows_{population}(_model)[_index(_found_{self.loops})]\n"
             f"_{by}_leave_{population}(_model, {begin})\n"
         ).body
         lines[1].value = value

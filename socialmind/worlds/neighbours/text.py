@@ -130,7 +130,7 @@ def _near_keep_slots_NAME(_model, begin, end):
 
 @_inner
 def _near_slot_as_it_is_NAME(_model, place):
-    return _near_found_NAME(_model)[place]
+    return _near_found_NAME(_model)[_index(place)]
 
 
 @_inner
@@ -140,7 +140,7 @@ def _near_leave_NAME(_model, begin):
 
 @_inner
 def _near_slot_NAME(_model, place):
-    return _order_NAME(_model)[_near_found_NAME(_model)[place]]
+    return _order_NAME(_model)[_index(_near_found_NAME(_model)[_index(place)])]
 
 
 @_inner
