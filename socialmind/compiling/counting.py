@@ -25,7 +25,8 @@ def counted(body: list[ast.stmt]) -> tuple[str, ast.expr] | None:
     only: Any = body[0]
     if len(body) != 1 or not isinstance(only, ast.Assign) or not _calls(only.value, "_add_int"):
         return None
-    target, (before, added) = only.targets[0], only.value.args
+    target: Any = only.targets[0]
+    before, added = only.value.args
     if not isinstance(target, ast.Name) or not isinstance(before, ast.Name):
         return None
     if target.id != before.id:
@@ -45,6 +46,7 @@ def counted(body: list[ast.stmt]) -> tuple[str, ast.expr] | None:
 
 
 def _calls(node: Any, *names: str) -> bool:
+    """Say whether a node calls one of some functions."""
     return isinstance(node, ast.Call) and getattr(node.func, "id", None) in names
 
 
