@@ -22,20 +22,24 @@ def counted(body: list[ast.stmt]) -> tuple[str, ast.expr] | None:
             The condition calls nothing, so it can be asked of whomever; and no count of agents
             goes beyond 64 bits.
     """
-    only: Any = body[0]
-    if len(body) != 1 or not isinstance(only, ast.Assign) or not _calls(only.value, "_add_int"):
+    only = body[0]
+    if len(body) != 1 or not isinstance(only, ast.Assign):
         return None
-    target: Any = only.targets[0]
-    before, added = only.value.args
+    target, sum_of = only.targets[0], only.value
+    if not isinstance(sum_of, ast.Call) or not _calls(sum_of, "_add_int"):
+        return None
+    before, added = sum_of.args
     if not isinstance(target, ast.Name) or not isinstance(before, ast.Name):
         return None
     if target.id != before.id:
         return None
     if isinstance(added, ast.Constant) and added.value == 1:
         return target.id, ast.Constant(True)
-    if not _calls(added, "_as_int") or not isinstance(added.args[0], ast.Compare):
+    if not isinstance(added, ast.Call) or not _calls(added, "_as_int"):
         return None
     condition = added.args[0]
+    if not isinstance(condition, ast.Compare):
+        return None
     for part in ast.walk(condition):
         if isinstance(part, ast.Call) and not _calls(part, WIDENED, "_rows"):
             return None
