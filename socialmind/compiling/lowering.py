@@ -13,6 +13,7 @@ import itertools
 from typing import Any
 
 from socialmind.compiling.aggregates import aggregate_name
+from socialmind.compiling.counting import counted, counting_on_patches
 from socialmind.fields import Field, presence
 from socialmind.language.program import Program, TypedFunction
 from socialmind.language.shape import ModelShape
@@ -435,6 +436,9 @@ class _Lowering(ast.NodeTransformer):
         keep, slot = f"_{by}_keep_{population}(_model, {begin}, {end}, {ordered})", "slot"
         taken = "" if ordered or self.world is None else self.world.taken_by(population)
         if taken and value.func.id.startswith("_near_patches_"):
+            if counting := None if node.orelse else counted(self.block(copy.deepcopy(node.body))):
+                target = ast.unparse(node.target)
+                return counting_on_patches(population, value, target, counting, self.loops)
             # In any order, and patches know who stands on them: no places in the order of birth.
             value.func.id = value.func.id.replace("_near_patches_", "_near_slots_", 1)
             keep = f"_near_keep_slots_{population}(_model, {begin}, {end})"
@@ -451,7 +455,8 @@ class _Lowering(ast.NodeTransformer):
             f"for {place} in _range({begin}, {end}):\n"
             f"    _found_{self.loops} = _{by}_{slot}_{population}(_model, {place})\n"
             f"{dead}"
-            f"    {ast.unparse(node.target)} = _rows_{population}(_model)[_found_{self.loops}]\n"
+            f"    {ast.unparse(node.target)} = "
+            f"_rows_{population}(_model)[_index(_found_{self.loops})]\n"
             f"_{by}_leave_{population}(_model, {begin})\n"
         ).body
         lines[1].value = value

@@ -17,6 +17,7 @@ from socialmind import streams as _streams
 from socialmind.language import arithmetic as _arithmetic
 from socialmind.compiling.memory import as_pointer as _as_pointer
 from socialmind.compiling.memory import fetch_ahead as _fetch_ahead
+from socialmind.compiling.memory import index as _index
 from socialmind.compiling.memory import some as _some
 
 # What only compiled code calls needs no door for Python; each would cost time to compile.

@@ -182,7 +182,7 @@ def _phase_text(shape: ModelShape, phase: Phase, indexed: tuple[str, ...]) -> st
                 "                _fetch_ahead(values, mind)",
             ]
     lines += [
-        "        slot = acting[place]",
+        "        slot = _index(acting[place])",
         "        if alive[slot]:",
         "            agent = rows[slot]",
     ]

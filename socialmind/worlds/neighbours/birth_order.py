@@ -6,7 +6,7 @@ from typing import Any
 
 from numba.extending import register_jitable
 
-from socialmind.compiling.memory import lowest_bit
+from socialmind.compiling.memory import index, lowest_bit
 
 FEW = 8
 """So many are brought into order by comparing them, more by marking their places."""
@@ -27,20 +27,21 @@ def in_order(found: Any, begin: int, end: int, marks: Any, places: int) -> None:
         return
     first, last = 0, (places - 1) >> 6
     if last > SMALL and end - begin > FEW:
-        first = last = found[begin] >> 6
+        first = last = found[index(begin)] >> 6
         for at in range(begin + 1, end):
-            word = found[at] >> 6
+            word = found[index(at)] >> 6
             first = min(first, word)
             last = max(last, word)
     if last - first < SMALL or (end - begin > FEW and last - first < SPARSE * (end - begin)):
         for at in range(begin, end):
-            marks[found[at] >> 6] |= 1 << (found[at] & 63)
+            place = found[index(at)]
+            marks[index(place >> 6)] |= 1 << (place & 63)
         at = begin
         for word in range(first, last + 1):
-            bits = marks[word]
-            marks[word] = 0
+            bits = marks[index(word)]
+            marks[index(word)] = 0
             while bits != 0:
-                found[at] = (word << 6) | lowest_bit(bits)
+                found[index(at)] = (word << 6) | lowest_bit(bits)
                 at += 1
                 bits &= bits - 1
         return
@@ -50,10 +51,10 @@ def in_order(found: Any, begin: int, end: int, marks: Any, places: int) -> None:
             gap = 3 * gap + 1
     while gap > 0:
         for at in range(begin + gap, end):
-            place = found[at]
+            place = found[index(at)]
             other = at
-            while other - gap >= begin and found[other - gap] > place:
-                found[other] = found[other - gap]
+            while other - gap >= begin and found[index(other - gap)] > place:
+                found[index(other)] = found[index(other - gap)]
                 other -= gap
-            found[other] = place
+            found[index(other)] = place
         gap //= 3

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.worlds.neighbours.cells import CELLS
+from socialmind.worlds.neighbours.eight import EIGHT
 from socialmind.worlds.neighbours.entries import ENTRY
 
 ARRAYS: dict[str, Any] = {
@@ -38,7 +39,7 @@ def arrays(room: int, loops: int, patches: bool) -> dict[str, NDArray[Any]]:
     cells = room * (PATCHES_AN_AGENT if patches else 1) + MORE_CELLS
     sizes = {
         "near_cells": 1,
-        "near_entries": 2 * room,  # one that is listed, and one in a list
+        "near_entries": 2 * room + EIGHT,  # one that is listed, and one in a list
         "near_starts": 1 if patches else cells + 1,
         "near_heads": cells,
         "near_spots": room,

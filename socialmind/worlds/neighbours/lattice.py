@@ -6,7 +6,8 @@ from typing import Any
 
 from numba.extending import register_jitable
 
-from socialmind.worlds.grid.patches_near import axis_around, place_on
+from socialmind.compiling.memory import index
+from socialmind.worlds.grid.patches_near import axis_around, once_round, place_on
 
 
 @register_jitable
@@ -77,3 +78,59 @@ def find_on_taken(
                 found[end] = slot
                 end += wanted
     return end
+
+
+@register_jitable
+def area(
+    x: float,
+    y: float,
+    steps: int,
+    low_x: int,
+    low_y: int,
+    width: int,
+    height: int,
+    wraps_x: int,
+    wraps_y: int,
+) -> tuple[int, int, int, int, int, int]:
+    """Return the patches at most so many king's moves from a place.
+
+    Returns:
+        The first column, how many there are and which of them is the place's own; the same of rows.
+    """
+    column, row = place_on(x, low_x, width, wraps_x), place_on(y, low_y, height, wraps_y)
+    columns = axis_around(column, min(steps, width), width, wraps_x)
+    return *columns, *axis_around(row, min(steps, height), height, wraps_y)
+
+
+@register_jitable
+def standing(
+    taken: Any,
+    area: Any,
+    column: int,
+    row: int,
+    kind: int,
+    own: int,
+    populations: int,
+    number: int,
+    low_x: int,
+    low_y: int,
+    width: int,
+    height: int,
+    wraps_x: int,
+    wraps_y: int,
+) -> tuple[int, bool]:
+    """Return the slot of who stands on a patch of an area, and whether it is asked for.
+
+    The column and row are counted within the area; `find_on_taken` says what the others are. Where
+    no agent of the population stands the slot is 0.
+    """
+    first_x, _, own_x, first_y, _, own_y = area
+    at_x = once_round(first_x + column, width) if wraps_x else first_x + column
+    at_y = once_round(first_y + row, height) if wraps_y else first_y + row
+    who = taken[index(at_x * height + at_y)]
+    theirs = (who >= 0) & (who % populations == number)
+    slot = max(who, 0) // populations if populations == 1 or theirs else 0
+    if kind == 0:
+        return slot, theirs & (slot != own)
+    middle = (column == own_x) + (row == own_y)  # on its own patch there is but the agent itself
+    return slot, theirs & (middle == 1 if kind == 4 else middle < 2)

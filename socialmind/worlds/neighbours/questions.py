@@ -12,7 +12,9 @@ from typing import Any
 
 from numba.extending import register_jitable
 
+from socialmind.compiling.memory import index
 from socialmind.worlds.neighbours.cells import columns_near, rows_near
+from socialmind.worlds.neighbours.eight import push_near
 
 
 @register_jitable
@@ -74,15 +76,11 @@ def find_near(
     end = cells.top
     for at in range(first_column, first_column + columns if cells.listed else 0):
         line = (at - cells_x if at >= cells_x else at) * cells_y
-        for one in range(starts[line + first_row], starts[line + last_row]):
-            away = square_of_distance(entries[one].x - x, entries[one].y - y, round_x, round_y)
-            found[end] = entries[one].place
-            end += (away <= limit) & (one != spot)
+        begin, last = starts[index(line + first_row)], starts[index(line + last_row)]
+        end = push_near(entries, begin, last, spot, found, end, x, y, round_x, round_y, limit)
         if round_to > 0:
-            for one in range(starts[line], starts[line + round_to]):
-                away = square_of_distance(entries[one].x - x, entries[one].y - y, round_x, round_y)
-                found[end] = entries[one].place
-                end += (away <= limit) & (one != spot)
+            begin, last = starts[index(line)], starts[index(line + round_to)]
+            end = push_near(entries, begin, last, spot, found, end, x, y, round_x, round_y, limit)
     if cells.count > cells.listed:
         for column in range(first_column, first_column + columns):
             for row in range(first_row, first_row + rows):

@@ -130,7 +130,7 @@ def _near_keep_slots_NAME(_model, begin, end):
 
 @_inner
 def _near_slot_as_it_is_NAME(_model, place):
-    return _near_found_NAME(_model)[place]
+    return _near_found_NAME(_model)[_index(place)]
 
 
 @_inner
@@ -140,7 +140,7 @@ def _near_leave_NAME(_model, begin):
 
 @_inner
 def _near_slot_NAME(_model, place):
-    return _order_NAME(_model)[_near_found_NAME(_model)[place]]
+    return _order_NAME(_model)[_index(_near_found_NAME(_model)[_index(place)])]
 
 
 @_inner
@@ -268,6 +268,17 @@ def _near_PUSHED_NAME_ASKER(_model, who, steps, kind):
         TAKEN,
     )"""
 
+_COUNTED = """@_inner
+def _near_area_NAME_ASKER(_model, who, steps):
+    if _counters_NAME(_model)[_bookkeeping.ALIVE] == 0:
+        return 0, 0, 0, 0, 0, 0
+    return _lattice.area(WHO_X, WHO_Y, _neighbours.checked(steps), SPACE)
+
+
+@_inner
+def _near_standing_NAME_ASKER(_model, who, kind, area, column, row):
+    return _lattice.standing(_world_taken(_model), area, column, row, kind, OWN, TAKEN)"""
+
 CACHED = 5000
 """Up to so many agents the processor's cache holds a population without being asked."""
 
@@ -314,6 +325,7 @@ def text(shape: ModelShape, program: Any) -> str:
                 _ON_TAKEN.replace("PUSHED", pushed).replace("AS_PLACES", as_places)
                 for pushed, as_places in kinds.items()
             ]
+            on_patches.append(_COUNTED.replace("SPACE", taken.split(", ", 2)[2]))
         for asker, (x, y, own_slot) in askers.items():
             spot = "-1" if own_slot == "-1" else f"_near_spots_NAME(_model)[{own_slot}]"
             part = "\n\n\n".join([_ASKED_BY, *on_patches]).replace("TAKEN", taken)
