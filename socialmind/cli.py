@@ -1,4 +1,4 @@
-"""The command line: `socialmind list, run, learn, score, plot, render, replay, check, explain, …`.
+"""The command line: `socialmind list, run, branch, learn, score, plot, replay, check, explain, …`.
 
 The commands stand in `socialmind.commands`, the small ones here. What they work with is imported
 when they run, so that a run starts fast. What the user can put right goes to stderr in one line,
@@ -24,6 +24,7 @@ from typing import Annotated, Any
 import typer
 
 from socialmind.commands import running
+from socialmind.commands.branching import branch
 from socialmind.commands.console.options import FROM_0, Folder, Source, Trust, is_kept
 from socialmind.commands.console.terminal import (
     open_what_is_closed,
@@ -128,7 +129,7 @@ def list_(
         raise typer.Exit(WRONG)
 
 
-for one in (running.run, learn, score, running.plot, render, running.replay):
+for one in (running.run, branch, learn, score, running.plot, render, running.replay):
     command(one)
 
 

@@ -28,18 +28,20 @@ STREAM = np.dtype(
 
 LONGEST_PERMUTATION = 10_000_000
 """How many places `rng.permutation` puts in order at most: 80 MB."""
+SHOCK_TAG = 0x4000
 ORDER_TAG = 0x4F00
 BIRTH_TAG = 0x5000
 FOUNDING_TAG = 0x7000
 SCHEDULE_TAG = 0x8000
 SETUP_TAG = 0xC000
-"""Tag of the streams that shuffle agents; first tags of rules at birth, of where founders begin, of
-the phases of a tick and of the setup."""
+"""First tag of shocks; tag of the streams that shuffle agents; first tags of rules at birth, of
+where founders begin, of the phases of a tick and of the setup."""
+SHOCK_TAGS = 0x0F00
 TAGS = 0x4000
 BIRTH_TAGS = 0x2000
 FOUNDING_TAGS = 0x1000
-"""How many tags there are for the phases of a tick and for those of the setup; for births; for
-where founders begin."""
+"""How many tags there are for shocks; for the phases of a tick and for those of the setup; for
+births; for where founders begin."""
 
 
 def phase_tags(first: int, rules: Sequence[str], tags_there: int = TAGS) -> list[int]:

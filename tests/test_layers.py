@@ -32,6 +32,7 @@ LAYERS = (
     "model",
     "drawing",
     "catalogue",
+    "interventions",
     "runs",
     "learning",
     "experiments",

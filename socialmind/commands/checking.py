@@ -20,8 +20,8 @@ from socialmind.fields import place_of_field
 from socialmind.mind.code.mind_code import check_program
 from socialmind.mind.files.evoagents.text_file import inside
 from socialmind.mind.lint import findings
+from socialmind.runs.branching.repeating import explain
 from socialmind.runs.capsule import Capsule
-from socialmind.runs.sources import model_of
 from socialmind.sources.folders import MODEL_FILE, model_folder
 from socialmind.sources.loading import tree_of
 from socialmind.sources.trust import programs_in
@@ -209,4 +209,4 @@ def print_decision(
         if not done:
             there = "the run has done no tick yet, so there is no decision to explain"
         raise SocialmindError(f"tick {tick}: {there}")
-    typer.echo(str(model_of(capsule, kept=kept, trust=trust).explain(agent, tick)))
+    typer.echo(str(explain(capsule, agent, tick, trust, kept)))

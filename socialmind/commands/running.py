@@ -14,6 +14,7 @@ from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError, nearest
 
 if TYPE_CHECKING:
+    from socialmind.interventions.shock import Shock
     from socialmind.model import Model
 
 Value = float | int | bool | str
@@ -39,8 +40,12 @@ def run(
     agents_every: Annotated[
         int | None, typer.Option(**options.FROM_1, help="Ticks between two records of the agents.")
     ] = None,
-    out: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="Folder to make (a fresh one under runs/).")
+    out: options.Out = None,
+    shock: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="TICK:FILE.py:FUNCTION", help="Function that changes the society at a tick."
+        ),
     ] = None,
     figures: Annotated[bool, typer.Option("--figures", help="Draw the figures as well.")] = False,
     interpreted: Annotated[
@@ -86,13 +91,14 @@ def run(
             raise SocialmindError("--source is for --resume: a new run has no copies yet")
         model_class = load_model(model)
         parameters = read_settings(model_class, settings or [])
+        shocks = shocks_in(shock or [])
         schemes = by_population(scheme or [], "--scheme")
         minds = by_population(mind or [], "--mind")
         with progress_bar(quiet, f"run {model}") as on_progress:
             folder = execution.run(
                 model_class, ticks, seed or 0, parameters, schemes, minds, every, agents_every,
                 out, not interpreted, on_progress, engine=engine or "compiled",
-                links=links, events=events,
+                links=links, events=events, interventions=shocks,
             )  # fmt: skip
     else:
         options.refuse_with_resume(context, "run", RESUMED_WITH)
@@ -101,7 +107,7 @@ def run(
                 resume, ticks, False if interpreted else None, on_progress=on_progress,
                 kept=options.is_kept(source), trust=trust,
             )  # fmt: skip
-    _conclude(folder, quiet)
+    conclude(folder, quiet)
     if figures:
         draw(folder, trust)
     typer.echo(folder)
@@ -194,7 +200,16 @@ def read_settings(model_class: type[Model], settings: Sequence[str]) -> dict[str
     return values
 
 
-def _conclude(folder: Path, quiet: bool) -> None:
+def shocks_in(texts: Sequence[str]) -> list[Shock]:
+    """Return the shocks that `--shock` names."""
+    if not texts:
+        return []
+    from socialmind.interventions.shock import Shock
+
+    return [Shock.parsed(one) for one in texts]
+
+
+def conclude(folder: Path, quiet: bool) -> None:
     """Say how long the run took, and warn of agents that found nothing to do."""
     from socialmind.runs.capsule import Capsule
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from socialmind.engine.ticks import run_tick
@@ -12,13 +13,18 @@ if TYPE_CHECKING:
     from socialmind.agents.running import Running
 
 
-def explained(model: Running, agent: int, tick: int) -> Receipt:
+Reached = Callable[[int, bool], "Running"]
+"""Gives the society at a tick, as it comes there or, if told so, as it leaves it."""
+
+
+def explained(model: Running, agent: int, tick: int, reached: Reached | None = None) -> Receipt:
     """Explain the decision that was in force at a tick: an agent's last one up to it.
 
     Args:
         model: one with schemes; it stays as it is.
         agent: the agent's identity, in the first population with minds.
         tick: 1 or more.
+        reached: gives the society at a tick, anew; by default where its rules alone bring it.
 
     Raises:
         SocialmindError: there is no such agent at that tick, or it has not decided yet.
@@ -38,8 +44,8 @@ def explained(model: Running, agent: int, tick: int) -> Receipt:
             f"the hierarchies of {population!r} in {model.name} weigh the plans, not the "
             "cognitons; look at what they command: agent.hierarchy, agent.mind.plan_weights()"
         )
-    seen = model.fresh()
-    seen.engine.advance(tick)
+    reached = reached or _alone(model)
+    seen = reached(tick, False)
     table = seen.tables[population]
     if not table.contains(agent):
         living = table.id
@@ -48,10 +54,18 @@ def explained(model: Running, agent: int, tick: int) -> Receipt:
     decided = table.columns["_decided"].item(table[agent]._slot)
     if decided < 0:
         raise SocialmindError(f"agent {agent} has taken no decision up to tick {tick}")
-    again = model.fresh()
-    again.engine.advance(decided)
+    again = reached(decided, True)
     again.watch = (population, agent)
     run_tick(again, again.engine.functions)
     if again.watched is None:
         raise SocialmindError(f"agent {agent} took no decision in tick {decided}")
     return again.watched
+
+
+def _alone(model: Running) -> Reached:
+    def reached(tick: int, _leaving: bool) -> Running:
+        society = model.fresh()
+        society.engine.advance(tick)
+        return society
+
+    return reached

@@ -1,6 +1,8 @@
 """Runs as capsules: one folder each, that can be stopped, gone on with, replayed and read.
 
 - `run`, `resume`: run a model into a folder, go on with one;
+- `branch`: go back to a moment of a capsule, change something, and go on;
+- `Shock`, `Change`: what is done to a society on its way;
 - `replay`: run a capsule again and compare;
 - `Run`: read a capsule's tables, parameters and scheme;
 - `draw_figures`: draw a run's figures into its folder;
@@ -12,6 +14,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from socialmind.experiments.scoring import Score as Score
     from socialmind.experiments.scoring import score as score
+    from socialmind.interventions.change import Change as Change
+    from socialmind.interventions.shock import Shock as Shock
+    from socialmind.runs.branching.branch import branch as branch
     from socialmind.runs.execution import Interrupted as Interrupted
     from socialmind.runs.execution import resume as resume
     from socialmind.runs.execution import run as run
@@ -26,6 +31,9 @@ else:
         __name__,
         {
             "socialmind.experiments.scoring": "Score score",
+            "socialmind.interventions.change": "Change",
+            "socialmind.interventions.shock": "Shock",
+            "socialmind.runs.branching.branch": "branch",
             "socialmind.runs.execution": "Interrupted resume run",
             "socialmind.runs.figures": "draw_figures",
             "socialmind.runs.result": "Run",

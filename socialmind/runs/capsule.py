@@ -45,6 +45,31 @@ def _copied(place: str) -> kinds.Fields:
     return kinds.Fields({place: kinds.NAME_WITHIN, "sha256": kinds.SHA256}, {"name": kinds.TEXT})
 
 
+_INTERVENTION = kinds.Fields(
+    {"tick": kinds.whole()},
+    {
+        "function": kinds.TEXT,
+        "file": kinds.NAME_WITHIN,
+        "sources": kinds.SOURCES,
+        "parameters": kinds.Each(kinds.SETTING),
+        "schemes": kinds.Each(_copied("file")),
+    },
+)
+_OF_SHOCKS, _OF_CHANGES = ("function", "file", "sources"), ("parameters", "schemes")
+_BRANCH = kinds.Kind(
+    "of which run, at which tick and with what change a run is a branch, or null",
+    lambda value: (
+        value is None
+        or (
+            isinstance(value, dict)
+            and all(isinstance(value.get(one), str) for one in ("run", "identity"))
+            and kinds.whole().holds(value.get("tick"))
+            and isinstance(value.get("change"), list)
+        )
+    ),
+)
+
+
 @dataclass(frozen=True)
 class Manifest(folders.FolderManifest):
     """What a run is and how far it came; the content of ``manifest.json``.
@@ -66,6 +91,11 @@ class Manifest(folders.FolderManifest):
         agents_every: ticks between two recordings of the agents.
         recorded: the tables that it records; None in runs of before, which have what their
             checkpoint says.
+        interventions: what is done to it on its way, in order: the ``tick``, and of a shock the
+            ``function``, the ``file`` (the copy in the run's folder) and its ``sources``; of a
+            change the ``parameters`` and ``schemes``.
+        branch: of a branch: the ``run`` that it left, as a path, that run's ``identity``, the
+            ``tick`` and the ``change``, in words.
         status: ``running``, ``interrupted``, ``failed`` or ``finished``.
         ticks_done: ticks that are safe on disk.
         error: what stopped a failed run.
@@ -100,6 +130,10 @@ class Manifest(folders.FolderManifest):
         default_factory=list
     )
     recorded: Annotated[list[str] | None, _RECORDED] = None
+    interventions: Annotated[list[dict[str, Any]], kinds.Many(_INTERVENTION)] = field(
+        default_factory=list
+    )
+    branch: Annotated[dict[str, Any] | None, _BRANCH] = None
     format: int = folders.FORMAT
 
     NEEDED: ClassVar[tuple[str, ...]] = ("status", "ticks_done")
@@ -108,6 +142,10 @@ class Manifest(folders.FolderManifest):
     @classmethod
     def _check(cls, content: Mapping[str, Any], path: Path) -> None:
         check_record(content["ticks_done"], kinds.whole(0, content["ticks"]), f"{path}: ticks_done")
+        for number, one in enumerate(content.get("interventions", ())):
+            needed = _OF_SHOCKS if "function" in one else _OF_CHANGES
+            place = f"{path}: interventions[{number}]"
+            check_record(one, kinds.Fields(dict.fromkeys(needed, kinds.ANY)), place)
         if content["status"] == folders.FINISHED:
             check_record(content.get("tables"), _ALL_TABLES, f"{path}: tables of a finished run")
 
@@ -129,6 +167,8 @@ class Manifest(folders.FolderManifest):
                 for copies in (self.schemes, self.minds)
             ],
         }
+        if self.interventions:
+            decides["interventions"] = self.interventions
         return hashlib.sha256(json.dumps(decides, sort_keys=True).encode()).hexdigest()
 
 

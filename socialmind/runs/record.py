@@ -76,6 +76,7 @@ def optional(kind: Kind) -> Kind:
     return Kind(f"{kind.expected}, or null", lambda value: value is None or kind.holds(value))
 
 
+ANY = Kind("a value", lambda value: True)
 TEXT = Kind("a text", lambda value: isinstance(value, str))
 PATH = Kind("a path", lambda value: isinstance(value, str) and "\0" not in value)
 TRUTH = Kind("true or false", lambda value: isinstance(value, bool))

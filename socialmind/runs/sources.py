@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,12 +15,10 @@ from socialmind.sources.provenance import KEPT, difference, difference_of_copies
 from socialmind.sources.trust import programs_in, remember, require
 
 if TYPE_CHECKING:
-    from coglogo_py.scheme import CognitiveScheme
     from socialmind.mind.description import MindDescription
     from socialmind.model import Model
     from socialmind.runs.capsule import Capsule
 
-    SchemeArgument = str | Path | CognitiveScheme | Mapping[str, Any] | None
     HierarchyArgument = str | Path | MindDescription | Mapping[str, Any] | None
 
 
@@ -238,39 +235,6 @@ def physics_of(engine: str) -> dict[str, Any]:
     return {} if engine == "compiled" else {"physics": engine}
 
 
-def scheme_copies(
-    model: Model, given: SchemeArgument
-) -> tuple[dict[str, dict[str, str]], dict[str, bytes]]:
-    """The schemes of a model as its run keeps them.
-
-    A file is kept byte for byte, comments and all; a scheme made in Python as YAML.
-
-    Args:
-        model: the run's model.
-        given: what the user gave in place of the model's own.
-
-    Returns:
-        For each population with minds, the manifest's record of its scheme; and the content of
-        each file.
-    """
-    records, files = {}, {}
-    for population, scheme in model.schemes.items():
-        source = given.get(population) if isinstance(given, Mapping) else given
-        if source is None:
-            source = model.populations[population].mind
-            if isinstance(source, str | Path):
-                source = type(model).folder() / source
-        if isinstance(source, str | Path):
-            suffix, content = Path(source).suffix, Path(source).expanduser().read_bytes()
-        else:
-            suffix, content = ".yaml", _as_yaml(scheme)
-        alone = len(model.schemes) == 1
-        file = f"scheme{suffix}" if alone else f"scheme-{population}{suffix}"
-        records[population] = {"name": scheme.name, "file": file, "sha256": digest(content)}
-        files[file] = content
-    return records, files
-
-
 def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, bytes]]:
     """The hierarchies of skills of a model as its run keeps them: each a mind's folder.
 
@@ -308,10 +272,3 @@ def files_in(folder: Path) -> dict[str, bytes]:
 def _hash_of(files: Mapping[str, bytes]) -> str:
     whole = "".join(f"{name} {digest(content)}\n" for name, content in sorted(files.items()))
     return digest(whole.encode())
-
-
-def _as_yaml(scheme: CognitiveScheme) -> bytes:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "scheme.yaml"
-        scheme.save(path)
-        return path.read_bytes()

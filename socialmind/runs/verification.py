@@ -15,6 +15,7 @@ from socialmind.agents.agent_columns import POPULATION
 from socialmind.agents.group_columns import PARTS
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders
+from socialmind.runs.branching.kept import interventions_of
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.columns import from_arrow
 from socialmind.runs.execution import Progress, run
@@ -124,6 +125,7 @@ def replay(
             engine=manifest.engine,
             links=LINKS in manifest.tables and bool(getattr(cls, "networks", None)),
             events=EVENTS in manifest.tables,
+            interventions=interventions_of(stored, trust),
         )
         made = Capsule(again).manifest.tables
         for name in stored.manifest.tables:

@@ -79,13 +79,25 @@ def remade(
         state: its arrays.
         own: attributes of the modeller's.
     """
-    made = kind.__new__(kind)
-    made._sets_up = False  # until it has its state
-    model.__init__(made, **settings)
-    del made._sets_up
+    made = unfinished(model, kind, settings)
     made.restore(state)
     vars(made).update(own or {})
     made._made = True
+    return made
+
+
+def unfinished(model: Any, kind: Any, settings: Mapping[str, Any]) -> Any:
+    """Return a society whose setup has not run, which is to take a state.
+
+    Args:
+        model: `Model`, which makes it.
+        kind: its class.
+        settings: what it is made with.
+    """
+    made = kind.__new__(kind)
+    made._sets_up = False
+    model.__init__(made, **settings)
+    del made._sets_up
     return made
 
 

@@ -39,9 +39,7 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
         ModelError: it is no Python, or stopped with an error.
     """
     source = path.read_bytes()
-    around = "" if alone else source_hash(path.parent)
-    key = hashlib.sha256(f"{path}\0{around}\0".encode() + source).hexdigest()
-    name = f"{PRIVATE}{path.parent.name}_{path.stem}_{key[:16]}"
+    name = _private_name(path, source, alone)
     if name in sys.modules:
         return sys.modules[name]
     spec = importlib.util.spec_from_file_location(
@@ -66,6 +64,17 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
                 raise
             raise _failed_import(error, path) from error
     return module
+
+
+def is_alone(path: Path, name: str) -> bool:
+    """Return whether a private name is the one of a file that stands for itself."""
+    return name == _private_name(path, path.read_bytes(), alone=True)
+
+
+def _private_name(path: Path, source: bytes, alone: bool) -> str:
+    around = "" if alone else source_hash(path.parent)
+    key = hashlib.sha256(f"{path}\0{around}\0".encode() + source).hexdigest()
+    return f"{PRIVATE}{path.parent.name}_{path.stem}_{key[:16]}"
 
 
 def _compile(source: bytes, path: Path) -> CodeType:

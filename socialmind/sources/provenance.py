@@ -122,20 +122,42 @@ class Sources:
 
 def sources_of(model_class: ModelClass) -> Sources:
     """Find what decides how a model runs."""
+    bases = [base.__module__ for base in getattr(model_class, "__mro__", ())]
     file = _file_of(sys.modules.get(model_class.__module__))
+    texts = {} if file is not None else {"cells": _cells_of(model_class)}
+    return _found(file, bases, set(_minds_and_schemes(model_class)), texts)
+
+
+def sources_of_module(name: str) -> Sources:
+    """Find what decides how the functions of a file run.
+
+    Args:
+        name: of the module that was loaded from it.
+    """
+    return _found(_file_of(sys.modules[name]), [name], set(), {})
+
+
+def _found(file: Path | None, names: list[str], apart: set[Path], texts: dict[str, str]) -> Sources:
+    """Find what some code reaches.
+
+    Args:
+        file: the one that it stands in, if any.
+        names: of the modules that it begins with.
+        apart: files and folders that do not count.
+        texts: as of `Sources`.
+    """
     home = None if file is None else file.parent
     places: dict[Path, str] = {}
     if file is not None and home is not None:
         own = deciding_files(home) if file.name == MODEL_FILE else [file]
         places = {path: f"model/{path.relative_to(home).as_posix()}" for path in own}
-    modules, packages = _reached_modules(model_class)
+    modules, packages = _reached_modules(names)
     for module in modules.values():
         path = _file_of(module)
         if path is not None:
             places.setdefault(path, _label(module, path))
     for path in list(places):
         places |= {one: label for one, label in _other_models(path, home) if one not in places}
-    apart = set(_minds_and_schemes(model_class))
     data = [one for path in list(places) for one in _named_in(path)]
     data += [Path(one) for name in modules for one in _read_by.get(name, ())]
     for path in data:
@@ -146,7 +168,6 @@ def sources_of(model_class: ModelClass) -> Sources:
         path = _file_of(module)
         if path is not None and name in _loaded and _loaded[name][0] is module:
             loaded[path] = _loaded[name][1]
-    texts = {} if file is not None else {"cells": _cells_of(model_class)}
     files: dict[str, Path] = {}
     for path, label in places.items():  # of two models of one name each counts
         files[label if label not in files else _elsewhere(path)] = path
@@ -215,6 +236,13 @@ def note_definition(module_name: str) -> None:
                 _loaded[name] = module, _hash_of(file)
 
 
+def note_module(name: str) -> None:
+    """Note the contents of a module of functions, and of those it imports, when it is first met."""
+    module = sys.modules.get(name)
+    if module is not None and (name not in _loaded or _loaded[name][0] is not module):
+        note_definition(name)
+
+
 def _note_read(event: str, arguments: tuple[Any, ...]) -> None:
     """Note a file that a model's own code opens: while it is loaded, or when a society asks it."""
     if event != "open" or not isinstance(arguments[0], str | bytes | os.PathLike):
@@ -252,11 +280,11 @@ sys.addaudithook(_note_read)
 _KNOWN = frozenset((*sys.stdlib_module_names, "socialmind", "coglogo_py", "numpy"))
 
 
-def _reached_modules(model_class: ModelClass) -> tuple[dict[str, ModuleType], dict[str, str]]:
-    """Return the user's modules that a model reaches, and the versions of packages."""
+def _reached_modules(names: list[str]) -> tuple[dict[str, ModuleType], dict[str, str]]:
+    """Return the user's modules that some modules reach, and the versions of packages."""
     modules: dict[str, ModuleType] = {}
     packages: dict[str, str] = {}
-    waiting = [base.__module__ for base in getattr(model_class, "__mro__", ())]
+    waiting = list(names)
     while waiting:
         name = waiting.pop()
         module = sys.modules.get(name)

@@ -16,7 +16,7 @@ from typing import Any
 
 from socialmind.errors import ModelError
 from socialmind.sources.folders import catalogue
-from socialmind.sources.loading import PRIVATE, load_file
+from socialmind.sources.loading import PRIVATE, is_alone, load_file, modules_from
 
 
 def packed(content: Any) -> bytes:
@@ -92,7 +92,11 @@ def _in_file(name: str, file: str, model: str, inner: str, qualified: str) -> An
             path = catalogue().get(model, path.parent) / path.name
         if not path.is_file():
             raise ModelError("a file that is gone", "the one that was packed", file=path)
-        module = load_file(path)
+        if is_alone(path, name):
+            with modules_from(path.parent):
+                module = load_file(path, alone=True)
+        else:
+            module = load_file(path)
         if module.__name__ != name and not elsewhere:
             raise ModelError(
                 "another file than the one that was packed",

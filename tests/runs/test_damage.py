@@ -18,7 +18,7 @@ import pytest
 from coglogo_py.border.errors import CogLogoError
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Interrupted, Run, replay, resume, run
-from socialmind.runs import execution
+from socialmind.runs import loop
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.tables import content_of
@@ -39,9 +39,9 @@ def folders(drifters, tmp_path_factory):
     options = {"seed": 3, "every": 2, "agents_every": 6}
     run(drifters, 60, out=home / "whole", **options)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(execution, "CHECKPOINT_COST", 0.0)
-        patch.setattr(execution, "PROGRESS_SECONDS", 0.0)
-        patch.setattr(execution, "CHUNK_SECONDS", 1e-9)
+        patch.setattr(loop, "CHECKPOINT_COST", 0.0)
+        patch.setattr(loop, "PROGRESS_SECONDS", 0.0)
+        patch.setattr(loop, "CHUNK_SECONDS", 1e-9)
 
         def stop(tick, length):
             if tick == 42:

@@ -13,7 +13,7 @@ import pytest
 from socialmind import Agent, Model, Population, SocialmindError, each
 from socialmind.catalogue import load_model
 from socialmind.experiments import Run, replay, resume, run
-from socialmind.runs import execution, tables
+from socialmind.runs import growing, loop
 from socialmind.runs.tables import content_of
 from socialmind.runs.verification import compare
 
@@ -81,8 +81,8 @@ def test_both_speeds_and_any_chunks_and_parts_give_the_same_table(
 ):
     plain = run(kind, out=tmp_path / "plain", compiled=False, **HOW)
     assert bytes_of(plain) == bytes_of(whole)
-    monkeypatch.setattr(execution, "CHUNK_SECONDS", 1e-9)  # one tick at a time
-    monkeypatch.setattr(tables, "WAITING_ROWS", 100)
+    monkeypatch.setattr(loop, "CHUNK_SECONDS", 1e-9)  # one tick at a time
+    monkeypatch.setattr(growing, "WAITING_ROWS", 100)
     parts = run(kind, out=tmp_path / "parts", checkpoint_every=0.0, **HOW)
     assert bytes_of(parts) == bytes_of(whole)
 
@@ -100,7 +100,7 @@ import os, signal, sys
 sys.path.insert(0, {checkout!r})
 from socialmind.catalogue import load_model
 from socialmind.experiments import run
-from socialmind.runs import checkpoint, continuing, execution, tables
+from socialmind.runs import checkpoint, continuing, growing, loop
 def die(*_, **__):
     os.kill(os.getpid(), signal.SIGKILL)
 def die_after(calls, owner, name):
@@ -109,8 +109,8 @@ def die_after(calls, owner, name):
         left[0] -= 1
         return die() if left[0] < 0 else real(*args, **options)
     setattr(owner, name, replaced)
-execution.CHECKPOINT_COST = execution.CHUNK_SECONDS = 0.0
-tables.WAITING_ROWS = 200
+loop.CHECKPOINT_COST = loop.CHUNK_SECONDS = 0.0
+growing.WAITING_ROWS = 200
 {moment}
 run(load_model("wolves_sheep"), out={out!r}, checkpoint_every=0.0, **{how!r})
 """
@@ -119,8 +119,8 @@ run(load_model("wolves_sheep"), out={out!r}, checkpoint_every=0.0, **{how!r})
 @pytest.mark.parametrize(
     "moment",
     [
-        "die_after(0, tables.EventTable, 'flush')",
-        "die_after(9, tables.EventTable, 'flush')",
+        "die_after(0, growing.EventTable, 'flush')",
+        "die_after(9, growing.EventTable, 'flush')",
         "die_after(7, checkpoint.Checkpoint, 'save')",
         "die_after(2, continuing, 'merge')",
     ],

@@ -17,7 +17,7 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import Interrupted, Run, replay, resume, run
-from socialmind.runs import execution as execution_module
+from socialmind.runs import loop
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.sources.folders import catalogue
@@ -142,7 +142,7 @@ def test_tables_are_compressed_with_zstd(whole):
 
 
 def test_chunks_do_not_show(drifters, whole, tmp_path, monkeypatch):
-    monkeypatch.setattr(execution_module, "CHUNK_SECONDS", 1e-9)  # one tick at a time
+    monkeypatch.setattr(loop, "CHUNK_SECONDS", 1e-9)  # one tick at a time
     folder = run(drifters, ticks=1003, seed=3, every=4, agents_every=20, out=tmp_path / "run")
     assert tables_of(folder) == tables_of(whole)
 
@@ -214,7 +214,7 @@ def stop_at(tick, deliver):
 
 @pytest.fixture
 def frequent_progress(monkeypatch):
-    monkeypatch.setattr(execution_module, "PROGRESS_SECONDS", 0.0)
+    monkeypatch.setattr(loop, "PROGRESS_SECONDS", 0.0)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
@@ -260,7 +260,7 @@ import os, signal, sys
 sys.path[:0] = [{str(CHECKOUT)!r}, {str(CHECKOUT / "tests/runs")!r}]
 from drifters import Drifters
 from socialmind.experiments import (run, resume)
-from socialmind.runs import execution
+from socialmind.runs import execution, loop
 from socialmind.runs import arrays_file
 from socialmind.runs import capsule
 from socialmind.runs import checkpoint
@@ -277,7 +277,7 @@ def die_after(calls, module, name):
         return real(*args, **options)
     setattr(module, name, replaced)
 out = {str(tmp_path / "run")!r}
-execution.CHECKPOINT_COST = execution.PROGRESS_SECONDS = 0.0
+loop.CHECKPOINT_COST = loop.PROGRESS_SECONDS = 0.0
 def start(**options):
     run(Drifters, 1003, 3, every=4, agents_every=20, out=out, **options)
 {body}

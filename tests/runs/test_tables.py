@@ -8,8 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from socialmind.errors import SocialmindError
-from socialmind.runs import tables
-from socialmind.runs.tables import GrowingTable, content_of, merge, read
+from socialmind.runs import growing, tables
+from socialmind.runs.growing import GrowingTable
+from socialmind.runs.tables import content_of, merge, read
 
 ROWS = st.lists(
     st.tuples(
@@ -87,7 +88,7 @@ def test_neighbouring_texts_are_kept_apart(tmp_path):
 
 def test_row_groups_have_one_length_however_many_rows_come(tmp_path, monkeypatch):
     monkeypatch.setattr(tables, "ROW_GROUP", 10)
-    monkeypatch.setattr(tables, "WAITING_ROWS", 8)
+    monkeypatch.setattr(growing, "WAITING_ROWS", 8)
     table = GrowingTable("agents", tmp_path)
     for tick in range(9):
         table.add(tick, {"agent": np.arange(4)})

@@ -36,6 +36,9 @@ Source = Annotated[
     str | None,
     typer.Option(metavar="kept", help="Take the copies of the model's source that the run keeps."),
 ]
+Out = Annotated[
+    Path | None, typer.Option(metavar="DIR", help="Folder to make (a fresh one under runs/).")
+]
 Trust = Annotated[
     bool, typer.Option("--trust", help="Run programs that you have neither named nor run before.")
 ]

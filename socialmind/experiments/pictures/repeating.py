@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from socialmind.errors import SocialmindError
+from socialmind.interventions.following import advanced
 from socialmind.mind.evaluation.agent_state import AgentState, observe
+from socialmind.runs.branching.kept import interventions_of
 from socialmind.runs.sources import model_of
 from socialmind.worlds.plane.bodies import Robot
 from socialmind.worlds.plane.layout import FASTEST
@@ -56,6 +58,7 @@ class Repeated:
         kept: bool = False,
     ) -> None:
         self._model: Model = model_of(capsule, kept=kept, trust=trust)
+        self._interventions = interventions_of(capsule, trust)
         self.scene: Scene = scene_of(self._model)
         self.robot = self._robot_to_follow(robot, mind)
         self.mind: AgentState | None = None
@@ -98,7 +101,7 @@ class Repeated:
         """
         for tick in ticks:
             while self._model.tick < tick:
-                self._model.advance()
+                self._model = advanced(self._model, 1, self._interventions)
                 self._note()
                 if on_progress is not None and self._model.tick % TOLD == 0:
                     on_progress(self._model.tick, ticks[-1])

@@ -26,7 +26,8 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of
 from socialmind.model import Model
 from socialmind.runs import folders
-from socialmind.runs.execution import NO_ROOM, no_room, whole
+from socialmind.runs.execution import whole
+from socialmind.runs.loop import NO_ROOM, no_room
 from socialmind.runs.sources import model_source
 from socialmind.sources.trust import programs_in, remember, require
 from socialmind.work.files import remove

@@ -1,0 +1,1 @@
+"""What is done to a society from outside, between two ticks: shocks and changes."""
