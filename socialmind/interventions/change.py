@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from coglogo_py import CogLogoError, CognitiveScheme
 from coglogo_py.border.numbers import whole_number
-from coglogo_py.carrying_over import carried_over
+from coglogo_py.changing.carrying_over import carried_over
 from socialmind.agents.plan_steps import ENDED
 from socialmind.errors import SocialmindError
 from socialmind.model import Model

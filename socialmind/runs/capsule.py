@@ -16,7 +16,7 @@ from typing import Annotated, Any, ClassVar
 from socialmind.runs import folders
 from socialmind.runs import record as kinds
 from socialmind.runs.record import check_record, within
-from socialmind.runs.tables import EVENTS, FURTHER, SERIES, TABLES
+from socialmind.runs.tables.names import EVENTS, FURTHER, SERIES, TABLES
 
 IDLE = kinds.Fields(
     {},

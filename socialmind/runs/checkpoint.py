@@ -15,7 +15,8 @@ from socialmind.runs import record as kinds
 from socialmind.runs.arrays_file import load_arrays, save_arrays
 from socialmind.runs.capsule import IDLE
 from socialmind.runs.record import check_record
-from socialmind.runs.tables import FURTHER, TABLES, check_part, part_name
+from socialmind.runs.tables.files import check_part, part_name
+from socialmind.runs.tables.names import FURTHER, TABLES
 
 _RECORD = "checkpoint"
 _STATE = "state/"

@@ -11,7 +11,8 @@ from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
-from socialmind.runs.tables import FURTHER, TABLES, check_content, merge, part_name, seal
+from socialmind.runs.tables.files import check_content, merge, part_name, seal
+from socialmind.runs.tables.names import FURTHER, TABLES
 from socialmind.work.files import make_room, refuse_folder
 
 if TYPE_CHECKING:

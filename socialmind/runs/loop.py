@@ -24,15 +24,8 @@ from socialmind.interventions.following import Intervention, after_those_at, nex
 from socialmind.interventions.shock import Shock
 from socialmind.runs import continuing, folders, sources
 from socialmind.runs.checkpoint import Checkpoint
-from socialmind.runs.growing import EventTable, GrowingTable
-from socialmind.runs.tables import (
-    AGENTS,
-    EVENTS,
-    GROUPS,
-    LINKS,
-    SERIES,
-    TABLES,
-)
+from socialmind.runs.tables.growing import EventTable, GrowingTable
+from socialmind.runs.tables.names import AGENTS, EVENTS, GROUPS, LINKS, SERIES, TABLES
 from socialmind.sources.loading import failure_in_model
 from socialmind.work.signals import deferred_signals
 

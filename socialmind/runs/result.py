@@ -12,7 +12,8 @@ from socialmind.runs.capsule import Capsule, Manifest
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.folders import FINISHED
 from socialmind.runs.sources import recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, EVENTS, GROUPS, LINKS, SERIES, check_content, read
+from socialmind.runs.tables.files import check_content, read
+from socialmind.runs.tables.names import AGENTS, EVENTS, GROUPS, LINKS, SERIES
 
 if TYPE_CHECKING:
     import pandas as pd

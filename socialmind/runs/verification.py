@@ -17,10 +17,11 @@ from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs.branching.kept import interventions_of
 from socialmind.runs.capsule import Capsule
-from socialmind.runs.columns import from_arrow
 from socialmind.runs.execution import Progress, run
 from socialmind.runs.sources import changes_since, recorded_class, require_minds
-from socialmind.runs.tables import AGENTS, EVENTS, LINKS, content_of, pieces
+from socialmind.runs.tables.columns import from_arrow
+from socialmind.runs.tables.files import content_of, pieces
+from socialmind.runs.tables.names import AGENTS, EVENTS, LINKS
 
 if TYPE_CHECKING:
     import pyarrow as pa

@@ -1,7 +1,8 @@
 """What ``name=value`` sets in a society: a parameter, or a word of a scheme.
 
-A parameter of the model wins over a word. A word of a scheme (`coglogo_py.words`) has the name of
-its population in front where several have schemes: ``humans.influence.WheatNeed.GrowWheat=2``.
+A parameter of the model wins over a word. A word of a scheme (`coglogo_py.changing.words`) has the
+name of its population in front where several have schemes:
+``humans.influence.WheatNeed.GrowWheat=2``.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from coglogo_py import CognitiveScheme
-from coglogo_py.words import FIRST, is_word, with_word
+from coglogo_py.changing.words import FIRST, is_word, with_word
 from socialmind.errors import SocialmindError, nearest
 
 Word = tuple[str, Any]

@@ -21,7 +21,7 @@ from socialmind.experiments import Interrupted, Run, replay, resume, run
 from socialmind.runs import loop
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.checkpoint import Checkpoint
-from socialmind.runs.tables import content_of
+from socialmind.runs.tables.files import content_of
 
 SPEC = importlib.util.spec_from_file_location("damage", Path(__file__).parent / "damage.py")
 damage = importlib.util.module_from_spec(SPEC)

@@ -13,8 +13,9 @@ import pytest
 from socialmind import Agent, Model, Population, SocialmindError, each
 from socialmind.catalogue import load_model
 from socialmind.experiments import Run, replay, resume, run
-from socialmind.runs import growing, loop
-from socialmind.runs.tables import content_of
+from socialmind.runs import loop
+from socialmind.runs.tables import growing
+from socialmind.runs.tables.files import content_of
 from socialmind.runs.verification import compare
 
 CHECKOUT = Path(__file__).parents[2]
@@ -100,7 +101,8 @@ import os, signal, sys
 sys.path.insert(0, {checkout!r})
 from socialmind.catalogue import load_model
 from socialmind.experiments import run
-from socialmind.runs import checkpoint, continuing, growing, loop
+from socialmind.runs import checkpoint, continuing, loop
+from socialmind.runs.tables import growing
 def die(*_, **__):
     os.kill(os.getpid(), signal.SIGKILL)
 def die_after(calls, owner, name):

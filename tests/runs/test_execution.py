@@ -265,7 +265,7 @@ from socialmind.runs import arrays_file
 from socialmind.runs import capsule
 from socialmind.runs import checkpoint
 from socialmind.runs import continuing
-from socialmind.runs import tables
+from socialmind.runs.tables import files
 def die():
     os.kill(os.getpid(), signal.SIGKILL)
 def die_after(calls, module, name):
@@ -304,7 +304,7 @@ MOMENTS = {
     ),
     "before the merge": "die_after(0, continuing, 'merge'); start()",
     "between the two merges": "die_after(1, continuing, 'merge'); start()",
-    "in a merge": "die_after(1, tables.ContentDigest, 'update'); start()",
+    "in a merge": "die_after(1, files.ContentDigest, 'update'); start()",
     "between the merge and the manifest": "die_after(1, capsule.Capsule, 'update'); start()",
     "before the parts are removed": "die_after(1, execution.shutil, 'rmtree'); start()",
 }

@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from socialmind.errors import SocialmindError
-from socialmind.runs import growing, tables
-from socialmind.runs.growing import GrowingTable
-from socialmind.runs.tables import content_of, merge, read
+from socialmind.runs.tables import files, growing
+from socialmind.runs.tables.files import content_of, merge, read
+from socialmind.runs.tables.growing import GrowingTable
 
 ROWS = st.lists(
     st.tuples(
@@ -87,7 +87,7 @@ def test_neighbouring_texts_are_kept_apart(tmp_path):
 
 
 def test_row_groups_have_one_length_however_many_rows_come(tmp_path, monkeypatch):
-    monkeypatch.setattr(tables, "ROW_GROUP", 10)
+    monkeypatch.setattr(files, "ROW_GROUP", 10)
     monkeypatch.setattr(growing, "WAITING_ROWS", 8)
     table = GrowingTable("agents", tmp_path)
     for tick in range(9):
@@ -261,7 +261,7 @@ def test_strings_of_a_slice_hash_as_themselves(tmp_path):
     whole = pa.table({"c": ["aa", "b", None, "ccc"]})
     digests = []
     for cut in (0, 1, 3):
-        digest = tables.ContentDigest(whole.schema)
+        digest = files.ContentDigest(whole.schema)
         digest.update(whole.slice(0, cut))
         digest.update(whole.slice(cut))
         digests.append(digest.content())

@@ -10,7 +10,7 @@ import pytest
 from socialmind.agents.agent_columns import as_before, one_table
 from socialmind.catalogue import load_model
 from socialmind.experiments import Run, replay, resume, run
-from socialmind.runs.tables import content_of
+from socialmind.runs.tables.files import content_of
 
 FARM = """
 from socialmind import Agent, Model, Population, Torus, each, once

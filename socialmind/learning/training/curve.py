@@ -87,7 +87,7 @@ def write_curve(curve: pd.DataFrame, path: Path) -> dict[str, Any]:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    from socialmind.runs.digest import ContentDigest
+    from socialmind.runs.tables.digest import ContentDigest
 
     table = pa.Table.from_pandas(curve, preserve_index=False).replace_schema_metadata(None)
     unfinished = make_room(path.with_name(path.name + ".partial"))

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.runs import folders
 from socialmind.runs.checkpoint import Checkpoint
-from socialmind.runs.tables import EVENTS, merge, part_name, seal
+from socialmind.runs.tables.files import merge, part_name, seal
+from socialmind.runs.tables.names import EVENTS
 from socialmind.work.files import make_room
 
 if TYPE_CHECKING:

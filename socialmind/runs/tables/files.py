@@ -20,25 +20,14 @@ import numpy as np
 
 from socialmind.agents.agent_columns import POPULATION
 from socialmind.errors import SocialmindError
-from socialmind.runs.column_types import common_schema, standard_type
-from socialmind.runs.columns import from_arrow, to_arrow
-from socialmind.runs.digest import ContentDigest, TableContent
 from socialmind.runs.record import within
+from socialmind.runs.tables.column_types import common_schema, standard_type
+from socialmind.runs.tables.columns import from_arrow, to_arrow
+from socialmind.runs.tables.digest import ContentDigest, TableContent
 from socialmind.work.files import make_room
 
 if TYPE_CHECKING:
     import pyarrow as pa
-
-SERIES = "series"
-AGENTS = "agents"
-GROUPS = "groups"
-TABLES = (SERIES, AGENTS)
-"""The tables that every run has."""
-LINKS = "links"
-EVENTS = "events"
-FURTHER = (GROUPS, LINKS, EVENTS)
-"""Those that a run has from its beginning, or never: of models whose minds can form groups, of
-those whose links are to be recorded, and of those in whose ticks agents are born or die."""
 
 ROW_GROUP = 1 << 15
 """Rows in a row group of a merged table."""
@@ -229,7 +218,19 @@ def _batches(
                     rows = rows.filter(to_arrow(_ticks_of(rows) != drop_tick))
                 if last_tick is not None:
                     rows = rows.filter(to_arrow(_ticks_of(rows) <= last_tick))
-                yield rows.select(schema.names).cast(schema, safe=False)
+                yield _as(rows, schema)
+
+
+def _as(rows: pa.Table, schema: pa.Schema) -> pa.Table:
+    """Return the columns of a schema, in its types; those of a null one hold no value."""
+    import pyarrow as pa
+
+    empty = [f.name for f in schema if pa.types.is_null(f.type)]
+    columns = [
+        pa.nulls(rows.num_rows) if f.name in empty else rows[f.name].cast(f.type, safe=False)
+        for f in schema
+    ]
+    return pa.Table.from_arrays(columns, schema=schema)
 
 
 def _ticks_of(rows: pa.Table) -> np.ndarray:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from socialmind.runs.columns import from_arrow
+from socialmind.runs.tables.columns import from_arrow
 
 if TYPE_CHECKING:
     import pyarrow as pa

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 from coglogo_py.border.errors import shown
 from socialmind.agents.events import columns_of_events
 from socialmind.errors import SocialmindError
-from socialmind.runs.column_types import common_type
-from socialmind.runs.columns import to_arrow
-from socialmind.runs.tables import EVENTS, ROW_GROUP, part_name, seal
+from socialmind.runs.tables.column_types import common_type
+from socialmind.runs.tables.columns import to_arrow
+from socialmind.runs.tables.files import ROW_GROUP, part_name, seal
+from socialmind.runs.tables.names import EVENTS
 from socialmind.work.files import make_room
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from socialmind.errors import SocialmindError
-from socialmind.runs.columns import EXPECTED
+from socialmind.runs.tables.columns import EXPECTED
 
 if TYPE_CHECKING:
     import pyarrow as pa

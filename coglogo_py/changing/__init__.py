@@ -1,0 +1,1 @@
+"""A scheme that changes: by words, and what becomes of minds that have it."""
