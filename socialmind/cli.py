@@ -25,6 +25,7 @@ import typer
 
 from socialmind.commands import running
 from socialmind.commands.branching import branch
+from socialmind.commands.comparing import compare
 from socialmind.commands.console.options import FROM_0, Folder, Source, Trust, is_kept
 from socialmind.commands.console.terminal import (
     open_what_is_closed,
@@ -129,7 +130,7 @@ def list_(
         raise typer.Exit(WRONG)
 
 
-for one in (running.run, branch, learn, score, running.plot, render, running.replay):
+for one in (running.run, branch, compare, learn, score, running.plot, render, running.replay):
     command(one)
 
 
