@@ -72,8 +72,7 @@ class Change:
             Model, kind, {**settings, **self.parameters, "scheme": schemes}
         )
         vars(made).update(copying.own_of(society, Model))
-        if society.event_log.kept:
-            made.keep_events()
+        made.event_log.rows = society.event_log.rows.copy()
         made._made = True
         return made
 

@@ -102,7 +102,7 @@ def test_draws_of_a_shock_are_its_own():
 def test_births_and_deaths_of_a_shock_are_seen_a_tick_later():
     society = Goats(seed=7, compiled=False)
     society.keep_events()
-    advanced(society, 6, (Shock(3, lost),))
+    society = advanced(society, 6, (Shock(3, lost), Change(3, {"growth": 2.0})))
     assert society.kept_events()["tick"].tolist() == [4]
 
 
