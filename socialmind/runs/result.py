@@ -138,6 +138,11 @@ class Run:
         require_minds(self._capsule, self._trust)
         return {name: MindDescription.load(path) for name, path in self._capsule.minds.items()}
 
+    def _repr_html_(self) -> str:
+        from socialmind.runs.shown import as_html
+
+        return as_html(self)
+
     def _table(self, name: str) -> pd.DataFrame:
         if self.manifest.status == FINISHED:
             self._check_recorded(name, self.manifest.tables)

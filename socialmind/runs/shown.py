@@ -1,0 +1,53 @@
+"""A run as a notebook shows it: what it is, how far it came, its series, where its files are."""
+
+from __future__ import annotations
+
+import base64
+from html import escape
+from io import BytesIO
+from typing import TYPE_CHECKING
+
+from socialmind.errors import SocialmindError
+from socialmind.text_table import as_html as table
+
+if TYPE_CHECKING:
+    from socialmind.runs.result import Run
+
+PANELS = 3
+"""How many columns of the series the figure has at most."""
+
+
+def as_html(run: Run) -> str:
+    """Return a run as HTML: a table, a small figure of its first series, and the folder."""
+    manifest = run.manifest
+    rows: list[tuple[str, object]] = [
+        ("model", run.model),
+        ("seed", run.seed),
+        ("ticks", f"{run.ticks:,} of {manifest.ticks:,}, {manifest.status}"),
+        ("parameters", ", ".join(f"{name} {value}" for name, value in run.parameters.items())),
+    ]
+    if manifest.branch is not None:
+        said = manifest.branch
+        changes = ", ".join(said["change"]) or "nothing changed"
+        rows.append(("branch", f"of {said['run']} at tick {said['tick']:,}: {changes}"))
+    if manifest.error is not None:
+        rows.append(("error", manifest.error))
+    return f"{table(rows)}{_figure(run)}<p><code>{escape(str(run.folder))}</code></p>"
+
+
+def _figure(run: Run) -> str:
+    """Return the first columns of numbers of the series as a picture, if there are any."""
+    from socialmind.drawing import style as paper
+    from socialmind.runs.figures import draw_series
+
+    try:
+        figure = draw_series(run, PANELS)
+    except SocialmindError:  # nothing is safe yet, or it cannot be read: the table says how it is
+        return ""
+    if not figure.axes:
+        return ""
+    content = BytesIO()
+    with paper.style():
+        figure.savefig(content, format="png", dpi=110)
+    picture = base64.b64encode(content.getvalue()).decode("ascii")
+    return f'<img alt="series of the run" src="data:image/png;base64,{picture}">'
