@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -76,10 +77,11 @@ class Shock:
     @property
     def file(self) -> Path | None:
         """The file at whose top level the function stands; None for one that no file can give."""
-        file, _ = written_at(self.function)
-        outermost = getattr(self.function, "__qualname__", "<locals>") == self.name
-        path = None if file is None else Path(file)
-        return path.resolve() if path is not None and outermost and path.is_file() else None
+        module = sys.modules.get(getattr(self.function, "__module__", None) or "")
+        file = getattr(module, "__file__", None)
+        if file is None or vars(module).get(self.name) is not self.function:
+            return None
+        return Path(file).resolve() if Path(file).is_file() else None
 
     @property
     def _draws(self) -> bool:

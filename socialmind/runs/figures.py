@@ -58,12 +58,11 @@ def draw_figures(folder: str | Path, trust: bool = False) -> list[Path]:
     return written
 
 
-def draw_series(run: Run, most: int | None = None) -> Figure:
+def draw_series(run: Run) -> Figure:
     """Every column of a run's series over time, one panel each.
 
     Args:
         run: a run.
-        most: so many columns that hold numbers, and no others; all by default.
 
     Returns:
         The figure.
@@ -72,8 +71,6 @@ def draw_series(run: Run, most: int | None = None) -> Figure:
 
     series = run.series
     columns = [name for name in series.columns if name != "tick"]
-    if most is not None:
-        columns = [one for one in columns if series[one].dtype.kind in "bif"][:most]
     with paper.style():
         figure, panels = paper.grid(len(columns), *PANEL)
         for axes, name in zip(panels, columns, strict=True):

@@ -5,20 +5,23 @@ from __future__ import annotations
 import base64
 from html import escape
 from io import BytesIO
-from typing import TYPE_CHECKING
+from typing import Any
 
 from socialmind.errors import SocialmindError
 from socialmind.text_table import as_html as table
 
-if TYPE_CHECKING:
-    from socialmind.runs.result import Run
-
 PANELS = 3
 """How many columns of the series the figure has at most."""
+PANEL = (58.0, 40.0)
+"""Width and height of a panel, in mm."""
 
 
-def as_html(run: Run) -> str:
-    """Return a run as HTML: a table, a small figure of its first series, and the folder."""
+def as_html(run: Any) -> str:
+    """Return a run as HTML: a table, a small figure of its first series, and the folder.
+
+    Args:
+        run: a `Run`.
+    """
     manifest = run.manifest
     rows: list[tuple[str, object]] = [
         ("model", run.model),
@@ -35,19 +38,24 @@ def as_html(run: Run) -> str:
     return f"{table(rows)}{_figure(run)}<p><code>{escape(str(run.folder))}</code></p>"
 
 
-def _figure(run: Run) -> str:
+def _figure(run: Any) -> str:
     """Return the first columns of numbers of the series as a picture, if there are any."""
-    from socialmind.drawing import style as paper
-    from socialmind.runs.figures import draw_series
-
     try:
-        figure = draw_series(run, PANELS)
+        series = run.series
     except SocialmindError:  # nothing is safe yet, or it cannot be read: the table says how it is
         return ""
-    if not figure.axes:
+    columns = [one for one in series.columns if one != "tick" and series[one].dtype.kind in "bif"]
+    if not columns or series.empty:
         return ""
+    from socialmind.drawing import style as paper
+
     content = BytesIO()
     with paper.style():
+        figure, panels = paper.grid(len(columns[:PANELS]), *PANEL)
+        for axes, name in zip(panels, columns, strict=False):
+            scale = paper.time_axis(axes, list(series["tick"]))
+            axes.plot(series["tick"] / scale, series[name].astype(float), color=paper.BLUE)
+            axes.set_title(name.replace("_", " "))
         figure.savefig(content, format="png", dpi=110)
     picture = base64.b64encode(content.getvalue()).decode("ascii")
     return f'<img alt="series of the run" src="data:image/png;base64,{picture}">'

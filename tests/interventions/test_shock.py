@@ -171,6 +171,25 @@ def test_a_shock_is_read_from_text(tmp_path, monkeypatch):
             Shock.parsed(text)
 
 
+def test_what_is_not_at_the_top_of_a_file_has_none(tmp_path):
+    (tmp_path / "waves.py").write_text(
+        "from functools import wraps\n"
+        "def twice(function):\n"
+        "    @wraps(function)\n"
+        "    def both(society):\n"
+        "        function(society)\n"
+        "        function(society)\n"
+        "    return both\n"
+        "@twice\n"
+        "def wave(society):\n"
+        "    society.years += 1\n"
+    )
+    shock = Shock.parsed(f"1:{tmp_path}/waves.py:wave")
+    assert shock.file == tmp_path / "waves.py"
+    assert after(2, shock).years == 2
+    assert Shock(1, lambda society: None).file is None
+
+
 def test_a_shock_of_a_file_goes_to_another_process(tmp_path):
     (tmp_path / "parts.py").write_text("AMOUNT = 3.0\n")
     (tmp_path / "plague.py").write_text(
