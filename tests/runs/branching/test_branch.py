@@ -131,7 +131,7 @@ def test_everything_can_change_at_once(whole, tmp_path):
     died = kept.events.query("event == 'died' and tick == 16")
     assert len(died) >= 2
     assert kept.manifest.branch["change"] == [
-        "yields=3.0", "scheme of people: folk", "people.influence.greed.trade=2",
+        "yields=3.0", "scheme of people: other.yaml", "people.influence.greed.trade=2",
         "do move_minds", "do exodus",
     ]  # fmt: skip
 
