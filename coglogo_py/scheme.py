@@ -18,6 +18,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from coglogo_py.border.errors import SchemeError
+from coglogo_py.border.html_table import as_html
 from coglogo_py.decision import DecisionMaker, MaximumWeight
 from coglogo_py.files import checks
 from coglogo_py.files.reading import text_in
@@ -206,6 +207,16 @@ class CognitiveScheme:
         from coglogo_py.lint import findings
 
         return findings(self, plans, written)
+
+    def _repr_html_(self) -> str:
+        plans = self.plans
+        rows: list[tuple[object, ...]] = [(self.name, "start", *plans)]
+        for one in self._holders():
+            links = (f"{one.influence[p]:+g}" if p in one.influence else "" for p in plans)
+            opens = ("○" if p in one.conditional else "" for p in plans)
+            both = (" ".join(filter(None, pair)) for pair in zip(links, opens, strict=True))
+            rows.append((one.name, f"{one.start_value:g}", *both))
+        return as_html(rows) + "<p>influence; ○ makes the plan available</p>"
 
     def _holders(self) -> Iterator[Cogniton | Culturon]:
         yield from self.cognitons

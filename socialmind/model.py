@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 from numpy.typing import ArrayLike, NDArray
 
 from coglogo_py import CognitiveScheme
+from coglogo_py.border.html_table import as_html
 from coglogo_py.border.numbers import whole_number
 from socialmind.agents import idleness
 from socialmind.agents.agent_columns import agent_columns, default_series
@@ -328,6 +329,15 @@ class Model(metaclass=ModelKind):
     def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Take back the arrays of a checkpoint of the same model with the same parameters."""
         restore(self, state)
+
+    def _repr_html_(self) -> str:
+        living = ((name, f"{len(table):,}") for name, table in self.tables.items())
+        values = {
+            **self.parameter_values(),
+            **{name: getattr(self, name) for name in self.variables},
+        }
+        told = [("society", self.name), ("seed", self.seed), ("tick", f"{self.tick:,}"), *living]
+        return as_html([*told, *values.items()])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return copying.reduced(self, Model)

@@ -1,9 +1,8 @@
-"""Tables as plain text, and as HTML for notebooks."""
+"""Tables as plain text."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from html import escape
 
 
 def aligned(rows: Sequence[Sequence[str]], right: Collection[int] = ()) -> list[str]:
@@ -25,16 +24,3 @@ def aligned(rows: Sequence[Sequence[str]], right: Collection[int] = ()) -> list[
         ).rstrip()
         for row in rows
     ]
-
-
-def as_html(rows: Sequence[Sequence[object]]) -> str:
-    """Return rows as a table of HTML, the first column as what they are called.
-
-    >>> as_html([("seed", 3), ("model", "a < b")])
-    '<table><tr><th>seed</th><td>3</td></tr><tr><th>model</th><td>a &lt; b</td></tr></table>'
-    """
-    lines = []
-    for name, *cells in rows:
-        texts = "".join(f"<td>{escape(str(cell))}</td>" for cell in cells)
-        lines.append(f"<tr><th>{escape(str(name))}</th>{texts}</tr>")
-    return f"<table>{''.join(lines)}</table>"

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from coglogo_py.border.html_table import as_html
 from socialmind.errors import ModelError, nearest
 from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 from socialmind.names import several
@@ -254,6 +255,14 @@ class MindDescription:
             [self.variables.get(name, name) for name in needed["variable"]],
             found.values(),
         )
+
+    def _repr_html_(self) -> str:
+        parts = {
+            "skills": self.skills, "sensors": self.sensors,
+            "variables": self.variables, "actuators": self.actuators,
+        }  # fmt: skip
+        rows = [(kind, ", ".join(named)) for kind, named in parts.items()]
+        return as_html([("mind", self.name), *rows])
 
     def __repr__(self) -> str:
         return (

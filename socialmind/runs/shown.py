@@ -7,8 +7,8 @@ from html import escape
 from io import BytesIO
 from typing import Any
 
+from coglogo_py.border.html_table import as_html as table
 from socialmind.errors import SocialmindError
-from socialmind.text_table import as_html as table
 
 PANELS = 3
 """How many columns of the series the figure has at most."""
