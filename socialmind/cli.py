@@ -23,7 +23,7 @@ from typing import Annotated, Any
 
 import typer
 
-from socialmind.commands import running
+from socialmind.commands import papers, running
 from socialmind.commands.console.options import FROM_0, Folder, Source, Trust, is_kept
 from socialmind.commands.console.terminal import (
     open_what_is_closed,
@@ -130,6 +130,10 @@ def list_(
 
 for one in (running.run, learn, score, running.plot, render, running.replay):
     command(one)
+
+
+for paper in (papers.odd, papers.methods, papers.export, papers.draw):
+    command(paper)
 
 
 @command

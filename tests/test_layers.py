@@ -35,6 +35,7 @@ LAYERS = (
     "runs",
     "learning",
     "experiments",
+    "documents",
     "envs",
     "commands",
     "cli",
