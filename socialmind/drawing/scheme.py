@@ -171,7 +171,7 @@ def _lines(
     """Draw the links of a cogniton or culturon, each beside its weight."""
     for place, link in enumerate(links):
         y = top + place + 0.5
-        size = _size(axes, link.label, WEIGHTS - COGNITONS - INSET)
+        size = _size(axes, link.label, WEIGHTS - COGNITONS - INSET / 4)
         axes.text(
             WEIGHTS - 0.01, y, link.label, fontsize=size, color=link.colour, ha="right", va="center"
         )
