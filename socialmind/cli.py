@@ -23,7 +23,7 @@ from typing import Annotated, Any
 
 import typer
 
-from socialmind.commands import running
+from socialmind.commands import papers, running
 from socialmind.commands.branching import branch
 from socialmind.commands.comparing import compare
 from socialmind.commands.console.options import FROM_0, Folder, Source, Trust, is_kept
@@ -132,6 +132,10 @@ def list_(
 
 for one in (running.run, branch, compare, learn, score, running.plot, render, running.replay):
     command(one)
+
+
+for paper in (papers.odd, papers.methods, papers.export, papers.draw):
+    command(paper)
 
 
 @command

@@ -36,6 +36,7 @@ LAYERS = (
     "runs",
     "learning",
     "experiments",
+    "documents",
     "envs",
     "commands",
     "cli",

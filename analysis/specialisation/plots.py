@@ -366,5 +366,5 @@ def schemes(several: Mapping[str, CognitiveScheme], width: float = paper.PAGE) -
         draw_scheme(scheme, axes, lines)
         if len(several) > 1:
             paper.panel_title(axes, letter, title)
-    _legend(figure, key(), 4 if len(several) > 1 else 2)
+    _legend(figure, key(*several.values()), 4 if len(several) > 1 else 2)
     return figure

@@ -207,7 +207,7 @@ class Size:
 
 
 ROBOTS = 9
-FULL = Size(25, 60_000, 10, (3, 6), None, 20, 50_000)
+FULL = Size(20, 60_000, 5, (3, 6), None, 20, 50_000)
 QUICK = Size(4, 20_000, 2, (3,), 2, 4, 20_000)
 SEED = 6001
 """The seed of the first world of robots; worlds in which nothing was trained or chosen."""

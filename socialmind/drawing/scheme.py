@@ -1,8 +1,10 @@
 """Drawing a cognitive scheme: cognitons at the left, plans at the right, links between them.
 
-Each link leaves its cogniton at a place of its own, beside its weight, so that a scheme can be read
-off the page. Below stand the groups: each role is a box with the culturons that its players are
-under, whose links are dash-dotted, since they act on those alone.
+It shows what figures 3.3 and 3.7 of the thesis show, on one drawing. Each link leaves its cogniton
+at a place of its own, beside its weight, so that a scheme can be read off the page. What is
+negative is dashed; what opens a plan is dotted and ends in a ring; what a plan reinforces has an
+arrow back to the cogniton. Below stand the groups: each role is a box with the culturons that its
+players are under, whose links begin with a diamond, since they act on those alone.
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import FancyBboxPatch, PathPatch
 from matplotlib.path import Path
@@ -34,9 +37,27 @@ HEADING = 1.1
 """Lines, for the name of a group, and for that of a role."""
 INSET = 0.02
 """Of the width, between a role's box and those of its culturons."""
+BAR = 0.024
+"""Of the width, for the colour of a cogniton, and the mark of its type."""
 LETTER = 0.62
 """How wide a letter is, of the size of its font."""
 THIN, THICK = 0.5, 2.2
+DASHED = (0, (3.5, 1.6))
+LARGEST, SMALLEST = 7.0, 5.0
+"""Points of type: of names, and of those that need it to fit, where the page is a column wide."""
+FOR, AGAINST, OPENS = "speaks for a plan", "speaks against a plan", "opens a plan"
+STRENGTHENED, WEAKENED = "is strengthened by a plan", "is weakened by a plan"
+LOOKS: dict[str, dict[str, Any]] = {
+    FOR: {"color": POSITIVE, "linewidth": 1.6},
+    AGAINST: {"color": NEGATIVE, "linewidth": 1.6, "linestyle": DASHED},
+    OPENS: {"color": paper.GREY, "linewidth": 0.8, "linestyle": ":"},
+    STRENGTHENED: {"color": FEEDBACK, "linewidth": 1.0},
+    WEAKENED: {"color": FEEDBACK, "linewidth": 1.0, "linestyle": DASHED},
+}
+"""How links look in the legend, by what they mean."""
+LINE, EDGE = 3.5, 1.0
+"""Millimetres, of a line of type in a figure, and of white around it."""
+KEY_COLUMNS = 2
 MARKS = dict(zip(TYPES, "osvD^P", strict=True))
 """How boxes are marked by the type of their cogniton."""
 
@@ -61,6 +82,21 @@ class _Link:
             return FEEDBACK
         return POSITIVE if self.weight > 0 else NEGATIVE
 
+    @property
+    def style(self) -> Any:
+        if self.kind == CONDITION:
+            return ":"
+        return DASHED if self.weight < 0 else "-"
+
+    @property
+    def look(self) -> str:
+        """What it means, as the legend explains it."""
+        if self.kind == CONDITION:
+            return OPENS
+        if self.kind == REINFORCEMENT:
+            return STRENGTHENED if self.weight > 0 else WEAKENED
+        return FOR if self.weight > 0 else AGAINST
+
 
 def draw_scheme(scheme: CognitiveScheme, axes: Axes, lines: float | None = None) -> None:
     """Draw a scheme's cognitons, plans and links, and its groups.
@@ -80,8 +116,7 @@ def draw_scheme(scheme: CognitiveScheme, axes: Axes, lines: float | None = None)
     plans = {
         plan: used * (place + 0.5) / len(scheme.plans) for place, plan in enumerate(scheme.plans)
     }
-    holders: list[Cogniton | Culturon] = [*scheme.cognitons]
-    holders += [one for group in scheme.groups for role in group.roles for one in role.culturons]
+    holders = _holders(scheme)
     largest = max((abs(weight) for one in holders for weight in one.influence.values()
                    if weight), default=1.0)  # fmt: skip
     top = 0.0
@@ -98,17 +133,56 @@ def draw_scheme(scheme: CognitiveScheme, axes: Axes, lines: float | None = None)
         _box(axes, PLANS, 1.0, y - 0.6, 1.2, plan, None)
 
 
+def scheme_figure(scheme: CognitiveScheme, width: float | None = None) -> Figure:
+    """Return a figure of a scheme with its legend, as high as the scheme takes.
+
+    Args:
+        scheme: what is drawn.
+        width: in mm; as wide as a column unless given, or as a page where names are too long.
+    """
+    if width is None:
+        named = [one.name for one in _holders(scheme)]
+        room = (COGNITONS - BAR - 2 * INSET) * paper.COLUMN / 25.4 * 72
+        crowded = any(LETTER * SMALLEST * len(name) > room for name in named)
+        room = (1 - PLANS - INSET) * paper.COLUMN / 25.4 * 72
+        crowded |= any(LETTER * SMALLEST * len(name) > room for name in scheme.plans)
+        width = paper.PAGE if crowded else paper.COLUMN
+    with paper.style():
+        marks = key(scheme)
+        rows = -(-len(marks) // KEY_COLUMNS)
+        high, below = LINE * lines_of(scheme), LINE * (rows + 0.5)
+        figure = Figure(figsize=(width / 25.4, (high + below + 2 * EDGE) / 25.4))
+        whole = high + below + 2 * EDGE
+        axes = figure.add_axes(
+            (EDGE / width, (below + EDGE) / whole, 1 - 2 * EDGE / width, high / whole)
+        )
+        draw_scheme(scheme, axes)
+        figure.legend(
+            handles=marks, loc="lower center", ncols=KEY_COLUMNS, bbox_to_anchor=(0.5, 0.0),
+            borderaxespad=0.4, handlelength=2.2, columnspacing=1.2, labelspacing=0.35,
+        )  # fmt: skip
+    return figure
+
+
 def _lines(
     axes: Axes, links: list[_Link], top: float, plans: dict[str, float], largest: float,
-    style: str = "-",
+    by_role: bool = False,
 ) -> None:  # fmt: skip
     """Draw the links of a cogniton or culturon, each beside its weight."""
     for place, link in enumerate(links):
         y = top + place + 0.5
+        size = _size(axes, link.label, WEIGHTS - COGNITONS - INSET / 4)
         axes.text(
-            WEIGHTS - 0.01, y, link.label, fontsize=7, color=link.colour, ha="right", va="center"
+            WEIGHTS - 0.01, y, link.label, fontsize=size, color=link.colour, ha="right", va="center"
         )
-        _curve(axes, link, y, plans[link.plan], largest, style)
+        end = plans[link.plan]
+        _curve(axes, link, y, end, largest)
+        if link.kind == CONDITION:
+            axes.plot(PLANS - 0.008, end, "o", color=link.colour, **HOLLOW)
+        if link.kind == REINFORCEMENT:
+            axes.plot(WEIGHTS + 0.008, y, "<", color=link.colour, markersize=3.4)
+        elif by_role:
+            axes.plot(WEIGHTS + 0.008, y, "D", color=link.colour, **HOLLOW)
 
 
 def _draw_group(
@@ -128,15 +202,16 @@ def _draw_group(
         held = [(one, list(_links(one, scheme))) for one in role.culturons]
         high = HEADING + sum(max(1, len(links)) + GAP / 2 for _, links in held)
         _box(axes, 0.0, COGNITONS, top, high, "", None)
-        axes.text(INSET, top + HEADING / 2, role.name, fontsize=7, fontstyle="italic", va="center")
+        size = _size(axes, role.name, COGNITONS - INSET)
+        axes.text(
+            INSET, top + HEADING / 2, role.name, fontsize=size, fontstyle="italic", va="center"
+        )
         inner = top + HEADING
         for one, links in held:
             lines = max(1, len(links))
             colour = tuple(part / 255 for part in one.colour)
-            room = (COGNITONS - 2 * INSET) * axes.bbox.width / axes.figure.dpi * 72
-            size = min(7.0, room / (LETTER * len(one.name)))
-            _box(axes, INSET / 2, COGNITONS - INSET / 4, inner, lines, one.name, colour, size)
-            _lines(axes, links, inner, plans, largest, "-.")
+            _box(axes, INSET / 2, COGNITONS - INSET / 4, inner, lines, one.name, colour)
+            _lines(axes, links, inner, plans, largest, by_role=True)
             inner += lines + GAP / 2
         top += high + GAP / 2
     return top + GAP / 2
@@ -153,6 +228,9 @@ def lines_of(scheme: CognitiveScheme) -> float:
     return max(sum(high), 1.6 * len(scheme.plans))
 
 
+HOLLOW: dict[str, Any] = {
+    "markersize": 3.0, "markerfacecolor": "white", "markeredgewidth": 0.7, "zorder": 4,
+}  # fmt: skip
 MARKED: dict[str, Any] = {"color": paper.INK, "markersize": 3.0, "markeredgewidth": 0.0}
 
 
@@ -160,23 +238,36 @@ def key(*schemes: CognitiveScheme) -> list[Line2D]:
     """Return marks for a legend, which say what the lines are, and of which type cognitons.
 
     Args:
-        schemes: those that are drawn, as far as their types and roles are to be explained.
+        schemes: those that are drawn: only what they have is explained; all links without any.
     """
-    there = {one.type for scheme in schemes for one in scheme.cognitons}
-    culturons = any(role.culturons for one in schemes for of in one.groups for role in of.roles)
-    by_role = Line2D([], [], color=paper.INK, linewidth=1.2, linestyle="-.", label="by a role")
+    types = {one.type for scheme in schemes for one in scheme.cognitons}
+    culturons = [one for scheme in schemes for one in _culturons(scheme)]
+    looks = {
+        link.look for scheme in schemes for one in _holders(scheme) for link in _links(one, scheme)
+    }
+    by_role = Line2D([], [], marker="D", linestyle="", color=paper.INK, label="of a role", **HOLLOW)
     return [
         *(
             Line2D([], [], marker=mark, linestyle="", label=name, **MARKED)
             for name, mark in MARKS.items()
-            if name in there
+            if name in types
         ),
         *([by_role] if culturons else []),
-        Line2D([], [], color=POSITIVE, linewidth=1.6, label="speaks for a plan"),
-        Line2D([], [], color=NEGATIVE, linewidth=1.6, label="speaks against it"),
-        Line2D([], [], color=paper.GREY, linewidth=0.8, linestyle=":", label="opens a plan"),
-        Line2D([], [], color=FEEDBACK, linewidth=1.0, linestyle="--", label="is reinforced by it"),
+        *(
+            Line2D([], [], label=name, **look)
+            for name, look in LOOKS.items()
+            if name in looks or not schemes
+        ),
     ]
+
+
+def _holders(scheme: CognitiveScheme) -> list[Cogniton | Culturon]:
+    """Return all that links come from."""
+    return [*scheme.cognitons, *_culturons(scheme)]
+
+
+def _culturons(scheme: CognitiveScheme) -> list[Culturon]:
+    return [one for group in scheme.groups for role in group.roles for one in role.culturons]
 
 
 def _links(cogniton: Cogniton | Culturon, scheme: CognitiveScheme) -> Iterator[_Link]:
@@ -193,7 +284,7 @@ def _links(cogniton: Cogniton | Culturon, scheme: CognitiveScheme) -> Iterator[_
 
 def _box(
     axes: Axes, left: float, right: float, top: float, high: float, name: str,
-    colour: tuple[float, ...] | None, size: float = 7.0,
+    colour: tuple[float, ...] | None,
 ) -> None:  # fmt: skip
     box = FancyBboxPatch(
         (left + 0.005, top + 0.06), right - left - 0.01, high - 0.12,
@@ -203,12 +294,20 @@ def _box(
     axes.add_patch(box)
     if colour is not None:
         axes.plot([left + 0.016] * 2, [top + 0.25, top + high - 0.25], color=colour, linewidth=2.0)
-    middle = (left + right) / 2 + (0.012 if colour is not None else 0)
-    axes.text(middle, top + high / 2, name, fontsize=size, ha="center", va="center")
+    edge = BAR if colour is not None else 0.0
+    size = _size(axes, name, right - left - edge - INSET)
+    axes.text((left + right + edge) / 2, top + high / 2, name, fontsize=size, ha="center",
+              va="center", parse_math=False)  # fmt: skip
 
 
-def _curve(axes: Axes, link: _Link, begin: float, end: float, largest: float, style: str) -> None:
-    """Draw a link from the weight beside its cogniton to its plan, influence in a style."""
+def _size(axes: Axes, name: str, room: float) -> float:
+    """Return the points of type in which a name fits into a share of the width."""
+    width = axes.bbox.width / axes.figure.dpi * 72
+    return min(LARGEST, room * width / (LETTER * max(len(name), 1)))
+
+
+def _curve(axes: Axes, link: _Link, begin: float, end: float, largest: float) -> None:
+    """Draw a link from the weight beside its cogniton to its plan."""
     middle = (WEIGHTS + PLANS) / 2
     path = Path(
         [(WEIGHTS, begin), (middle, begin), (middle, end), (PLANS, end)],
@@ -219,10 +318,8 @@ def _curve(axes: Axes, link: _Link, begin: float, end: float, largest: float, st
         # From the largest weight on, each tenth of it takes a third of the width.
         share = 1 + math.log10(abs(link.weight) / largest) / 3
         width = THIN + (THICK - THIN) * max(share, 0.0)
-    elif link.kind == CONDITION:
-        style = ":"
-    else:
-        style = "--"
     axes.add_patch(
-        PathPatch(path, facecolor="none", edgecolor=link.colour, linewidth=width, linestyle=style)
+        PathPatch(
+            path, facecolor="none", edgecolor=link.colour, linewidth=width, linestyle=link.style
+        )
     )

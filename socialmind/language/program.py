@@ -136,6 +136,11 @@ class Program:
             self._sources[function] = rule_source(function)
         return self._sources[function]
 
+    @property
+    def sources(self) -> tuple[RuleSource, ...]:
+        """The functions that it reaches, as their authors wrote them, in the order of meeting."""
+        return tuple(self._sources.values())
+
     def module_names(self, module: python_types.ModuleType) -> Names:
         """Return the names of a module that a rule names."""
         return self._modules.setdefault(module, Names(vars(module)))

@@ -157,17 +157,17 @@ def play():
 
 @pytest.fixture(scope="session")
 def described():
-    """Return a table of skills in a model's README: what each reads, commands and weighs."""
+    """Return a table of skills in a model's ODD document: what each reads, commands and weighs."""
 
-    def table(model, title="Skills"):
-        text = (model_folder(model) / "README.md").read_text("utf-8").split(f"### {title}\n", 1)[1]
-        lines = [line for line in text.split("\n#", 1)[0].splitlines() if line.startswith("|")]
-        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
+    def table(model, title="Skills of robots"):
+        text = (model_folder(model) / "ODD.md").read_text("utf-8").split(f"### {title}\n", 1)[1]
+        first = text[text.index("|") :].split("\n\n", 1)[0].splitlines()
+        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in first[2:]]
         return {
             name.split(" (")[0]: (
-                [*filter(None, reads.split(", "))], commands.split(", "), int(size),
+                [*filter(None, reads.split(", "))], commands.split(", "), int(rest[-1]),
             )
-            for name, reads, commands, size in rows
+            for name, reads, commands, *rest in rows
         }  # fmt: skip
 
     return table

@@ -178,12 +178,12 @@ def test_the_battery_ends_the_lesson_with_power():
     assert robot.score == 0.0
 
 
-# What the READMEs say ----------------------------------------------------------------------------
+# What the ODD documents say ---------------------------------------------------------------------
 
 
 def rows_of(name):
-    """Return the table of lessons in a model's README, a row each."""
-    text = (model_folder(name) / "README.md").read_text("utf-8").split("### Lessons\n", 1)[1]
+    """Return the table of lessons in a model's ODD document, a row each."""
+    text = (model_folder(name) / "ODD.md").read_text("utf-8").split("### Lessons\n", 1)[1]
     lines = [line for line in text.split("\n#", 1)[0].splitlines() if line.startswith("|")]
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
 
@@ -196,7 +196,7 @@ def rows_of(name):
         ("collect_power", POWER.lessons),
     ],
 )
-def test_the_readme_tells_the_lessons(name, lessons):
+def test_the_odd_document_tells_the_lessons(name, lessons):
     rows = rows_of(name)
     assert [row[0] for row in rows] == [lesson.name for lesson in lessons]
     for row, lesson in zip(rows, lessons, strict=True):

@@ -59,20 +59,20 @@ def test_sensors_and_actuators_are_the_bodys(folder):
 @pytest.mark.parametrize(
     ("name", "title", "mind"),
     [
-        ("collect", "Skills", "mind"),
+        ("collect", "Skills of robots", "mind"),
         ("collect", "Skills of mind_constant", "mind_constant"),
-        ("collect_retrained", "Skills", "mind"),
-        ("collect_power", "Skills", "mind"),
+        ("collect_retrained", "Skills of robots", "mind"),
+        ("collect_power", "Skills of robots", "mind"),
     ],
 )
-def test_the_readme_lists_the_skills(name, title, mind, described, found_in):
+def test_the_odd_document_lists_the_skills(name, title, mind, described, found_in):
     description = MindDescription.load(model_folder(name) / mind)
     assert described(name, title) == found_in(description)
     (master,) = description.masters
-    assert f"{master} (the master)" in (model_folder(name) / "README.md").read_text("utf-8")
+    assert f"{master} (the master)" in (model_folder(name) / "ODD.md").read_text("utf-8")
 
 
-def test_the_readme_lists_the_monolith(described, found_in):
+def test_the_odd_document_lists_the_monolith(described, found_in):
     mind = CONTROLS.monolith()
     assert described("collect", "Skills of the monolith") == found_in(mind)
     whole = sum(skill.genome_size for skill in CONTROLS.hierarchy().skills.values())
@@ -80,7 +80,7 @@ def test_the_readme_lists_the_monolith(described, found_in):
     assert 0.9 <= mind.skills["Monolith"].genome_size / whole <= 1.1
 
 
-def test_the_readme_lists_the_other_variant_with_power(described, found_in):
+def test_the_odd_document_lists_the_other_variant_with_power(described, found_in):
     lessons = load_file(model_folder("collect_power") / "lessons.py")
     mind = lessons.retrained(MindDescription.load(model_folder("collect_retrained") / "mind"))
     ((name, row),) = described("collect_power", "Skills of the Retrained variant").items()

@@ -6,19 +6,11 @@ import pytest
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_model
+from socialmind.documents.odd.document import odd
 from socialmind.errors import SocialmindError
 from socialmind.sources.folders import catalogue
 from socialmind.worlds.plane.trajectories import RECORDED
 
-ODD = (
-    "Purpose and patterns",
-    "Entities, state variables and scales",
-    "Process overview and scheduling",
-    "Design concepts",
-    "Initialisation",
-    "Input data",
-    "Submodels",
-)
 WITHOUT_LUCK = ("tutorial",)  # models that draw nothing
 TICKS = 300
 SEEDS = (0, 1, 2**40 + 7)
@@ -31,13 +23,13 @@ def model(request):
 
 
 @pytest.fixture(scope="module")
-def readme(model):
-    return (model.folder() / "README.md").read_text("utf-8")
+def document(model):
+    return (model.folder() / "ODD.md").read_text("utf-8")
 
 
-def table_of(readme, title):
+def table_of(document, title):
     """Return the rows of the table under a heading, cells stripped of their backquotes."""
-    text = readme.split(f"# {title}\n", 1)[1].split("\n#", 1)[0]
+    text = document.split(f"# {title}\n", 1)[1].split("\n#", 1)[0]
     rows = [line.strip().strip("|").split("|") for line in text.splitlines() if line[:1] == "|"]
     return [[cell.strip().replace("`", "") for cell in row] for row in rows[2:]]
 
@@ -85,19 +77,36 @@ def test_schemes_have_no_findings_and_a_function_for_each_plan(model):
             assert sorted(scheme.plans) == sorted(population.plans)
 
 
-# What its README says ----------------------------------------------------------------------------
+# What its documents say ---------------------------------------------------------------------------
 
 
-def test_its_readme_is_in_odd_order(readme):
+def test_its_odd_document_is_whole_and_up_to_date(model):
+    made = odd(model)
+    assert list(made.gaps) == []
+    assert made.stale(model.folder() / "ODD.md") == [], (
+        f"make it again: socialmind odd {model.folder().name}"
+    )
+
+
+def test_its_readme_has_purpose_commands_and_a_way_to_the_odd_document(model):
+    readme = (model.folder() / "README.md").read_text("utf-8")
     found = re.findall(r"^## (.+)$", readme, re.MULTILINE)
-    assert tuple(found[: len(ODD)]) == ODD
-    for title in ODD:
-        text = readme.split(f"## {title}\n", 1)[1].split("\n## ", 1)[0]
-        assert len(text.split()) > 5, title
+    assert found in (["Purpose", "Results"], ["Purpose and results"])
+    assert f"    socialmind run {model.name}" in readme.replace("-", "_")
+    assert "](ODD.md)" in readme
 
 
-def test_its_readme_has_the_parameters_of_the_code(model, readme):
-    rows = table_of(readme, "Parameters")
+def test_what_documents_link_to_is_there(model):
+    for name in ("README.md", "ODD.md"):
+        text = (model.folder() / name).read_text("utf-8")
+        for place in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text):
+            assert (model.folder() / place).exists(), f"{name}: {place}"
+
+
+def test_its_odd_document_has_the_parameters_of_the_code(model, document):
+    rows = table_of(document, "Parameters")
+    if not model.parameters:
+        assert rows == []
     assert [row[0] for row in rows] == list(model.parameters)
     for (_, unit, span, default, meaning), one in zip(rows, model.parameters.values(), strict=True):
         assert (unit, span, meaning) == (one.unit or "–", one.range, one.doc)
@@ -105,14 +114,14 @@ def test_its_readme_has_the_parameters_of_the_code(model, readme):
 
 
 @pytest.mark.parametrize("title", ["Series", "Agents"])
-def test_its_readme_has_the_columns_of_the_tables(model, readme, title):
+def test_its_odd_document_has_the_columns_of_the_tables(model, document, title):
     society = model(compiled=False)
     columns = list(society.series() if title == "Series" else society.agents())
-    described = [row[0] for row in table_of(readme, title) if row[0] != "tick"]
+    described = [row[0] for row in table_of(document, title) if row[0] != "tick"]
     patterns = [re.escape(one).replace("<Name>", ".+").replace("<Plan>", ".+") for one in described]
     # What every robot has stands in docs/runs.md.
     for name in [one for one in columns if one not in RECORDED]:
-        assert any(re.fullmatch(one, name) for one in patterns), f"{name} is not in the README"
+        assert any(re.fullmatch(one, name) for one in patterns), f"{name} is not in ODD.md"
     for one in patterns:
         assert any(re.fullmatch(one, name) for name in columns), f"{one} is not in the table"
 

@@ -144,7 +144,7 @@ def test_in_outline_who_does_not_validate_earns_three_objects():
 # Minds --------------------------------------------------------------------------------------------
 
 
-def test_the_readme_lists_the_skills(described, found_in):
+def test_the_odd_document_lists_the_skills(described, found_in):
     assert described("counter") == found_in(MindDescription.load(FOLDER / "mind"))
     wanted = found_in(MindDescription.load(FOLDER / "mind_wanted"))
     assert wanted["CountObjects"][0] == ["SENSOBJ", "SENSDZ", "SENSVZ", "Count", "WANTED"]

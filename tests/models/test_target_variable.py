@@ -39,7 +39,7 @@ def test_there_are_as_many_objects_as_were_asked_for(number):
     assert len(model.objects) == number
 
 
-def test_the_readme_lists_the_skills(described, found_in):
+def test_the_odd_document_lists_the_skills(described, found_in):
     told = described("target_variable")
     assert told == found_in(LESSONS.hierarchy())
     mind = MindDescription.load(FOLDER / "mind")

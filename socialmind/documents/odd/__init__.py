@@ -1,0 +1,1 @@
+"""The ODD document of a model: made of declarations, docstrings and its author's words."""
