@@ -14,7 +14,7 @@ QUICK_WORLDS = 20
 
 
 def _lines(name: str, way: Way, told: list[str], about: str) -> list[str]:
-    return [f"{way.said(name, 'collect')} {about}", "", *(f"- {one}" for one in told)]
+    return [f"{way.said(name, 'collect')} {about}".strip(), "", *(f"- {one}" for one in told)]
 
 
 def _say(line: str) -> None:
@@ -54,8 +54,7 @@ def make_figure(name: str, way: Way, out: Path) -> list[Path]:
     told = [line for _, line in given.values()]
     if not trainings:
         raise SocialmindError(f"{name}: {'; '.join(told)}")
-    about = "A line is an attempt."
-    return write_curves(figure, trainings, _lines(name, way, told, about), out)
+    return write_curves(figure, trainings, _lines(name, way, told, ""), out)
 
 
 def _study(make: Callable[[str, Way, Path], list[Path]], name: str, about: str) -> Study:
