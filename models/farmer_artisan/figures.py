@@ -270,7 +270,11 @@ def _map_key(figure: Figure, axes: Axes) -> None:
     bar.set_title("share of toolmaking, t / (t + w)", fontsize=7, pad=3)
 
 
-def mind(agents: pd.DataFrame, scheme: CognitiveScheme | None) -> Figure:
+def mind(
+    agents: pd.DataFrame,
+    scheme: CognitiveScheme | None,
+    shown: Sequence[tuple[str, pd.Series]] | None = None,
+) -> Figure:
     """Draw the inside of three minds at the last recorded tick, and all specialisations over time.
 
     The three are the farmer and the artisan of median specialisation, and the person whose Farmer
@@ -279,11 +283,12 @@ def mind(agents: pd.DataFrame, scheme: CognitiveScheme | None) -> Figure:
     Args:
         agents: one row an agent and recorded tick.
         scheme: the scheme whose decision maker gives the probabilities; without it, none are drawn.
+        shown: other minds in place of these three: for each its heading, and its row of `agents`.
 
     Returns:
         A figure with a row for each mind and one for the trajectories.
     """
-    shown = _typical(agents)
+    shown = _typical(agents) if shown is None else shown
     figure = paper.figure(paper.PAGE, 38 * len(shown) + 58, gap=2.0)
     parts = figure.subfigures(
         len(shown) + 1, 1, height_ratios=[38.0] * len(shown) + [58.0], squeeze=False
