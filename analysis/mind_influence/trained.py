@@ -25,12 +25,17 @@ SEEDS = range(1, 31)
 """Of the runs that are searched, one after another."""
 TICKS = 3000
 """Of a run."""
-NONE, MUCH = 0.1, 0.6
-"""Avoid's part of what GoToObject+Avoid sends: up to which it has no say, and from which most."""
-APPROACH = 40
-"""Ticks before Avoid has most of the influence, for the first step."""
+SHARED, ALONE = 0.6, 0.9
+"""Avoid's part of what GoToObject and Avoid receive: up to which they share it, and from which
+Avoid has it alone."""
+APPROACH = 30
+"""Ticks before Avoid has it alone, for the first step."""
+LASTS = 10
+"""Ticks that Avoid has it alone at least."""
+ANSWER = 2
+"""Ticks until what a mind makes of its sensors is done."""
 LONGEST = 400
-"""Ticks from there to the object in the claw."""
+"""Ticks of the way to the object that are looked at."""
 AROUND, TRAIL, PIXELS = 22.0, 200, 1400
 """Units drawn around the robot, ticks of its path, and the width of a bitmap."""
 CHOICE = "GoToObject+Avoid"
@@ -85,20 +90,33 @@ def watched(seed: int, ticks: int = TICKS) -> list[Moment]:
 def steps_of(moments: Sequence[Moment]) -> tuple[int, ...] | None:
     """Return the ticks of the five steps, the first time that they follow each other, or None."""
     for place, one in enumerate(moments):
-        gripped = one.carrying and not moments[place - 1].carrying
-        if not gripped:
+        if not one.carrying or moments[place - 1].carrying:
             continue
         way = [each for each in moments[max(0, place - LONGEST) : place] if not each.carrying]
-        most = [at for at, each in enumerate(way) if each.avoiding >= MUCH]
-        if not most or most[-1] < APPROACH:
+        blocks = [
+            (begin, end)
+            for alone, begin, end in _stretches([each.avoiding >= ALONE for each in way])
+            if alone and end - begin >= LASTS
+        ]
+        if not blocks:
             continue
-        peak = most[-1]
-        before, after = way[peak - APPROACH], way[peak:]
-        clear = next((at for at, each in enumerate(after) if each.avoiding <= NONE), None)
-        if before.avoiding > NONE or clear is None or clear < 2:
+        begin, end = blocks[-1]
+        shared = next((at for at in range(end, len(way)) if way[at].avoiding <= SHARED), None)
+        if shared is None or begin < APPROACH or way[begin - APPROACH].avoiding > SHARED:
             continue
-        return before.tick, after[0].tick, after[clear // 2].tick, after[clear].tick, one.tick + 2
+        shown = begin - APPROACH, (begin + end) // 2, shared, (shared + len(way)) // 2
+        return *(way[at].tick for at in shown), one.tick + ANSWER
     return None
+
+
+def _stretches(values: Sequence[bool]) -> list[tuple[bool, int, int]]:
+    """Return stretches of equal values: the value, where it begins and where the next one does."""
+    found, begin = [], 0
+    for at in range(1, len(values) + 1):
+        if at == len(values) or values[at] != values[begin]:
+            found.append((values[begin], begin, at))
+            begin = at
+    return found
 
 
 def found(seeds: Sequence[int] = SEEDS) -> tuple[int, tuple[int, ...]]:
