@@ -35,11 +35,11 @@ def weights() -> list[dict[str, object]]:
 def draw() -> Figure:
     """Draw the scheme with the values of its cognitons and the weights of its plans."""
     with paper.style():
-        figure = paper.figure(paper.COLUMN, 46)
+        figure = paper.figure(paper.COLUMN, 50)
         axes = figure.subplots()
         draw_scheme(SCHEME, axes)
         values = ", ".join(f"{name} has the value {value:g}" for name, value in VALUES.items())
         plans = ", ".join(f"{row['plan']} weighs {row['weight']:g}" for row in weights())
-        axes.set_title(f"{values}: {plans}", fontsize=7)
+        axes.set_title(f"{values};\n{plans}", fontsize=7)
         figure.legend(handles=key(SCHEME), loc="outside lower center", ncols=2)
     return figure
