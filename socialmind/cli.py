@@ -192,12 +192,18 @@ def reproduce(
     list_names: Annotated[
         bool, typer.Option("--list", help="List what can be made, and make nothing.")
     ] = False,
+    overview: Annotated[
+        bool,
+        typer.Option("--overview", help="Put the thesis's results beside ours, from kept tables."),
+    ] = False,
 ) -> None:
     """Make figures and tables of the thesis again: PDF, PNG and the numbers as CSV."""
     from socialmind.commands import reproducing
 
     if list_names:
         reproducing.print_studies()
+    elif overview:
+        reproducing.make_overview(names or [], out, quick or kept)
     else:
         reproducing.make(names or [], out, quick, kept)
 

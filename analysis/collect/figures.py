@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.lines import Line2D
 
 from socialmind.drawing import style as paper
 
@@ -21,14 +22,26 @@ if TYPE_CHECKING:
     from socialmind.learning import Training
 
 NEAR = 0.05
-"""Of its best, within which an attempt counts as having reached it."""
+"""Of what it comes to in the end, within which an attempt counts as having reached it."""
+END = 10
+"""The part of a curve, one in so many generations, whose mean is what it comes to in the end."""
 EARLY = 100
 """The generation by which the thesis finds most attempts of base skills at their maximum."""
 FELL_SHORT = 0.75
-"""Of the median attempt's best, below which an attempt counts as one that failed."""
-WORTH = {"best": "best score", "mean": "mean score", "validated": "score on common worlds"}
-PANEL = (90.0, 52.0)
-"""Width and height of a panel, in mm."""
+"""Of the median attempt's finals, below which an attempt counts as one that failed."""
+WORTH = {
+    "best": "score of the best",
+    "mean": "mean score",
+    "validated": "score, common worlds",
+}
+PANEL = 46.0
+"""Height of a row of panels, in mm."""
+SMOOTHED = 200
+"""Generations from which on a curve of training is drawn as running medians."""
+WINDOW = 15
+"""Generations of a running median."""
+COMMON = 64
+"""Worlds on which curves of base skills are judged too."""
 
 
 @dataclass(frozen=True)
@@ -40,12 +53,14 @@ class Curves:
         plans: the trainings; of an attempt that several have made, the longest curve is shown.
         panels: for each, the lesson and the column of its curve.
         thesis: what the thesis says of its own.
+        generations: that each attempt has in the thesis.
     """
 
     name: str
     plans: tuple[str, ...]
     panels: tuple[tuple[str, str], ...]
     thesis: str
+    generations: int
 
     @property
     def lessons(self) -> tuple[str, ...]:
@@ -63,6 +78,7 @@ FIGURES = (
         ),
         "most of 10 attempts reach their maximum within 100 of 1,000 generations; of either skill "
         "1 attempt in 10 does not reach a satisfactory result",
+        1000,
     ),
     Curves(
         "figure-6.3",
@@ -70,6 +86,7 @@ FIGURES = (
         (("Avoid", "best"),),
         "most of 10 attempts continue to evolve past generation 500 of 2,500; 2,500 generations "
         "reach 10 % more than 1,000",
+        2500,
     ),
     Curves(
         "figure-6.4",
@@ -77,12 +94,14 @@ FIGURES = (
         (("GoToObject+Avoid", "best"), ("GoToDropZone+Avoid", "best")),
         "10 of 10 attempts succeed within 1,500 generations; GoToObject+Avoid is slightly more "
         "difficult",
+        1500,
     ),
     Curves(
         "figure-6.5",
         ("hierarchy",),
         (("Collect", "best"), ("Collect", "mean")),
         "10 of 10 attempts succeed in under 10 generations",
+        1500,
     ),
 )  # fmt: skip
 
@@ -132,9 +151,9 @@ def attempts_of(curves: pd.DataFrame, trainings: Mapping[str, Training]) -> list
                 "generations": len(own),
                 "ticks": int(own["ticks"].iloc[-1]),
                 "judged": "on common worlds" if measured == "validated" else "in training",
-                "best": round(float(values.max()), 4),
-                "near_best_from": first_near(values),
-                "best_by_half": round(float(values[: max(1, len(values) // 2)].max()), 4),
+                "end": round(float(at_the_end(values)), 4),
+                "near_end_from": first_near(values),
+                "half": round(float(at_the_end(values[: max(1, len(values) // 2)])), 4),
                 "finals": round(float(finals["score"]), 4),
                 "finals_deviation": round(float(finals["deviation"]), 4),
                 "seconds": round(float(own["seconds"].sum()), 1),
@@ -143,14 +162,33 @@ def attempts_of(curves: pd.DataFrame, trainings: Mapping[str, Training]) -> list
     return rows
 
 
+def at_the_end(values: np.ndarray) -> float:
+    """Return the mean of a curve's last tenth: no single lucky generation decides.
+
+    >>> at_the_end(np.array([9.0] + [1.0] * 18 + [3.0]))
+    2.0
+    """
+    return float(values[-max(1, len(values) // END) :].mean())
+
+
 def first_near(values: np.ndarray, near: float = NEAR) -> int:
-    """Return the first generation within a share of the best of all.
+    """Return the first generation within a share of what a curve comes to in the end.
 
     >>> first_near(np.array([1.0, 94.0, 96.0, 90.0, 100.0]))
     3
     """
-    best = values.max()
-    return int(np.argmax(values >= best - near * abs(best))) + 1
+    end = at_the_end(values)
+    return int(np.argmax(values >= end - near * abs(end))) + 1
+
+
+def short_of(finals: Sequence[float]) -> list[bool]:
+    """Return which attempts failed, by their final individuals in worlds of their own.
+
+    >>> short_of([4.0, 4.0, 2.9])
+    [False, False, True]
+    """
+    least = FELL_SHORT * float(np.median(finals))
+    return [one < least for one in finals]
 
 
 def findings(rows: Sequence[Mapping[str, Any]]) -> list[str]:
@@ -158,53 +196,126 @@ def findings(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     lines = []
     for lesson in dict.fromkeys(row["lesson"] for row in rows):
         own = [row for row in rows if row["lesson"] == lesson]
-        best = np.array([row["best"] for row in own])
-        early = sum(row["near_best_from"] <= EARLY for row in own)
-        short = int((best < FELL_SHORT * np.median(best)).sum())
-        gained = best.mean() / np.mean([row["best_by_half"] for row in own]) - 1
-        generations = sorted({row["generations"] for row in own})
-        length = f"{generations[0]:,}" + (f" to {generations[-1]:,}" if generations[1:] else "")
-        latest = max(row["near_best_from"] for row in own)
-        near = f"within {NEAR:.0%} of their best by generation {EARLY}"
-        reached = f"{early} of {len(own)} are {near}, the last one at {latest}; "
+        finals = [row["finals"] for row in own]
+        short = [row for row, one in zip(own, short_of(finals), strict=True) if one]
+        early = sum(row["near_end_from"] <= EARLY for row in own)
+        gained = np.mean([row["end"] for row in own]) / np.mean([row["half"] for row in own]) - 1
+        latest = max(row["near_end_from"] for row in own)
+        longest = max(row["generations"] for row in own)
+        reached = (
+            f"{early} of {len(own)} are within {NEAR:.0%} of what they come to in the end by "
+            f"generation {EARLY}, the last one at {latest}; "
+        )
+        share = ", ".join(f"attempt {row['attempt']}, {row['finals']:.2f}" for row in short)
         lines.append(
-            f"{lesson}: {len(own)} attempts of {length} generations. Judged {own[0]['judged']}, "
-            f"{reached if generations[-1] > EARLY else ''}the second half of the generations adds "
-            f"{gained:.1%} to the best so far; {short} of {len(own)} fell short (their best below "
-            f"{FELL_SHORT:.0%} of the median). In the finals, on other worlds again: "
-            f"{min(row['finals'] for row in own):.2f} to {max(row['finals'] for row in own):.2f}."
+            f"{lesson}: {len(own)} attempts of {length_of(own)} generations. Judged "
+            f"{own[0]['judged']}, {reached if longest > EARLY else ''}from half-way to the end "
+            f"{gained:+.1%}. By their finals, the individuals that came of them in worlds of their "
+            f"own, {len(short)} of {len(own)} fell short (below {FELL_SHORT:.0%} of the median, "
+            f"{np.median(finals):.2f}{f': {share}' if share else ''}); they come to "
+            f"{min(finals):.2f} to {max(finals):.2f}."
         )
     return lines
 
 
-def draw_curves(figure: Curves, curves: pd.DataFrame) -> Figure:
-    """Draw a panel for each lesson and column."""
+def length_of(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Return how many generations attempts have, the fewest to the most.
+
+    >>> length_of([{"generations": 60}, {"generations": 1200}])
+    '60 to 1,200'
+    """
+    each = sorted({row["generations"] for row in rows})
+    return f"{each[0]:,}" + (f" to {each[-1]:,}" if each[1:] else "")
+
+
+def budget(figure: Curves, rows: Sequence[Mapping[str, Any]]) -> str:
+    """Return our generations and ticks beside the thesis's generations."""
+    parts = []
+    for lesson in figure.lessons:
+        own = [row for row in rows if row["lesson"] == lesson]
+        ticks = max(row["ticks"] for row in own) / 1e6
+        parts.append(f"{lesson} {length_of(own)} generations, up to {ticks:,.0f} million ticks")
+    same = all(row["generations"] == figure.generations for row in rows)
+    return (
+        f"Budget of an attempt: {'; '.join(parts)}. Thesis: {figure.generations:,} generations; "
+        "its individuals and the worlds of each it does not tell, so ticks cannot be compared"
+        f"{'' if same else ', and **the budgets are not equal**'}."
+    )
+
+
+def draw_curves(figure: Curves, curves: pd.DataFrame, rows: Sequence[Mapping[str, Any]]) -> Figure:
+    """Draw a panel for each lesson and column.
+
+    Args:
+        figure: which.
+        curves: as `curves_of` gives them.
+        rows: of the attempts.
+    """
     across = min(2, len(figure.panels))
     down = -(-len(figure.panels) // across)
     with paper.style():
-        drawn = paper.figure(PANEL[0] * across, PANEL[1] * down)
+        drawn = paper.figure(paper.COLUMN, PANEL * down + 8)
         panels = drawn.subplots(down, across, squeeze=False)
         for place, (axes, (lesson, column)) in enumerate(
             zip(panels.flat, figure.panels, strict=True)
         ):
-            _draw(axes, curves[curves["lesson"] == lesson], column)
+            own = [row for row in rows if row["lesson"] == lesson]
+            _draw(axes, curves[curves["lesson"] == lesson], column, own)
+            if any(row["generations"] != figure.generations for row in own):
+                axes.set_xlabel(f"generation (thesis: {figure.generations:,})")
             paper.panel_title(axes, "abcd"[place], lesson)
+            if place % across and figure.panels[place - 1][1] == column:
+                axes.set_ylabel("")  # the panel at its left says it
+        drawn.legend(handles=_key(rows), loc="outside lower center", ncols=3, columnspacing=1.2,
+                     handlelength=1.6)  # fmt: skip
     return drawn
 
 
-def _draw(axes: Axes, own: pd.DataFrame, column: str) -> None:
-    attempts = sorted(set(own["attempt"]))
-    colours = paper.BLUE_TO_RED
-    for place, attempt in enumerate(attempts):
-        line = own[own["attempt"] == attempt]
-        shade = round((len(colours) - 1) * place / max(1, len(attempts) - 1))
-        axes.plot(line["generation"], line[column], color=colours[shade], linewidth=0.6)
+def _draw(axes: Axes, own: pd.DataFrame, column: str, rows: Sequence[Mapping[str, Any]]) -> None:
     longest = int(own["generation"].max())
+    lines = []
+    for row in rows:
+        line = own.loc[own["attempt"] == row["attempt"], column]
+        if column != "validated" and longest > SMOOTHED:
+            line = line.rolling(WINDOW, center=True, min_periods=1).median()
+        lines.append(line.to_numpy())
+    paper.attempts(axes, lines, short_of([row["finals"] for row in rows]))
     if longest > 2 * EARLY:
         axes.axvline(EARLY, color=paper.GREY, linewidth=0.6, linestyle=(0, (3, 2)))
-    axes.set_xlim(1, max(2, longest))
+    axes.set_ylim(bottom=min(0.0, *(float(one.min()) for one in lines)))
     axes.set_xlabel("generation")
     axes.set_ylabel(WORTH[column])
+
+
+def _key(rows: Sequence[Mapping[str, Any]]) -> list[Line2D]:
+    """Return the key of all panels."""
+    by_lesson = [[row for row in rows if row["lesson"] == one["lesson"]] for one in rows]
+    failed = [one for own in by_lesson for one in short_of([row["finals"] for row in own])]
+    return paper.attempts_key([range(row["generations"]) for row in rows], failed)
+
+
+def caption(figure: Curves, rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return what a figure's marks mean, a sentence each."""
+    smooth = max(row["generations"] for row in rows) > SMOOTHED
+    columns = {column for _, column in figure.panels}
+    texts = [
+        "A grey line is an attempt, red where its final individual fell short; blue is the median "
+        "of the attempts, as far as all of them go, and a dot where an attempt's lesson ends."
+    ]
+    if columns & {"best", "mean"}:
+        texts.append(
+            "Scores of training are of other worlds in each generation, the same for all its "
+            "individuals: a dip is a generation whose worlds are hard, for the mean as for the "
+            "best, and the best of many is luck in part, the more the less alike they are, so "
+            "scores fall as a population comes to be alike."
+        )
+    if smooth and "best" in columns:
+        texts.append(f"They are drawn as running medians over {WINDOW} generations.")
+    if "validated" in columns:
+        texts.append(f"Common worlds are {COMMON} that no generation is trained in.")
+    if smooth:
+        texts.append(f"The dashed line is generation {EARLY}.")
+    return texts
 
 
 def write_curves(
@@ -223,8 +334,8 @@ def write_curves(
     """
     curves = curves_of(figure, trainings)
     rows = attempts_of(curves, trainings)
-    written = paper.save({figure.name: draw_curves(figure, curves)}, out)
-    caption = out / f"{figure.name}.md"
+    written = paper.save({figure.name: draw_curves(figure, curves, rows)}, out)
+    page = out / f"{figure.name}.md"
     lines = [
         f"# Figure {figure.name.removeprefix('figure-')}: {' and '.join(figure.lessons)}",
         "",
@@ -232,9 +343,12 @@ def write_curves(
         "",
         f"- Thesis: {figure.thesis}.",
         *(f"- Ours: {line}" for line in findings(rows)),
+        f"- {budget(figure, rows)}",
+        "",
+        " ".join(caption(figure, rows)),
         "",
     ]
-    caption.write_text("\n".join(lines), encoding="utf-8")
+    page.write_text("\n".join(lines), encoding="utf-8")
     columns = ["lesson", "attempt", "training", "generation", "ticks", "best", "mean"]
     columns += [one for one in ("validated",) if one in curves]
     shown: list[dict[str, Any]] = [
@@ -244,7 +358,7 @@ def write_curves(
         row |= {name: f"{row[name]:.5g}" for name in columns[5:]}
     return [
         *written,
-        caption,
+        page,
         write_rows(out / f"{figure.name}.csv", shown),
         write_rows(out / f"{figure.name}-attempts.csv", rows),
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -31,12 +32,14 @@ class Structure:
         plan: of the training.
         after: the lesson.
         thesis: what the thesis reports, by measure.
+        budget: what the thesis gave an attempt.
     """
 
     name: str
     plan: str
     after: str
     thesis: Mapping[str, float]
+    budget: str = ""
 
 
 @dataclass(frozen=True)
@@ -47,11 +50,13 @@ class Benchmark:
         title: what a table calls it.
         model: the model.
         on_collision: `end` or `continue`.
+        note: what keeps numbers from being compared with the thesis's.
     """
 
     title: str
     model: str
     on_collision: str = "end"
+    note: str = ""
 
 
 @dataclass(frozen=True)
@@ -64,6 +69,7 @@ class Standing:
         episodes: a row for each attempt and world: `attempt`, `world` and the measures.
         finals: the score of each attempt in the finals of its own lesson, by attempt.
         seed: of the worlds.
+        spent: generations and million ticks that an attempt has up to the lesson's end, the mean.
     """
 
     structure: Structure
@@ -71,6 +77,7 @@ class Standing:
     episodes: pd.DataFrame
     finals: Mapping[int, float] = field(default_factory=dict)
     seed: int = SEED
+    spent: tuple[float, float] = (math.nan, math.nan)
 
     @property
     def attempts(self) -> int:
@@ -159,7 +166,21 @@ def standing(
         report(f"{structure.name}, {benchmark.title}, attempt {attempt}: {objects:.2f} objects")
     none = pd.DataFrame(columns=columns)
     episodes = pd.concat(parts, ignore_index=True) if parts else none
-    return Standing(structure, benchmark, episodes, finals, seed)
+    return Standing(
+        structure, benchmark, episodes, finals, seed, spent_on(training, structure.after)
+    )
+
+
+def spent_on(training: Training | None, after: str) -> tuple[float, float]:
+    """Return the generations and the million ticks of an attempt up to a lesson's end, the mean."""
+    if training is None or training.curve.empty:
+        return math.nan, math.nan
+    curve = training.curve
+    order = list(dict.fromkeys(curve["lesson"]))
+    spent = curve[curve["lesson"].isin(order[: order.index(after) + 1])]
+    last = spent.groupby(["attempt", "lesson"])[["generation", "ticks"]].max()
+    each = last.groupby("attempt").sum().mean()
+    return float(each["generation"]), float(each["ticks"]) / 1e6
 
 
 def finals_of(training: Training | None, after: str) -> dict[int, float]:

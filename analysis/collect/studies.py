@@ -14,7 +14,7 @@ QUICK_WORLDS = 20
 
 
 def _lines(name: str, way: Way, told: list[str], about: str) -> list[str]:
-    return [f"{way.said(name, 'collect')} {about}", "", *(f"- {one}" for one in told)]
+    return [f"{way.said(name, 'collect')} {about}".strip(), "", *(f"- {one}" for one in told)]
 
 
 def _say(line: str) -> None:
@@ -38,7 +38,10 @@ def make_table(name: str, way: Way, out: Path) -> list[Path]:
         f"Each mind was scored in {worlds} worlds of the benchmark that no training has seen "
         f"(seed {SEED}), the same ones for all. In brackets are intervals of 95 %: over attempts, "
         "for what another training would come to, and over worlds, for what these minds would come "
-        "to in others. The best attempt is the one that did best in the finals of its own lesson."
+        "to in others. The best attempt is the one that did best in the finals of its own lesson. "
+        "**No budget is the thesis's**: it has more generations of each skill, of how many "
+        "individuals and worlds it does not tell. Ours is that of the training, in all lessons up "
+        "to the one judged; `in_context` and power management begin with what was learned before."
     )
     told = [line for _, line in given.values()]
     return write_table(table, standings, _lines(name, way, told, about), out)
@@ -54,8 +57,7 @@ def make_figure(name: str, way: Way, out: Path) -> list[Path]:
     told = [line for _, line in given.values()]
     if not trainings:
         raise SocialmindError(f"{name}: {'; '.join(told)}")
-    about = "A line is an attempt."
-    return write_curves(figure, trainings, _lines(name, way, told, about), out)
+    return write_curves(figure, trainings, _lines(name, way, told, ""), out)
 
 
 def _study(make: Callable[[str, Way, Path], list[Path]], name: str, about: str) -> Study:

@@ -15,7 +15,13 @@ from .standings import Benchmark, Standing, Structure
 
 ENDS = Benchmark("a collision ends the run", "collect")
 GOES_ON = Benchmark("no interruption", "collect", on_collision="continue")
-POWER = Benchmark("a collision or a flat battery ends the run", "collect_power")
+POWER = Benchmark(
+    "a collision or a flat battery ends the run",
+    "collect_power",
+    note="A run of ours has 20,000 ticks, twice those of tables 6.1 and 6.2, so that a battery "
+    "runs flat within it; how long the thesis's runs are it does not say, so **numbers of objects "
+    "cannot be compared with the thesis's**, only their order.",
+)
 BOTH = ("objects", "survived")
 
 
@@ -42,11 +48,24 @@ class Table:
         return tuple(dict.fromkeys(one.plan for block in self.blocks for one in block.structures))
 
 
+BUDGETS = {
+    "hierarchical, curriculum": "1,000 generations a skill, 1,500 in figures 6.4 and 6.5",
+    "Avoid as in the curriculum": "1,000 generations of Avoid",
+    "Avoid with more ticks": "2,500 generations of Avoid",
+    "Avoid in context": "1,500 generations of Avoid, from nothing",
+    "monolithic, curriculum": "the same curriculum, how long is not told",
+    "monolithic": "the same curriculum, how long is not told",
+}
+"""What the thesis gave an attempt, by the structure's name."""
+
+
 def _structure(
     name: str, plan: str, after: str, objects: float | None = None, survived: float | None = None
 ) -> Structure:
     thesis = {"objects": objects, "survived": survived}
-    return Structure(name, plan, after, {k: v for k, v in thesis.items() if v is not None})
+    reported = {k: v for k, v in thesis.items() if v is not None}
+    budget = BUDGETS.get(name, "not told") if reported else ""
+    return Structure(name, plan, after, reported, budget)
 
 
 TABLES = (
@@ -190,6 +209,9 @@ def rows_of(standing: Standing, table: Table) -> list[dict[str, Any]]:
             "attempts": standing.attempts,
             "worlds": standing.worlds,
             "seed": standing.seed,
+            "generations": _known(standing.spent[0]),
+            "million_ticks": _known(standing.spent[1]),
+            "thesis_budget": standing.structure.budget,
         }
         parts = {
             "": standing.over_attempts, "worlds_": standing.over_worlds, "best_": standing.of_best,
@@ -216,9 +238,10 @@ def text(table: Table, standings: Sequence[Standing], made: Sequence[str]) -> st
             "",
             f"## {title[0].upper()}{title[1:]}: objects{percent}",
             "",
+            *([block.benchmark.note, ""] if block.benchmark.note else []),
             "| structure | thesis | attempts | ours [over attempts] | [over worlds] "
-            "| best attempt [over worlds] |",
-            "|---|---|---|---|---|---|",
+            "| best attempt [over worlds] | budget of an attempt | thesis's budget |",
+            "|---|---|---|---|---|---|---|---|",
         ]
         lines += [f"| {' | '.join(_cells(one, block.measures))} |" for one in own]
     return "\n".join([*lines, ""])
@@ -229,13 +252,31 @@ def _cells(standing: Standing, measures: Sequence[str]) -> list[str]:
     reported = _joined([_number(one, thesis.get(one)) for one in measures if one in thesis])
     cells = [standing.structure.name, reported, str(standing.attempts)]
     if not standing.attempts:
-        return [*cells, "not trained", "", ""]
+        return [*cells, "not trained", "", "", "", standing.structure.budget]
     return [
         *cells,
         _joined([_interval(one, standing.over_attempts(one)) for one in measures]),
         _joined([_bounds(one, standing.over_worlds(one)) for one in measures]),
         _joined([_interval(one, standing.of_best(one)) for one in measures]),
+        _budget(standing.spent),
+        standing.structure.budget or "–",
     ]
+
+
+def _budget(spent: tuple[float, float]) -> str:
+    """Return generations and ticks.
+
+    >>> _budget((340.0, 321.6))
+    '340 generations, 322 million ticks'
+    """
+    generations, ticks = spent
+    if math.isnan(generations):
+        return "–"
+    return f"{generations:,.0f} generations, {ticks:,.0f} million ticks"
+
+
+def _known(value: float) -> float | str:
+    return "" if math.isnan(value) else round(value, 1)
 
 
 def _joined(parts: Sequence[str]) -> str:

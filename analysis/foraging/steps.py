@@ -7,6 +7,7 @@ comes nearer, and sees objects again.
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -33,6 +34,8 @@ PIXELS = 1400
 """Width of a bitmap."""
 TRAIL = 400
 """Ticks of the path that are drawn."""
+SKILLS = ("Search+Avoid", "ReachSignal", "Collect", "EmitSignal", "Idle")
+"""Below Forage."""
 TOLD = (
     "it sees no object and hears no signal",
     "it sees objects, and emits a signal",
@@ -133,7 +136,8 @@ def draw(out: Path, steps: Steps) -> list[Path]:
         steps: which.
 
     Returns:
-        A PDF and a PNG for the first four, the same for the others, and a page that tells of them.
+        A PDF and a PNG for the first four, the same for the others, a page that tells of them, and
+        what Forage sends in each step as CSV.
     """
     out.mkdir(parents=True, exist_ok=True)
     style = Style(mind=True, robot=("robots", steps.robot), around=AROUND, trail=TRAIL,
@@ -160,6 +164,30 @@ def draw(out: Path, steps: Steps) -> list[Path]:
         f"{number}. Tick {tick:,}: {text}."
         for number, (tick, text) in enumerate(zip(steps.ticks, TOLD, strict=True), 1)
     ]
-    page = out / "figure-8.3.md"
+    page, numbers = out / "figure-8.3.md", out / "figure-8.3.csv"
     page.write_text("\n".join(lines) + "\n", "utf-8")
-    return [*files, page]
+    with numbers.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, ["seed", "robot", "step", "tick", *SKILLS],
+                                lineterminator="\n")  # fmt: skip
+        writer.writeheader()
+        writer.writerows(influences(steps))
+    return [*files, page, numbers]
+
+
+def influences(steps: Steps) -> list[dict[str, float]]:
+    """Return what Forage sends each skill below it in each step, a row each.
+
+    Args:
+        steps: which.
+    """
+    model: Any = load_model("foraging")(seed=steps.seed)
+    robot = model.tables["robots"][steps.robot]
+    rows = []
+    for number, tick in enumerate(steps.ticks, 1):
+        model.advance(tick - model.tick)
+        mind = robot.hierarchy
+        sent = {name: round(float(mind.influence(name)), 4) for name in SKILLS}
+        rows.append(
+            {"seed": steps.seed, "robot": steps.robot, "step": number, "tick": tick, **sent}
+        )
+    return rows

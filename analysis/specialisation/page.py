@@ -13,9 +13,10 @@ import pandas as pd
 
 import socialmind
 from socialmind.catalogue import model_folder
+from socialmind.experiments import html
 from socialmind.mind import MindDescription
 
-from . import farmers, html
+from . import farmers
 from .claims import claims_of, told
 from .plots import KINDS
 from .societies import CONDITIONS, FULL, REFERENCE, SEED, SOCIETIES, Size

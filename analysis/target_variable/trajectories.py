@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.lines import Line2D
 
 from socialmind.catalogue import load_model
 from socialmind.drawing import style as paper
-from socialmind.drawing.plane import FOOT, Picture
+from socialmind.drawing.plane import FOOT, Picture, key_of
 from socialmind.errors import SocialmindError
 from socialmind.experiments.studies import write_figure
 from socialmind.worlds.plane.scene import scene_of
@@ -30,10 +31,12 @@ SEEDS = range(73, 93)
 """Of the runs that are tried, one after another, until the robot brings all objects home."""
 COLOURS = {False: paper.BLUE, True: paper.RED}
 """Of the way, by whether the robot carries an object."""
-WIDTH = 120.0
+WIDTH = paper.COLUMN
 """Of the figure, in mm."""
-HEAD = 11.0
+HEAD = 20.0
 """Points above a panel, for its title."""
+KEY = 30.0
+"""Points below all panels, for the key."""
 
 
 @dataclass(frozen=True)
@@ -144,16 +147,22 @@ def draw(found: list[Leg]) -> Figure:
     gap = 5.0
     side = (wide - 3 * gap) / 2
     step = HEAD + side + FOOT + gap
-    high = len(found) // 2 * step + gap
+    high = len(found) // 2 * step + gap + KEY
     figure = paper.figure(wide * 25.4 / 72.0, high * 25.4 / 72.0)
     figure.set_layout_engine("none")
     for place, leg in enumerate(found):
         row, column = divmod(place, 2)
         left, top = gap + column * (side + gap), high - gap - row * step - HEAD
         axes = figure.add_axes((left / wide, (top - side) / high, side / wide, side / high))
-        Picture(axes, leg.end)
+        Picture(axes, leg.end, sensing=False)
         axes.plot(*leg.places.T, color=COLOURS[leg.carrying], linewidth=1.2, zorder=2.5,
                   scalex=False, scaley=False)  # fmt: skip
         what = f"home with object {leg.number}" if leg.carrying else f"to object {leg.number}"
-        axes.set_title(f"{what}: {leg.length:.0f} units ({leg.straight:.0f} straight)", pad=3)
+        axes.set_title(f"{what}: {leg.length:.0f} units\n({leg.straight:.0f} straight)", pad=3)
+    ways = [
+        Line2D([], [], color=COLOURS[carrying], label=name)
+        for carrying, name in ((False, "way to the object"), (True, "way home with it"))
+    ]
+    figure.legend(handles=[*ways, *key_of(found[0].end)], loc="lower center", ncols=3,
+                  columnspacing=1.0, handletextpad=0.4)  # fmt: skip
     return figure

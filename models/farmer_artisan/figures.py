@@ -270,7 +270,11 @@ def _map_key(figure: Figure, axes: Axes) -> None:
     bar.set_title("share of toolmaking, t / (t + w)", fontsize=7, pad=3)
 
 
-def mind(agents: pd.DataFrame, scheme: CognitiveScheme | None) -> Figure:
+def mind(
+    agents: pd.DataFrame,
+    scheme: CognitiveScheme | None,
+    shown: Sequence[tuple[str, pd.Series]] | None = None,
+) -> Figure:
     """Draw the inside of three minds at the last recorded tick, and all specialisations over time.
 
     The three are the farmer and the artisan of median specialisation, and the person whose Farmer
@@ -279,11 +283,12 @@ def mind(agents: pd.DataFrame, scheme: CognitiveScheme | None) -> Figure:
     Args:
         agents: one row an agent and recorded tick.
         scheme: the scheme whose decision maker gives the probabilities; without it, none are drawn.
+        shown: other minds in place of these three: for each its heading, and its row of `agents`.
 
     Returns:
         A figure with a row for each mind and one for the trajectories.
     """
-    shown = _typical(agents)
+    shown = _typical(agents) if shown is None else shown
     figure = paper.figure(paper.PAGE, 38 * len(shown) + 58, gap=2.0)
     parts = figure.subfigures(
         len(shown) + 1, 1, height_ratios=[38.0] * len(shown) + [58.0], squeeze=False
@@ -370,17 +375,24 @@ def probabilities(weights: dict[str, float], scheme: CognitiveScheme | None) -> 
 
 
 def _trajectories(part: SubFigure, agents: pd.DataFrame, letters: Iterator[str]) -> None:
-    """Draw the Farmer and the Artisan cognitons of the people over time."""
+    """Draw the Farmer and the Artisan cognitons of the people over time.
+
+    Where one is the other with its sign turned, as the model's own scheme reinforces them, the
+    Artisan cogniton alone is drawn.
+    """
     people = np.sort(agents["agent"].unique())
     step = max(1, -(-len(people) // LINES_DRAWN))
     drawn = agents[agents["agent"].isin(people[::step])].sort_values(["agent", "tick"])
     last = drawn.groupby("agent").tail(1).set_index("agent")
     some = f", {len(last)} of {len(people):,} people" if step > 1 else ", all people"
-    panels = part.subplots(1, 2, sharey=True)
+    mirrored = np.allclose(drawn["farmer"], -drawn["artisan"], equal_nan=True)
+    columns = ("artisan",) if mirrored else ("farmer", "artisan")
+    panels = part.subplots(1, len(columns), sharey=True, squeeze=False)[0]
     furthest = drawn[["farmer", "artisan"]].abs().to_numpy(float).max(initial=0.0)
     reach = max(1.0, 1.07 * furthest)
-    for axes, column in zip(panels, ("farmer", "artisan"), strict=True):
-        paper.panel_title(axes, next(letters), f"{column.capitalize()} cogniton{some}")
+    also = "; Farmer is its negative" if mirrored else ""
+    for axes, column in zip(panels, columns, strict=True):
+        paper.panel_title(axes, next(letters), f"{column.capitalize()} cogniton{some}{also}")
         scale = paper.time_axis(axes, _ticks(drawn))
         for agent, rows in drawn.groupby("agent"):
             lead = float(last.loc[agent, "artisan"] - last.loc[agent, "farmer"])
@@ -399,7 +411,7 @@ def _trajectories(part: SubFigure, agents: pd.DataFrame, letters: Iterator[str])
         )
         if group.any()
     ]
-    paper.label_ends(panels[1], ends)
+    paper.label_ends(panels[-1], ends)
 
 
 def _named(row: pd.Series, prefix: str) -> dict[str, float]:

@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from socialmind.drawing import style as paper
-from socialmind.drawing.plane import Picture
+from socialmind.drawing.plane import Picture, key_of
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.sources import model_of
 from socialmind.worlds.plane.scene import scene_of
@@ -84,7 +84,7 @@ def roles(series: pd.DataFrame, agents: pd.DataFrame) -> Figure:
     for axes in (each, split):
         axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
     for axes, letter, title in (
-        (each, "a", "Role of each robot: gold A, purple B"),
+        (each, "a", "ROLE of each robot"),
         (split, "b", "Robots in B; dashed: wanted, ± 1"),
         (counts, "c", "B among the objects counted; dashed: wanted"),
     ):
@@ -100,7 +100,10 @@ def _roles_of_each(axes: Axes, agents: pd.DataFrame, scale: float) -> None:
     edges = np.append(ticks, ticks[-1] + step) / scale
     rows = np.arange(len(table) + 1) + 0.5
     shown = np.ma.masked_invalid(table.to_numpy(float))
-    axes.pcolormesh(edges, rows, shown, cmap=ROLES, vmin=0, vmax=1, rasterized=True)
+    mesh = axes.pcolormesh(edges, rows, shown, cmap=ROLES, vmin=0, vmax=1, rasterized=True)
+    bar = axes.figure.colorbar(mesh, ax=axes, location="top", fraction=0.06, pad=0.02, aspect=40)
+    bar.set_ticks([0, 0.5, 1], labels=["0: A", "between", "1: B"])
+    bar.outline.set_visible(False)
     axes.set_ylim(rows[0], rows[-1])
     axes.set_ylabel("robot")
 
@@ -122,17 +125,27 @@ def steps(run: Run) -> Figure:
     model = model_of(Capsule(run.folder))
     for tick, axes in zip(moments.tolist(), panels, strict=False):
         model.advance(tick - model.tick)
-        Picture(axes, scene_of(model))
+        scene = scene_of(model)
+        Picture(axes, scene, sensing=False)
         _colour_by_role(axes, model)
         in_b = model.in_b
         axes.set_title(f"{len(model.robots) - in_b} A, {in_b} B")
     for axes in list(panels):
         axes.set_visible(False)
     marks = [
-        Line2D([], [], marker="o", linewidth=0, color=colour, label=f"robots in the role {name}")
+        Line2D(
+            [],
+            [],
+            marker="o",
+            linewidth=0,
+            color=colour,
+            markeredgecolor=paper.INK,
+            label=f"robots in the role {name}",
+        )
         for name, colour in (("A", A), ("B", B))
     ]
-    figure.legend(handles=marks, loc="outside lower center", ncols=2)
+    marks += key_of(scene, robots=False)
+    figure.legend(handles=marks, loc="outside lower center", ncols=len(marks))
     return figure
 
 

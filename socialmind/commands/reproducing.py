@@ -41,3 +41,24 @@ def make(names: Sequence[str], out: Path, quick: bool, kept: bool) -> None:
         raise SocialmindError("which study? `socialmind reproduce --list` shows them")
     for path in reproduce(names, out, quick, kept):
         typer.echo(path)
+
+
+def make_overview(names: Sequence[str], out: Path, otherwise: bool) -> None:
+    """Write the overview of the thesis's results beside ours, and print its files.
+
+    Args:
+        names: of studies; the overview takes none.
+        out: the folder.
+        otherwise: whether another version of it is asked for; there is none.
+
+    Raises:
+        SocialmindError: names or another version are given, or a kept table is missing.
+    """
+    from socialmind.experiments.overview import write_overview
+
+    if names or otherwise:
+        raise SocialmindError(
+            "--overview is of all results, from kept tables; expected no names, --quick or --kept"
+        )
+    for path in write_overview(out):
+        typer.echo(path)

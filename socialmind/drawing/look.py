@@ -69,18 +69,19 @@ PAPER = Look(
     ground="#ffffff",
     ink=INK,
     border=INK,
-    robots=(RED, PURPLE, INK),
-    objects=(GOLD, "#7fb7d6", "#c9a3d8"),
-    zones=(GOLD, "#7fb7d6", GREY),
+    robots=(RED, INK, GREY),
+    objects=(GOLD, PURPLE, "#7fb7d6"),
+    zones=("#4f9ac6", "#c25a8e", GREY),
     rim=INK,
     heading="#ffffff",
     obstacle="#c4c8cc",
     obstacle_edge="#84898e",
-    ray="#5a5a5a",
-    line=INK,
+    ray="#a8a8a8",
+    line="#8a8a8a",
     path=BLUE,
-    line_style=(0, (5, 2)),
+    line_style=(0, (4, 3)),
 )
-"""On white; told apart by the colour-blind, and by lightness in print."""
+"""On white; told apart by the colour-blind, and by lightness in print. No zone has the colour of an
+object, and what robots sense is paler than what there is."""
 
 LOOKS: Mapping[str, Look] = {"thesis": THESIS, "paper": PAPER}

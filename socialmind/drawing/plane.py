@@ -51,6 +51,7 @@ class Picture:
             plane by default. Of a plane without borders, as much as was ever in use.
         robot: its population and identity; the first one by default.
         named: whether this robot's identity stands beside it.
+        sensing: whether what robots sense is drawn.
 
     Attributes:
         ax: the Axes.
@@ -64,6 +65,7 @@ class Picture:
         around: float | None = None,
         robot: tuple[str, int] | None = None,
         named: bool = False,
+        sensing: bool = True,
     ) -> None:
         self.ax = ax
         self.look = look
@@ -98,6 +100,7 @@ class Picture:
             bbox={"boxstyle": "round,pad=0.1", "facecolor": look.ground, "linewidth": 0},
         )  # fmt: skip
         self._named = named
+        self._sensing = sensing
         self.show(scene)
 
     def show(self, scene: Scene, paths: Paths | None = None) -> None:
@@ -110,8 +113,9 @@ class Picture:
         self._look_at(scene)
         self._draw_unmoved(scene)
         robots = scene.robots
-        self._rays.set_segments([ray for one in robots for ray in one.rays])
-        self._targets.set_segments([line for one in robots for line in one.lines])
+        if self._sensing:
+            self._rays.set_segments([ray for one in robots for ray in one.rays])
+            self._targets.set_segments([line for one in robots for line in one.lines])
         teams: dict[str, list[tuple[float, float, float]]] = {}
         fronts = []
         for one in robots:
@@ -287,6 +291,44 @@ class Picture:
         """Return the width of the Axes in points."""
         root: Any = self.ax.figure.canvas.figure
         return float(self.ax.get_window_extent().width) * 72.0 / root.dpi
+
+
+def key_of(scene: Scene, look: Look = PAPER, robots: bool = True) -> list[Line2D]:
+    """Return marks for a legend: what the discs and squares of a scene are.
+
+    Args:
+        scene: what is drawn.
+        look: in which colours.
+        robots: whether robots are told of, where nobody else does.
+    """
+    dot: dict[str, Any] = {"linestyle": "none", "marker": "o", "markersize": 4.5}
+    square = {**dot, "marker": "s", "markersize": 5.5}
+    teams = dict.fromkeys(one.team for one in scene.robots) if robots else {}
+    marks = [
+        Line2D([], [], label=_said(name), color=colour, markeredgecolor=look.rim,
+               markeredgewidth=0.5, **dot)
+        for names, colours in ((teams, look.robots), (scene.objects, look.objects))
+        for name, colour in zip(names, cycle(colours), strict=False)
+    ]  # fmt: skip
+    marks += [
+        Line2D([], [], label=_said(name), color=colour, markerfacecolor=(colour, 0.3), **square)
+        for name, colour in zip(scene.zones, cycle(look.zones), strict=False)
+    ]
+    if len(scene.obstacles):
+        marks.append(
+            Line2D([], [], label="obstacles", color=look.obstacle,
+                   markeredgecolor=look.obstacle_edge, **square)
+        )  # fmt: skip
+    return marks
+
+
+def _said(name: str) -> str:
+    """Return a population's name as one says it.
+
+    >>> _said("drop_zones"), _said("a_objects")
+    ('drop zones', 'a objects')
+    """
+    return name.replace("_", " ")
 
 
 def _standing(

@@ -9,18 +9,21 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from io import BytesIO
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from socialmind.work.files import replace_file
 
-COLUMN = 90.0
+COLUMN = 85.0
 """Width of a one-column figure, in mm."""
 PAGE = 180.0
 """Width of a two-column figure, in mm."""
@@ -30,6 +33,7 @@ RED = "#b22b19"
 GOLD = "#d99a00"
 PURPLE = "#6b4a86"
 GREY = "#767676"
+PALE = "#b0b0b0"
 INK = "#222222"
 
 BLUE_TO_RED = (
@@ -181,6 +185,53 @@ def time_axis(axes: Axes, ticks: Sequence[float]) -> float:
     axes.set_xlim(first / unit, max(last, first + 1) / unit)
     axes.xaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
     return unit
+
+
+def attempts(
+    axes: Axes, lines: Sequence[Sequence[float]], failed: Sequence[bool] = (), width: float = 0.7
+) -> None:
+    """Draw curves that are alike, such as attempts, in one pale colour, and their median.
+
+    Which is which is of no interest, so no colours tell them apart. The median goes as far as all
+    of them do; where one ends before the longest, a dot says so.
+
+    Args:
+        axes: the panel.
+        lines: the values of each, from 1 on the x axis on.
+        failed: for each whether it is red, being told of by itself; none by default.
+        width: of a line, in points.
+
+    >>> axes = figure(85, 60).subplots()
+    >>> attempts(axes, [[1.0, 2.0, 3.0], [3.0, 4.0]])
+    >>> [line.get_ydata().tolist() for line in axes.lines]
+    [[1.0, 2.0, 3.0], [3.0, 4.0], [4.0], [2.0, 3.0]]
+    """
+    longest = max(map(len, lines))
+    for values, short in zip_longest(lines, failed, fillvalue=False):
+        places = range(1, len(values) + 1)
+        colour, order = (RED, 2.2) if short else (PALE, 2.0)
+        axes.plot(places, values, color=colour, linewidth=width, zorder=order)
+        if len(values) < longest:
+            axes.plot(places[-1:], values[-1:], "o", color=INK, markersize=2.2, zorder=4)
+    if len(lines) > 1:
+        shared = min(map(len, lines))
+        middle = np.median([values[:shared] for values in lines], axis=0)
+        axes.plot(range(1, shared + 1), middle, color=BLUE, linewidth=1.3, zorder=3)
+    axes.xaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10), integer=True))
+    axes.set_xlim(1, max(2, longest))
+
+
+def attempts_key(lines: Sequence[Sequence[float]], failed: Sequence[bool] = ()) -> list[Line2D]:
+    """Return the key of `attempts`, for a legend; the arguments are the same."""
+    handles = [Line2D([], [], color=PALE, label="an attempt")]
+    if len(lines) > 1:
+        handles.append(Line2D([], [], color=BLUE, linewidth=1.3, label="median attempt"))
+    if any(failed):
+        handles.append(Line2D([], [], color=RED, label="fell short"))
+    if len(set(map(len, lines))) > 1:
+        dot = {"marker": "o", "markersize": 2.2, "color": INK, "linestyle": "none"}
+        handles.append(Line2D([], [], label="its lesson ends", **dot))
+    return handles
 
 
 def label_ends(axes: Axes, ends: Sequence[tuple[float, str, str]]) -> None:

@@ -1,12 +1,18 @@
-"""Drawing a run's figures into its folder: the model's own, or one of every series column."""
+"""Drawing a run's figures into its folder: the model's own, or its series and a map."""
 
 from __future__ import annotations
 
+import math
 import sys
+from itertools import cycle
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import pandas as pd
+from matplotlib.ticker import MaxNLocator
+
 from socialmind.catalogue import load_figures
+from socialmind.drawing.style import BLUE, GOLD, INK, PURPLE, RED
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.result import Run
@@ -20,13 +26,18 @@ if TYPE_CHECKING:
 
 PANEL = (58.0, 40.0)
 """Width and height of a panel of the figure of all series, in mm."""
+LINES = (BLUE, RED, GOLD, PURPLE, INK)
+"""Colours of lines and agents that are told apart."""
+ALIKE = 20.0
+"""How many times as large as another a number may be in the same panel."""
 
 
 def draw_figures(folder: str | Path, trust: bool = False) -> list[Path]:
     """Draw a run's figures as PDF and PNG under ``figures/`` in its folder.
 
     The model's ``figures.py`` says which by ``draw(run: Run) -> dict[str, Figure]``; without that
-    file there is one figure, ``series``. Matplotlib's settings are as before afterwards.
+    file there is one of its ``series``, and a ``map`` where agents have places. Matplotlib's
+    settings are as before afterwards.
 
     Args:
         folder: the run's.
@@ -59,7 +70,7 @@ def draw_figures(folder: str | Path, trust: bool = False) -> list[Path]:
 
 
 def draw_series(run: Run) -> Figure:
-    """Every column of a run's series over time, one panel each.
+    """Every column of a run's series over time; numbers of about one size in one panel.
 
     Args:
         run: a run.
@@ -70,13 +81,83 @@ def draw_series(run: Run) -> Figure:
     from socialmind.drawing import style as paper
 
     series = run.series
-    columns = [name for name in series.columns if name != "tick"]
+    groups = together(series.drop(columns="tick"))
     with paper.style():
-        figure, panels = paper.grid(len(columns), *PANEL)
-        for axes, name in zip(panels, columns, strict=True):
+        figure, panels = paper.grid(len(groups), *PANEL)
+        for axes, names in zip(panels, groups, strict=True):
             scale = paper.time_axis(axes, list(series["tick"]))
-            axes.plot(series["tick"] / scale, series[name].astype(float), color=paper.BLUE)
-            axes.set_title(name.replace("_", " "))
+            axes.set_ylim(*paper.limits_with_zero(series[names].astype(float).to_numpy().ravel()))
+            for name, colour in zip(names, cycle(LINES), strict=False):
+                values = series[name].astype(float)
+                axes.plot(series["tick"] / scale, values, color=colour)
+            if len(names) > 1:
+                last = [float(series[name].iloc[-1]) for name in names]
+                said = [name.replace("_", " ") for name in names]
+                paper.label_ends(axes, list(zip(last, said, cycle(LINES), strict=False)))
+            axes.set_title("numbers" if len(names) > 1 else names[0].replace("_", " "))
+            if series[names].dtypes.map(lambda one: one.kind == "i").all():
+                axes.set_ylabel("number")
+                axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
+    return figure
+
+
+def together(series: pd.DataFrame) -> list[list[str]]:
+    """Return the columns of each panel: whole numbers of about one size share one.
+
+    Args:
+        series: without its ticks.
+
+    >>> import pandas as pd
+    >>> together(pd.DataFrame({"wolves": [10, 90], "sheep": [200, 80], "heat": [0.5, 0.7]}))
+    [['wolves', 'sheep'], ['heat']]
+    """
+    groups: list[list[str]] = []
+    largest: list[float] = []
+    for name in map(str, series.columns):
+        whole = series[name].dtype.kind == "i"
+        size = max(float(series[name].abs().max()), 1.0) if whole and len(series) else math.inf
+        near = (
+            place
+            for place, (group, other) in enumerate(zip(groups, largest, strict=True))
+            if max(size, other) <= ALIKE * min(size, other) and len(group) < len(LINES)
+        )
+        place = next(near, None) if math.isfinite(size) else None
+        if place is None:
+            groups.append([name])
+            largest.append(size)
+        else:
+            groups[place].append(name)
+            largest[place] = max(size, largest[place])
+    return groups
+
+
+def draw_map(run: Run) -> Figure | None:
+    """Where the agents were at the last record, if they have places.
+
+    Args:
+        run: a run.
+
+    Returns:
+        The figure; None where nobody has a place.
+    """
+    from socialmind.drawing import style as paper
+
+    if "agents" not in run.manifest.tables or not {"x", "y"} <= set(run.agents.columns):
+        return None
+    now = run.agents[run.agents["tick"] == run.agents["tick"].max()].dropna(subset=["x", "y"])
+    if now.empty:
+        return None
+    with paper.style():
+        figure = paper.figure(paper.COLUMN, paper.COLUMN)
+        axes = figure.subplots()
+        kinds = now["population"] if "population" in now else pd.Series("", now.index)
+        for (kind, own), colour in zip(now.groupby(kinds, sort=False), cycle(LINES), strict=False):
+            axes.scatter(own["x"], own["y"], s=9, color=colour, linewidths=0,
+                         label=str(kind).replace("_", " "), rasterized=len(own) > 2000)  # fmt: skip
+        axes.set(aspect="equal", xlabel="x", ylabel="y")
+        axes.set_title(f"agents at tick {int(now['tick'].iloc[0]):,}")
+        if kinds.nunique() > 1:
+            figure.legend(loc="outside lower center", ncols=3)
     return figure
 
 
@@ -84,7 +165,8 @@ def _figures(run: Run, model: Path | None) -> dict[str, Figure]:
     """What the model's ``draw`` gives, or the figure of all series."""
     module = None if model is None else load_figures(model)
     if model is None or module is None:
-        return {"series": draw_series(run)}
+        places = draw_map(run)
+        return {"series": draw_series(run)} | ({} if places is None else {"map": places})
     path = model / FIGURES_FILE
     try:
         figures = module.draw(run)

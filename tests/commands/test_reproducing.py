@@ -66,9 +66,10 @@ def test_one_command_makes_the_figures_of_variables(socialmind, tmp_path):
 
 def test_a_figure_made_again_is_the_same_file(socialmind, tmp_path):
     for out in ("once", "again"):
-        assert socialmind("reproduce", "figure-6.6", "--out", out).exit_code == 0
+        assert socialmind("reproduce", "figure-6.6-numbers", "--out", out).exit_code == 0
     for suffix in ("pdf", "png", "csv"):
-        once, again = ((tmp_path / out / f"figure-6.6.{suffix}") for out in ("once", "again"))
+        file = f"figure-6.6-numbers.{suffix}"
+        once, again = (tmp_path / out / file for out in ("once", "again"))
         assert once.read_bytes() == again.read_bytes()
 
 
@@ -78,6 +79,13 @@ def test_the_list_says_what_can_be_made_and_makes_nothing(socialmind, tmp_path):
     for name in ("figure-4.6", "figure-4.7", "figure-4.8", "figure-6.6"):
         assert any(line.split()[0] == name for line in result.stdout.splitlines() if line)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_overview_is_of_all_results_as_two_pages(socialmind, refused, tmp_path):
+    assert "no names" in refused("reproduce", "figure-4.6", "--overview")
+    result = socialmind("reproduce", "--overview", "--out", "there")
+    assert result.stdout.split() == ["there/overview.md", "there/overview.html"]
+    assert "<h1>The thesis" in (tmp_path / "there" / "overview.html").read_text("utf-8")
 
 
 def test_unknown_names_are_met_before_anything_is_made(refused, tmp_path):

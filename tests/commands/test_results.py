@@ -11,7 +11,11 @@ from socialmind.experiments import Run
 def test_plot_draws_every_series_when_the_model_has_no_figures(socialmind, done):
     result = socialmind("plot", done)
     assert result.exit_code == 0, result.output
-    assert result.stdout.split() == [str(done / f"figures/series.{s}") for s in ("pdf", "png")]
+    assert result.stdout.split() == [
+        str(done / f"figures/{name}.{suffix}")
+        for name in ("series", "map")
+        for suffix in ("pdf", "png")
+    ]
     assert (done / "figures/series.pdf").read_bytes().startswith(b"%PDF")
     assert (done / "figures/series.png").read_bytes().startswith(b"\x89PNG")
 

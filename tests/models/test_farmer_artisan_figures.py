@@ -159,7 +159,7 @@ def test_all_four_are_drawn_at_journal_width(drawn: dict[str, Figure]) -> None:
     assert list(drawn) == ["stocks", "population", "lands", "mind"]
     for figure in drawn.values():
         width = figure.get_size_inches()[0] * 25.4
-        assert 89.9 <= width <= 180.1
+        assert 84.9 <= width <= 180.1
 
 
 def test_type_is_at_least_seven_points(drawn: dict[str, Figure]) -> None:

@@ -52,7 +52,7 @@ def test_figures_are_drawn_at_journal_width_and_legible(name, parameters, expect
             figure.savefig(io.BytesIO(), format="pdf")
     assert list(figures) == expected
     for figure in figures.values():
-        assert 89.9 <= figure.get_size_inches()[0] * 25.4 <= 180.1
+        assert 84.9 <= figure.get_size_inches()[0] * 25.4 <= 180.1
         texts = [text for text in figure.findobj(Text) if text.get_text().strip()]
         assert min(text.get_fontsize() for text in texts) >= 7
         labels = [axes.get_xlabel() for axes in figure.axes if axes.get_xlabel()]

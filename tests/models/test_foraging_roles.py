@@ -197,7 +197,7 @@ def test_figures_are_drawn_at_journal_width_and_legible(ticks, tmp_path):
             figure.savefig(tmp_path / f"{name}.pdf")
     assert list(figures) == ["roles", "steps"]
     for figure in figures.values():
-        assert 89.9 <= figure.get_size_inches()[0] * 25.4 <= 180.1
+        assert 84.9 <= figure.get_size_inches()[0] * 25.4 <= 180.1
         texts = [text for text in figure.findobj(Text) if text.get_text().strip()]
         assert min(text.get_fontsize() for text in texts) >= 7
     shown = [axes for axes in figures["steps"].axes if axes.get_visible()]

@@ -53,7 +53,11 @@ def keep(folder: Path, home: Path) -> Path:
             "remove it to keep this one"
         )
     if known is None:
-        shutil.copytree(training.folder / "mind", target / "mind")
+        shutil.copytree(
+            training.folder / "mind",
+            target / "mind",
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
     for number in training.attempts:
         _keep_attempt(_attempt(training.folder, number), _attempt(target, number))
     replace_file(target / MANIFEST, _manifest(training.manifest, known, target).content())

@@ -100,7 +100,9 @@ def write_curve(curve: pd.DataFrame, path: Path) -> dict[str, Any]:
 
 
 def draw_curve(curve: pd.DataFrame) -> Figure:
-    """Draw the best individual's score in each generation, a line an attempt (figures 6.2 to 6.5).
+    """Draw the best individual's score in each generation (figures 6.2 to 6.5).
+
+    A grey line is an attempt, blue is their median, a dot where one ends before the others.
 
     Args:
         curve: the table.
@@ -111,17 +113,14 @@ def draw_curve(curve: pd.DataFrame) -> Figure:
     from socialmind.drawing import style as paper
 
     lessons = list(dict.fromkeys(curve["lesson"]))
-    attempts = sorted(set(curve["attempt"]))
     with paper.style():
         figure, panels = paper.grid(len(lessons), *PANEL)
         for axes, lesson in zip(panels, lessons, strict=True):
             own = curve[curve["lesson"] == lesson]
-            for place, attempt in enumerate(attempts):
-                best = own.loc[own["attempt"] == attempt, "best"].to_numpy()
-                colour = paper.BLUE_TO_RED[round(8 * place / max(len(attempts) - 1, 1))]
-                # Those of a lesson taught over and over follow upon each other.
-                axes.plot(np.arange(1, len(best) + 1), best, color=colour, linewidth=0.8)
+            # Those of a lesson taught over and over follow upon each other.
+            lines = [best.to_numpy() for _, best in own.groupby("attempt")["best"]]
+            paper.attempts(axes, lines)
             axes.set_title(lesson)
             axes.set_xlabel("generation")
-            axes.set_ylabel("best score")
+            axes.set_ylabel("score of the best")
     return figure

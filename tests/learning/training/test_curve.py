@@ -17,10 +17,11 @@ def test_the_figure_has_a_panel_for_each_lesson_and_a_line_for_each_attempt():
     figure = draw_curve(pd.DataFrame(rows))
     panels = [axes for axes in figure.axes if axes.get_visible()]
     assert [axes.get_title("left") for axes in panels] == ["Go", "Turn", "Top", "Again"]
-    assert [len(axes.lines) for axes in panels] == [3, 3, 3, 3]
+    assert [len(axes.lines) for axes in panels] == [4, 4, 4, 4]  # and the median
     assert panels[0].lines[1].get_ydata().tolist() == [2.1, 2.2]
     assert panels[3].lines[0].get_xdata().tolist() == [1, 2, 3, 4]
-    assert len({line.get_color() for line in panels[0].lines}) == 3
+    assert panels[0].lines[3].get_ydata().tolist() == [2.1, 2.2]
+    assert len({line.get_color() for line in panels[0].lines}) == 2  # attempts are alike
 
 
 def test_seconds_do_not_count_in_the_hash(tmp_path):

@@ -2,13 +2,9 @@
 
 import base64
 import re
-from pathlib import Path
 
 from socialmind.drawing import style as paper
-from socialmind.sources.loading import load_file
-
-FOLDER = Path(__file__).parents[2] / "analysis" / "specialisation"
-report = load_file(FOLDER / "html.py")
+from socialmind.experiments import html as report
 
 
 def figure():

@@ -1,0 +1,74 @@
+"""What the thesis reports of influence while going round an obstacle (6.1.3), beside ours."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from socialmind.experiments.overview import Finding, Result, row_of
+
+KEPT = Path(__file__).parent / "results"
+ALONE = 0.1
+"""Part of the influence up to which a skill has no say."""
+
+
+def sent(step: int, skill: str) -> float:
+    """Return the influence of a skill in a step."""
+    return float(row_of(KEPT / "figure-6.6.csv", step=str(step))[skill])
+
+
+def avoiding(step: int) -> float:
+    """Return Avoid's part of what GoToObject and Avoid receive in a step."""
+    total = sent(step, "GoToObject") + sent(step, "Avoid")
+    return sent(step, "Avoid") / total if total else 0.0
+
+
+def steps() -> list[Finding]:
+    parts = [avoiding(step) for step in range(1, 5)]
+    zone, goal = sent(5, "GoToDropZone+Avoid"), sent(5, "GoToObject+Avoid")
+    return [
+        Finding(
+            "step 1, approaching: the influence goes to GoToObject",
+            "exclusively",
+            f"Avoid's part is {parts[0]:.2f}",
+            parts[0] <= ALONE,
+            why="this robot keeps Avoid beside GoToObject, where it adds to moveForward "
+            f"({sent(1, 'moveForward'):.2f}) and hardly turns ({sent(1, 'turnLeft'):.2f}): its "
+            "training asked for no more",
+        ),
+        Finding(
+            "step 2, too close to the obstacle: it goes to Avoid",
+            "exclusively",
+            f"Avoid's part is {parts[1]:.2f}",
+            parts[1] >= 1 - ALONE,
+            why="this robot's GoToObject+Avoid keeps some influence on GoToObject beside an "
+            "obstacle: another training, of which nothing asks for all or none",
+        ),
+        Finding(
+            "steps 3 and 4, distance recovered, front clear: it goes back to GoToObject",
+            "Avoid less and less, GoToObject 0.16 at first",
+            f"Avoid's part is {parts[2]:.2f}, then {parts[3]:.2f}",
+            parts[1] > parts[3] and parts[2] <= parts[1],
+        ),
+        Finding(
+            "step 5, object picked up: Collect sends all to GoToDropZone+Avoid",
+            "exclusively",
+            f"GoToDropZone+Avoid {zone:.2f}, GoToObject+Avoid {goal:.2f}",
+            zone > 1 - ALONE and goal <= ALONE,
+            why="another training: as influence counts relative to what else there is, most is as "
+            "good as all",
+        ),
+        Finding(
+            "and it keeps Avoid active where GoToObject+Avoid would not",
+            "shown",
+            f"Avoid {sent(5, 'Avoid'):.2f}, {sent(1, 'Avoid'):.2f} in step 1",
+            sent(5, "Avoid") > max(sent(1, "Avoid"), ALONE),
+            why="another training: what this robot's GoToDropZone+Avoid does beside obstacles is "
+            "its own",
+        ),
+    ]
+
+
+results = (
+    Result("figure 6.6", "a robot on constant base skills goes round an obstacle", "figure-6.6",
+           steps),
+)  # fmt: skip

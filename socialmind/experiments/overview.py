@@ -1,0 +1,367 @@
+"""The results of the thesis beside ours: what was reproduced, what is different, what cannot tell.
+
+A topic of `analysis/` may have a file `thesis.py` with ``results = (Result(…), …)``. What a result
+says of ours is read from the tables that are kept beside the study, and so is whether it agrees:
+nothing that is ours is typed, and a table that changes changes its verdict.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+from typing import Any
+
+from socialmind.errors import ModelError, SocialmindError
+from socialmind.experiments import html
+from socialmind.experiments.studies import Study, Way, catalogue_of_studies, topics
+from socialmind.sources.loading import load_file
+
+THESIS_FILE = "thesis.py"
+TIMES_FILE = "times.csv"
+"""How long each study takes from what is kept, measured by `python -m analysis.times`."""
+PAGE = "overview"
+
+TITLE = "The thesis's results beside ours"
+ABOUT = (
+    "All tables and figures of François Suro's thesis (2020) that show results, with what it says "
+    "of each, what ours say, and how they compare. Made by `socialmind reproduce --overview` from "
+    "the tables that are kept beside the studies: each number of ours is read from them, and so is "
+    "whether it agrees. A result is *reproduced* if all of it that can be compared agrees, "
+    "*different* if some does not, *not comparable* if nothing can be compared.",
+    "Times are seconds of one processor, for making the figure or table from kept results, as "
+    "measured by `python -m analysis.times`; where it stands on trainings, those took the hours "
+    "that their records tell. Budgets are of one attempt. The thesis tells generations, but "
+    "neither how many individuals they have nor in how many worlds each is judged, so that ticks "
+    "cannot be compared.",
+)
+
+
+class Verdict(StrEnum):
+    """How ours compares with the thesis's."""
+
+    REPRODUCED = "reproduced"
+    DIFFERENT = "different"
+    NOT_COMPARABLE = "not comparable"
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that the thesis says of a figure or table, and what ours says of it.
+
+    Attributes:
+        about: what is compared.
+        thesis: what the thesis says.
+        ours: what ours says, filled in from kept tables.
+        agrees: whether that agrees, as checked on the same tables.
+        why: where it does not: the reason that was found, or that it is unknown.
+        apart: why it cannot be compared, where it cannot.
+    """
+
+    about: str
+    thesis: str
+    ours: str
+    agrees: bool = False
+    why: str = "unknown"
+    apart: str = ""
+
+    @property
+    def verdict(self) -> Verdict:
+        """How the two compare."""
+        if self.apart:
+            return Verdict.NOT_COMPARABLE
+        return Verdict.REPRODUCED if self.agrees else Verdict.DIFFERENT
+
+    @property
+    def reason(self) -> str:
+        """Why they do not agree or cannot be compared; nothing where they agree."""
+        return self.apart or ("" if self.agrees else self.why)
+
+
+@dataclass(frozen=True)
+class Result:
+    """A figure or table of the thesis.
+
+    Attributes:
+        name: what the thesis calls it: ``figure 6.2``, ``table 6.1``.
+        shows: what it shows, in a line.
+        study: the study that makes ours.
+        found: gives the findings, from kept tables.
+        thesis_budget: what the thesis gave an attempt; empty for what takes no training.
+        budget: gives ours, from kept tables.
+        trainings: those that ours stands on, of the topic's ``results/trainings``.
+    """
+
+    name: str
+    shows: str
+    study: str
+    found: Callable[[], Sequence[Finding]]
+    thesis_budget: str = ""
+    budget: Callable[[], str] = str
+    trainings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A result as the overview shows it.
+
+    Attributes:
+        result: which.
+        findings: its findings.
+        command: what makes ours from what is kept.
+        time: how long that takes, in words, and its trainings.
+        budget: ours.
+    """
+
+    result: Result
+    findings: tuple[Finding, ...]
+    command: str
+    time: str
+    budget: str
+
+    @property
+    def verdict(self) -> Verdict:
+        """How ours compares: different if anything is, reproduced if anything else can be told."""
+        verdicts = {one.verdict for one in self.findings}
+        for one in (Verdict.DIFFERENT, Verdict.REPRODUCED):
+            if one in verdicts:
+                return one
+        return Verdict.NOT_COMPARABLE
+
+    @property
+    def counted(self) -> str:
+        """The verdict, with how many findings are of each kind where they are of several."""
+        counts = {one: sum(f.verdict is one for f in self.findings) for one in Verdict}
+        several = [f"{count} {one}" for one, count in counts.items() if count]
+        return f"{self.verdict} ({', '.join(several)})" if len(several) > 1 else str(self.verdict)
+
+
+def entries() -> list[Entry]:
+    """All results of all topics, in the thesis's order.
+
+    Raises:
+        SocialmindError: a topic's file cannot be loaded, or a kept table is missing.
+    """
+    known = catalogue_of_studies()
+    found = [
+        _entry(result, folder, known)
+        for folder in topics().values()
+        if (folder / THESIS_FILE).is_file()
+        for result in results_in(folder)
+    ]
+    return sorted(found, key=lambda one: place_of(one.result.name))
+
+
+def commands() -> list[str]:
+    """The commands that make what the overview shows, from what is kept, each once."""
+    known = catalogue_of_studies()
+    return list(
+        dict.fromkeys(
+            command_of(result, known)
+            for folder in topics().values()
+            if (folder / THESIS_FILE).is_file()
+            for result in results_in(folder)
+        )
+    )
+
+
+def command_of(result: Result, known: Mapping[str, tuple[Study, Path]]) -> str:
+    """Return the command that makes a result from what is kept.
+
+    Args:
+        result: which.
+        known: all studies.
+    """
+    if result.study not in known:
+        raise ModelError(f"study {result.study!r} for {result.name}", "the name of a study")
+    return f"socialmind reproduce {result.study}{Way.KEPT if known[result.study][0].kept else ''}"
+
+
+def results_in(folder: Path) -> tuple[Result, ...]:
+    """The results of a topic.
+
+    Args:
+        folder: the topic's; its ``thesis.py`` holds them as ``results = (Result(…), …)``.
+
+    Raises:
+        ModelError: the file cannot be loaded, or does not hold results.
+    """
+    path = folder / THESIS_FILE
+    found: Any = getattr(load_file(path), "results", None)
+    if not isinstance(found, tuple) or not all(isinstance(one, Result) for one in found):
+        raise ModelError(
+            f"{type(found).__name__} as `results`" if found is not None else "no `results`",
+            "the thesis's results of the topic",
+            "write `results = (Result(…), …)`",
+            path,
+        )
+    return found
+
+
+def place_of(name: str) -> tuple[bool, int, int]:
+    """Return where a result stands in the overview: figures before tables, by chapter and number.
+
+    >>> sorted(["table 6.1", "figure 3.14", "figure 3.8", "figures 7.5, 7.6"], key=place_of)
+    ['figure 3.8', 'figure 3.14', 'figures 7.5, 7.6', 'table 6.1']
+    """
+    kind, number = name.split()[:2]
+    chapter, _, place = number.rstrip(",").partition(".")
+    return kind.startswith("table"), int(chapter), int(place)
+
+
+def rows_of(path: Path) -> list[dict[str, str]]:
+    """Return the rows of a kept table.
+
+    Raises:
+        SocialmindError: it is not there.
+    """
+    if not path.is_file():
+        raise SocialmindError(
+            f"{path}: not there, and the overview is filled in from it; "
+            f"`socialmind reproduce NAME --kept --out {path.parent}` makes it"
+        )
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def row_of(path: Path, **values: str) -> dict[str, str]:
+    """Return the one row of a kept table that has these values.
+
+    Raises:
+        SocialmindError: there is none, or more than one.
+    """
+    rows = [row for row in rows_of(path) if all(row[name] == one for name, one in values.items())]
+    if len(rows) != 1:
+        raise SocialmindError(f"{path}: {len(rows)} rows with {values}; expected one")
+    return rows[0]
+
+
+def _entry(result: Result, folder: Path, known: Mapping[str, tuple[Study, Path]]) -> Entry:
+    command = command_of(result, known)
+    times = {row["command"]: float(row["seconds"]) for row in rows_of(folder.parent / TIMES_FILE)}
+    parts = [in_words(times[command]) if command in times else "not measured"]
+    hours = sum(_seconds(folder / "results" / "trainings" / one) for one in result.trainings)
+    if hours:
+        parts.append(f"trainings {in_words(hours)}")
+    return Entry(result, tuple(result.found()), command, "; ".join(parts), result.budget())
+
+
+def _seconds(training: Path) -> float:
+    """Return how long a kept training took, by its own record."""
+    manifest = json.loads((training / "manifest.json").read_text("utf-8"))
+    return float(manifest["timings"]["seconds"])
+
+
+def in_words(seconds: float) -> str:
+    """Return a time as somebody would say it.
+
+    >>> in_words(42.3), in_words(400), in_words(5400)
+    ('42 s', '7 min', '1.5 h')
+    """
+    if seconds < 100:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
+
+
+# Writing ------------------------------------------------------------------------------------------
+
+
+def write_overview(out: Path) -> list[Path]:
+    """Write the overview as Markdown and as a page of HTML.
+
+    Args:
+        out: the folder, made where it is missing.
+
+    Returns:
+        Both files.
+    """
+    found = entries()
+    out.mkdir(parents=True, exist_ok=True)
+    paths = [out / f"{PAGE}{suffix}" for suffix in (".md", ".html")]
+    paths[0].write_text(as_markdown(found), "utf-8")
+    paths[1].write_text(as_html(found), "utf-8")
+    return paths
+
+
+def counts_of(found: Sequence[Entry]) -> str:
+    """Return how many results are of each verdict, in a sentence."""
+    counts = {one: sum(entry.verdict is one for entry in found) for one in Verdict}
+    told = ", ".join(f"{count} {one}" for one, count in counts.items())
+    return f"Of {len(found)} entries: {told}."
+
+
+def as_markdown(found: Sequence[Entry]) -> str:
+    """Return the overview as Markdown."""
+    lines = [f"# {TITLE}", "", *(f"{one}\n" for one in ABOUT), counts_of(found), ""]
+    lines += _markdown_table(_summary(found))
+    for entry in found:
+        lines += ["", f"## {_heading(entry)}", "", *(f"- {one}" for one in _facts(entry)), ""]
+        lines += _markdown_table(_findings(entry))
+    return "\n".join([*lines, ""])
+
+
+def as_html(found: Sequence[Entry]) -> str:
+    """Return the overview as one page of HTML."""
+    sections = [html.section("All results", [html.table(_summary(found))], "all-results")]
+    sections += [
+        html.section(
+            _heading(entry),
+            [html.bullets(_facts(entry)), html.table(_findings(entry))],
+            entry.result.name.replace(" ", "-"),
+        )
+        for entry in found
+    ]
+    plain = [one.replace("*", "") for one in (*ABOUT, counts_of(found))]
+    return html.page(TITLE, [html.paragraph(one) for one in plain], sections)
+
+
+def _heading(entry: Entry) -> str:
+    name = entry.result.name
+    return f"{name[0].upper()}{name[1:]}: {entry.result.shows}"
+
+
+def _summary(found: Iterable[Entry]) -> list[dict[str, str]]:
+    return [
+        {
+            "result": entry.result.name,
+            "shows": entry.result.shows,
+            "verdict": entry.counted,
+            "command": f"`{entry.command}`",
+            "time": entry.time,
+        }
+        for entry in found
+    ]
+
+
+def _facts(entry: Entry) -> list[str]:
+    budget = f"Budget: ours {entry.budget}; thesis {entry.result.thesis_budget}."
+    return [
+        f"{entry.counted[0].upper()}{entry.counted[1:]}.",
+        f"`{entry.command}`, {entry.time}.",
+        *([budget] if entry.budget else []),
+    ]
+
+
+def _findings(entry: Entry) -> list[dict[str, str]]:
+    return [
+        {
+            "what": one.about,
+            "thesis": one.thesis,
+            "ours": one.ours,
+            "verdict": one.verdict,
+            "reason": one.reason,
+        }
+        for one in entry.findings
+    ]
+
+
+def _markdown_table(rows: Sequence[Mapping[str, str]]) -> list[str]:
+    head = list(rows[0])
+    lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
+    return lines + [
+        f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in row.values())} |"
+        for row in rows
+    ]
