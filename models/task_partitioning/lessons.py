@@ -11,14 +11,16 @@ from .model import BEHAVIOURS, MASTER, PLACES, TaskPartitioning
 
 SENSORS = (*PLACES, "LADEN", "PHOTOTAXIS", "ANTIPHOTOTAXIS", "RANDOM_WALK")
 ACTUATORS = (*BEHAVIOURS, "PickUp", "Drop")
-FUNCTION = Perceptron(layers=1)
+FUNCTION = Perceptron(layers=0)
 
 MIND = MindDescription(
     "forager",
     sensors=list(SENSORS),
     actuators=list(ACTUATORS),
     skills=[
-        Skill(MASTER, [f"SE:{one}" for one in SENSORS], [f"MO:{one}" for one in ACTUATORS], FUNCTION)
+        Skill(
+            MASTER, [f"SE:{one}" for one in SENSORS], [f"MO:{one}" for one in ACTUATORS], FUNCTION
+        )
     ],
 )
 
@@ -33,12 +35,15 @@ def lesson(gradient: float) -> Lesson:
         MASTER,
         TaskPartitioning,
         parameters={"gradient": gradient},
-        generations=80,
-        repetitions=3,
-        settings={"population": 60, "elite": 2},
+        generations=60,
+        repetitions=2,
+        settings={
+            "population": 100, "selected": 0.2, "elite": 2,
+            "mutation": 0.1, "step": 0.5, "narrowing": 0.98,
+        },
         finalists=6,
         finals=16,
-    )
+    )  # fmt: skip
 
 
 curriculum = Curriculum((lesson(1.0),), mind=MIND)

@@ -191,9 +191,9 @@ def move(robot, model, rng):
 
 
 class TaskPartitioning(Model):
-    """Robots that fetch items down a slope, alone or by dividing the way (Ferrante et al., 2015)."""
+    """Robots that fetch items, alone or by dividing the way (Ferrante et al., 2015)."""
 
-    ticks = 2_000
+    ticks = 1_000
 
     n_robots: int = parameter(4, unit="robots", low=1, high=100, doc="robots of the group")
     n_generalists: int = parameter(
@@ -209,7 +209,7 @@ class TaskPartitioning(Model):
         1.0, unit="share", low=0.0, high=1.0, doc="of the steepest slope; 0 for flat ground"
     )
     speed: float = parameter(
-        0.5, unit="patches a tick", low=0.01, high=1.0, doc="of robots on flat ground"
+        1.0, unit="patches a tick", low=0.01, high=1.0, doc="of robots on flat ground"
     )
     uphill_loss: float = parameter(
         0.6, unit="share", low=0.0, high=0.99, doc="of speed lost straight up the steepest slope"
@@ -218,10 +218,10 @@ class TaskPartitioning(Model):
         0.4, unit="share", low=0.0, high=0.99, doc="of speed lost straight down, by braking"
     )
     sliding: float = parameter(
-        1.0, unit="patches a tick", low=0.01, high=10.0, doc="of items on the steepest slope"
+        2.0, unit="patches a tick", low=0.01, high=10.0, doc="of items on the steepest slope"
     )
     reach: float = parameter(
-        0.5, unit="patches", low=0.1, high=5.0, doc="from a robot to an item that it can pick up"
+        0.6, unit="patches", low=0.1, high=5.0, doc="from a robot to an item that it can pick up"
     )
     n_source: int = parameter(
         5, unit="items", low=1, high=100, doc="that lie untouched at the source"

@@ -1,0 +1,70 @@
+"""Attempts at evolving robots that fetch items, on a slope and on flat ground.
+
+python -m analysis.task_partitioning.trainings slope        # or all; gone on with if begun
+python -m analysis.task_partitioning.trainings keep slope   # what it came to, into results/trainings/
+python -m analysis.task_partitioning.trainings ship         # the mind of one attempt, into the model
+
+They lie in `trainings/`, and begin with what `results/` holds of them; `socialmind reproduce
+task-partitioning` makes its own.
+"""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from functools import partial
+from pathlib import Path
+
+from socialmind.catalogue import load_file, model_folder
+from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
+from socialmind.learning import Curriculum, Training
+
+LESSONS = load_file(model_folder("task_partitioning") / "lessons.py")
+SEED = 9
+ATTEMPTS = 10
+GRADIENTS = {"slope": 1.0, "flat": 0.0}
+"""The gradient of the arena of each training."""
+SHIPPED = ("slope", 1)
+"""The training and the attempt whose mind the model has."""
+
+
+def curriculum_on(gradient: float) -> Curriculum:
+    """Return the one lesson, on a slope of this gradient."""
+    return Curriculum((LESSONS.lesson(gradient),))
+
+
+PLANS = TrainingPlans(
+    Path(__file__).parent,
+    {
+        name: TrainingPlan(
+            f"from primitives, on {'the steepest slope' if gradient else 'flat ground'}",
+            ATTEMPTS,
+            lambda: LESSONS.MIND,
+            partial(curriculum_on, gradient),
+            "task_partitioning",
+            SEED,
+        )
+        for name, gradient in GRADIENTS.items()
+    },
+    {"attempts": 2, "generations": 8, "population": 40, "repetitions": 2},
+)
+
+
+def ship() -> Path:
+    """Give the model the mind of the chosen attempt.
+
+    Returns:
+        Its folder.
+    """
+    name, attempt = SHIPPED
+    target = model_folder("task_partitioning") / "mind"
+    shutil.rmtree(target, ignore_errors=True)
+    Training(PLANS.kept / name).mind(attempt).save(target)
+    return target
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["ship"]:
+        print(ship())
+    else:
+        PLANS.main(sys.argv[1:])
