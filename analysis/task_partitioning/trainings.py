@@ -1,8 +1,8 @@
 """Attempts at evolving robots that fetch items, on a slope and on flat ground.
 
-python -m analysis.task_partitioning.trainings slope        # or all; gone on with if begun
-python -m analysis.task_partitioning.trainings keep slope   # what it came to, into results/trainings/
-python -m analysis.task_partitioning.trainings ship         # the mind of one attempt, into the model
+python -m analysis.task_partitioning.trainings slope       # or all; gone on with if begun
+python -m analysis.task_partitioning.trainings keep slope  # what it came to, into results/
+python -m analysis.task_partitioning.trainings ship        # the mind of one attempt, to the model
 
 They lie in `trainings/`, and begin with what `results/` holds of them; `socialmind reproduce
 task-partitioning` makes its own.
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from socialmind.catalogue import load_file, model_folder
 from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
-from socialmind.learning import Curriculum, Training
+from socialmind.learning import Training
 
 LESSONS = load_file(model_folder("task_partitioning") / "lessons.py")
 SEED = 9
@@ -28,11 +28,6 @@ SHIPPED = ("slope", 1)
 """The training and the attempt whose mind the model has."""
 
 
-def curriculum_on(gradient: float) -> Curriculum:
-    """Return the one lesson, on a slope of this gradient."""
-    return Curriculum((LESSONS.lesson(gradient),))
-
-
 PLANS = TrainingPlans(
     Path(__file__).parent,
     {
@@ -40,7 +35,7 @@ PLANS = TrainingPlans(
             f"from primitives, on {'the steepest slope' if gradient else 'flat ground'}",
             ATTEMPTS,
             lambda: LESSONS.MIND,
-            partial(curriculum_on, gradient),
+            partial(LESSONS.lessons, gradient),
             "task_partitioning",
             SEED,
         )

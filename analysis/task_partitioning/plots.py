@@ -1,0 +1,139 @@
+"""The figure of the study: what groups bring home, how they divide the way, and how they evolved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pandas as pd
+
+from socialmind.drawing import style as paper
+from socialmind.experiments.measures.crossed import crossed_interval
+from socialmind.experiments.measures.intervals import Interval, interval_of
+
+from .groups import GENERALISTS, GROUNDS, HALVES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+COLOURS = {"slope": paper.RED, "flat": paper.BLUE}
+MARKS = {"slope": "s", "flat": "o"}
+NAMES = {"slope": "the slope", "flat": "flat ground"}
+SHOWN = {GENERALISTS.name: "generalists", HALVES.name: "half droppers,\nhalf collectors"}
+"""The programmed groups that are shown, and their names on the axis."""
+EVOLVED = "evolved\nthere"
+SPREAD = 0.13
+"""How far dots of attempts lie from the middle, of the distance of two groups."""
+
+
+def draw(table: pd.DataFrame, curves: Mapping[str, pd.DataFrame]) -> Figure:
+    """Draw the study.
+
+    Args:
+        table: of `groups.judge_all`.
+        curves: of the trainings, by the ground on which they took place.
+
+    Returns:
+        A figure of four panels, two by two.
+    """
+    with paper.style():
+        figure = paper.figure(paper.PAGE, 130, gap=2.0)
+        panels = figure.subplots(2, 2)
+        _groups(panels[0, 0], table, "delivered")
+        panels[0, 0].set_ylabel("items brought home in 1,000 ticks")
+        paper.panel_title(panels[0, 0], "a", "What groups of four bring home")
+        _groups(panels[0, 1], table, "shared")
+        panels[0, 1].set_ylabel("share of items that two robots or more had")
+        paper.panel_title(panels[0, 1], "b", "Task partitioning")
+        _groups(panels[1, 0], table, "division")
+        _luck(panels[1, 0], table)
+        panels[1, 0].set_ylabel("I / H(tasks)")
+        paper.panel_title(panels[1, 0], "c", "Division of labour; dotted: by luck alone")
+        _curves(panels[1, 1], curves)
+        _legend(figure)
+    return figure
+
+
+def evolved_there(table: pd.DataFrame, ground: str) -> pd.DataFrame:
+    """Return the rows of the groups that evolved on a ground, judged on it."""
+    own = table["group"] == f"evolved on {NAMES[ground]}"
+    return table[own & (table["ground"] == ground)]
+
+
+def over_attempts(rows: pd.DataFrame, measure: str) -> Interval:
+    """Return a measure's mean over attempts and worlds, with its interval over both.
+
+    Worlds in which an attempt brought nothing home, where the measure says nothing, are left out
+    of that attempt's mean; the interval is then over attempts alone.
+    """
+    square = rows.pivot_table(index="attempt", columns="world", values=measure, dropna=False)
+    if square.isna().to_numpy().any():
+        return interval_of(square.mean(axis=1).dropna())
+    return crossed_interval(square.to_numpy())
+
+
+def _groups(axes: Axes, table: pd.DataFrame, measure: str) -> None:
+    """Draw a measure of three groups on either ground: every attempt, means, intervals."""
+    for offset, ground in ((-0.2, "slope"), (0.2, "flat")):
+        colour, mark = COLOURS[ground], MARKS[ground]
+        for place, name in enumerate(SHOWN):
+            rows = table[(table["group"] == name) & (table["ground"] == ground)]
+            values = rows[measure].dropna()
+            if len(values):
+                _bar(axes, place + offset, interval_of(values), colour, mark)
+        rows = evolved_there(table, ground)
+        if rows.empty:
+            continue
+        means = rows.groupby("attempt")[measure].mean().dropna().to_numpy()
+        beside = len(SHOWN) + offset + np.linspace(-SPREAD, SPREAD, len(means))
+        axes.plot(beside, means, mark, color=colour, markersize=3, alpha=0.55, mew=0, clip_on=False)
+        _bar(axes, len(SHOWN) + 2 * offset, over_attempts(rows, measure), colour, mark)
+    axes.set_xticks(range(len(SHOWN) + 1), [*SHOWN.values(), EVOLVED])
+    axes.set_xlim(-0.6, len(SHOWN) + 0.6)
+    if measure == "delivered":
+        axes.set_ylim(bottom=0)
+    else:
+        axes.set_ylim(-0.03, 1.03)
+
+
+def _bar(axes: Axes, x: float, found: Interval, colour: str, mark: str) -> None:
+    if not np.isnan(found.low):
+        axes.plot([x, x], [found.low, found.high], color=colour, linewidth=1.2)
+    axes.plot(x, found.mean, mark, color=colour, markersize=4.5, mec="white", mew=0.5)
+
+
+def _luck(axes: Axes, table: pd.DataFrame) -> None:
+    for offset, ground in ((-0.2, "slope"), (0.2, "flat")):
+        for place, name in enumerate([*SHOWN, None]):
+            rows = table[(table["group"] == name) & (table["ground"] == ground)]
+            rows = evolved_there(table, ground) if name is None else rows
+            if rows["by_chance"].notna().any():
+                chance = [rows["by_chance"].mean()] * 2
+                ends = [place + offset - 0.17, place + offset + 0.17]
+                axes.plot(ends, chance, color=paper.INK, linewidth=1.0, linestyle=":")
+
+
+def _curves(axes: Axes, curves: Mapping[str, pd.DataFrame]) -> None:
+    for ground, curve in curves.items():
+        for _, rows in curve.groupby("attempt"):
+            axes.plot(
+                rows["generation"], rows["mean"], color=COLOURS[ground], linewidth=0.7, alpha=0.8,
+                linestyle="-" if ground == "slope" else (0, (4, 1.5)),
+            )  # fmt: skip
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("generation")
+    axes.set_ylabel("items, mean of 100 individuals")
+    paper.panel_title(axes, "d", "Every attempt, in worlds for training")
+
+
+def _legend(figure: Figure) -> None:
+    from matplotlib.lines import Line2D
+
+    marks = [
+        Line2D([], [], color=COLOURS[ground], marker=MARKS[ground], markersize=4,
+               linestyle="-" if ground == "slope" else "--", label=f"on {NAMES[ground]}")
+        for ground in GROUNDS
+    ]  # fmt: skip
+    figure.legend(handles=marks, loc="outside lower center", ncols=2)
