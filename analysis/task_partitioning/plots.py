@@ -1,4 +1,4 @@
-"""The figure of the study: what groups bring home, how they divide the way, and how they evolved."""
+"""The figure of the study: what groups bring home, how they divide the way, how they evolved."""
 
 from __future__ import annotations
 
@@ -119,12 +119,12 @@ def _curves(axes: Axes, curves: Mapping[str, pd.DataFrame]) -> None:
     for ground, curve in curves.items():
         for _, rows in curve.groupby("attempt"):
             axes.plot(
-                rows["generation"], rows["mean"], color=COLOURS[ground], linewidth=0.7, alpha=0.8,
+                rows["episodes"], rows["mean"], color=COLOURS[ground], linewidth=0.7, alpha=0.8,
                 linestyle="-" if ground == "slope" else (0, (4, 1.5)),
             )  # fmt: skip
     axes.set_ylim(bottom=0)
-    axes.set_xlabel("generation")
-    axes.set_ylabel("items, mean of 100 individuals")
+    axes.set_xlabel("episodes of 1,000 ticks so far")
+    axes.set_ylabel("items, mean of a generation")
     paper.panel_title(axes, "d", "Every attempt, in worlds for training")
 
 
