@@ -58,9 +58,8 @@ def partitioning(series: pd.DataFrame, agents: pd.DataFrame) -> Figure:
             f"Robot {agent} ({last['strategy']}): took {last['fetched']} from the source, "
             f"brought {last['delivered']} home",
         )  # fmt: skip
-    panels[0].plot([], [], color=LADEN, label="with an item")
-    panels[0].plot([], [], color=paper.INK, label="without")
-    figure.legend(loc="outside upper right", ncols=2)
+    panels[0].plot([], [], "o", color=LADEN, markersize=3, label="with an item when recorded")
+    figure.legend(loc="outside upper right")
     _items(panels[-1], series, scale)
     paper.panel_title(panels[-1], "abcdefghi"[len(robots)], "Items of the group, so far")
     return figure
@@ -73,7 +72,7 @@ def _way(axes: Axes, rows: pd.DataFrame, scale: float) -> None:
     ticks, heights = (rows["tick"] / scale).to_numpy(float), rows["y"].to_numpy(float)
     axes.plot(ticks, heights, color=paper.INK, linewidth=0.7)
     laden = rows["laden"].to_numpy(bool)
-    axes.plot(ticks, pd.Series(heights).where(laden), color=LADEN, linewidth=1.4)
+    axes.plot(ticks[laden], heights[laden], "o", color=LADEN, markersize=3, mew=0)
     axes.set_ylim(borders[0], borders[-1])
     middles = [(low + high) / 2 for low, high in pairwise(borders)]
     axes.set_yticks(middles, NAMES)
@@ -86,7 +85,8 @@ def _items(axes: Axes, series: pd.DataFrame, scale: float) -> None:
         "shared": ("home, by two or more", paper.BLUE),
     }  # fmt: skip
     for column, (_, colour) in columns.items():
-        axes.plot(series["tick"] / scale, series[column], color=colour)
+        width = 2.4 if column == "delivered" else 1.0  # the last one may lie upon it
+        axes.plot(series["tick"] / scale, series[column], color=colour, linewidth=width)
     axes.set_ylim(*paper.limits_with_zero(series[list(columns)].to_numpy().ravel()))
     axes.set_ylabel("items")
     ends = [(float(series[name].iloc[-1]), *text) for name, text in columns.items()]
