@@ -66,11 +66,12 @@ def over_attempts(rows: pd.DataFrame, measure: str) -> Interval:
     """Return a measure's mean over attempts and worlds, with its interval over both.
 
     Worlds in which an attempt brought nothing home, where the measure says nothing, are left out
-    of that attempt's mean; the interval is then over attempts alone.
+    of that attempt's mean; the interval is then over attempts alone. NaN where none did.
     """
     square = rows.pivot_table(index="attempt", columns="world", values=measure, dropna=False)
     if square.isna().to_numpy().any():
-        return interval_of(square.mean(axis=1).dropna())
+        means = square.mean(axis=1).dropna()
+        return interval_of(means) if len(means) else Interval(np.nan, np.nan, np.nan)
     return crossed_interval(square.to_numpy())
 
 

@@ -19,27 +19,46 @@ from socialmind.catalogue import load_file, model_folder
 from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
 from socialmind.learning import Training
 
+from .blocks import lessons_of_blocks, mind_of_blocks
+
 LESSONS = load_file(model_folder("task_partitioning") / "lessons.py")
 SEED = 9
 ATTEMPTS = 10
-GRADIENTS = {"slope": 1.0, "flat": 0.0}
-"""The gradient of the arena of each training."""
 SHIPPED = ("slope", 1)
 """The training and the attempt whose mind the model has."""
+
+
+def from_primitives(gradient: float, ground: str) -> TrainingPlan:
+    """Return the training of minds that begin with nothing but primitives."""
+    return TrainingPlan(
+        f"from primitives, on {ground}",
+        ATTEMPTS,
+        lambda: LESSONS.MIND,
+        partial(LESSONS.lessons, gradient),
+        "task_partitioning",
+        SEED,
+    )
+
+
+def from_blocks(gradient: float, ground: str) -> TrainingPlan:
+    """Return the training of minds that begin with building blocks."""
+    return TrainingPlan(
+        f"from building blocks, on {ground}",
+        ATTEMPTS,
+        partial(mind_of_blocks, gradient),
+        partial(lessons_of_blocks, gradient),
+        "task_partitioning",
+        SEED,
+    )
 
 
 PLANS = TrainingPlans(
     Path(__file__).parent,
     {
-        name: TrainingPlan(
-            f"from primitives, on {'the steepest slope' if gradient else 'flat ground'}",
-            ATTEMPTS,
-            lambda: LESSONS.MIND,
-            partial(LESSONS.lessons, gradient),
-            "task_partitioning",
-            SEED,
-        )
-        for name, gradient in GRADIENTS.items()
+        "slope": from_primitives(1.0, "the slope"),
+        "flat": from_primitives(0.0, "flat ground"),
+        "blocks_slope": from_blocks(1.0, "the slope"),
+        "blocks_flat": from_blocks(0.0, "flat ground"),
     },
     {"attempts": 2, "generations": 8, "population": 40, "repetitions": 2},
 )
