@@ -29,6 +29,15 @@ CHOOSING = range(3001, 3021)
 REPORTED = range(6001, 6041)
 GROUNDS: Mapping[str, float] = {"slope": 1.0, "flat": 0.0}
 """The gradient of each ground."""
+NAMES: Mapping[str, str] = {"slope": "the slope", "flat": "flat ground"}
+PRIMITIVES, BLOCKS = "primitives", "building blocks"
+EVOLVED: Mapping[str, tuple[str, str]] = {
+    "slope": (PRIMITIVES, "slope"),
+    "flat": (PRIMITIVES, "flat"),
+    "blocks_slope": (BLOCKS, "slope"),
+    "blocks_flat": (BLOCKS, "flat"),
+}
+"""What the minds of each training begin with, and the ground on which they evolve."""
 ROBOTS = 4
 DEALS = 20
 """How often work is dealt out anew for what luck alone gives."""
@@ -81,15 +90,34 @@ def mixes() -> Iterator[Group]:
 
 
 def evolved(trainings: Mapping[str, Training | None]) -> Iterator[Group]:
-    """Yield all attempts that are finished, by the ground that they evolved on.
+    """Yield all attempts that are finished.
 
     Args:
-        trainings: by the name of the ground.
+        trainings: by name.
     """
     for name, attempt, mind in attempts_of(trainings):
-        yield Group(
-            f"evolved on {'the slope' if name == 'slope' else 'flat ground'}", attempt, mind
-        )
+        yield Group(evolved_from(*EVOLVED[name]), attempt, mind)
+
+
+def evolved_from(start: str, ground: str) -> str:
+    """Return the name of the groups that evolved from a start on a ground.
+
+    >>> evolved_from("primitives", "flat")
+    'from primitives, on flat ground'
+    """
+    return f"from {start}, on {NAMES[ground]}"
+
+
+def evolved_there(table: pd.DataFrame, start: str, ground: str) -> pd.DataFrame:
+    """Return the rows of the groups that evolved on a ground, judged on it.
+
+    Args:
+        table: of `judge_all`.
+        start: what their minds began with.
+        ground: one of `GROUNDS`.
+    """
+    own = table["group"] == evolved_from(start, ground)
+    return table[own & (table["ground"] == ground)]
 
 
 def judged(group: Group, ground: str, worlds: Sequence[int]) -> pd.DataFrame:
@@ -147,7 +175,7 @@ def judge_all(trainings: Mapping[str, Training | None], worlds: Sequence[int]) -
     """Return what all attempts and all programmed groups come to, on either ground.
 
     Args:
-        trainings: by the ground on which they evolved.
+        trainings: by name.
         worlds: their seeds.
     """
     groups = [*evolved(trainings), *mixes()]

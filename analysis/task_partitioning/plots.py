@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +12,16 @@ from socialmind.drawing import style as paper
 from socialmind.experiments.measures.crossed import crossed_interval
 from socialmind.experiments.measures.intervals import Interval, interval_of
 
-from .groups import GENERALISTS, GROUNDS, HALVES
+from .groups import (
+    BLOCKS,
+    EVOLVED,
+    GENERALISTS,
+    GROUNDS,
+    HALVES,
+    NAMES,
+    PRIMITIVES,
+    evolved_there,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,11 +29,11 @@ if TYPE_CHECKING:
 
 COLOURS = {"slope": paper.RED, "flat": paper.BLUE}
 MARKS = {"slope": "s", "flat": "o"}
-NAMES = {"slope": "the slope", "flat": "flat ground"}
-SHOWN = {GENERALISTS.name: "generalists", HALVES.name: "half droppers,\nhalf collectors"}
+PROGRAMMED = {GENERALISTS.name: "generalists", HALVES.name: "half droppers,\nhalf collectors"}
 """The programmed groups that are shown, and their names on the axis."""
-EVOLVED = "evolved\nthere"
-SPREAD = 0.13
+STARTS = {BLOCKS: "evolved from\nblocks", PRIMITIVES: "evolved from\nprimitives"}
+"""What evolved groups began with, and their names on the axis."""
+SPREAD = 0.1
 """How far dots of attempts lie from the middle, of the distance of two groups."""
 
 
@@ -33,7 +42,7 @@ def draw(table: pd.DataFrame, curves: Mapping[str, pd.DataFrame]) -> Figure:
 
     Args:
         table: of `groups.judge_all`.
-        curves: of the trainings, by the ground on which they took place.
+        curves: of the trainings, by name.
 
     Returns:
         A figure of four panels, two by two.
@@ -56,12 +65,6 @@ def draw(table: pd.DataFrame, curves: Mapping[str, pd.DataFrame]) -> Figure:
     return figure
 
 
-def evolved_there(table: pd.DataFrame, ground: str) -> pd.DataFrame:
-    """Return the rows of the groups that evolved on a ground, judged on it."""
-    own = table["group"] == f"evolved on {NAMES[ground]}"
-    return table[own & (table["ground"] == ground)]
-
-
 def over_attempts(rows: pd.DataFrame, measure: str) -> Interval:
     """Return a measure's mean over attempts and worlds, with its interval over both.
 
@@ -75,24 +78,34 @@ def over_attempts(rows: pd.DataFrame, measure: str) -> Interval:
     return crossed_interval(square.to_numpy())
 
 
+def shown(table: pd.DataFrame, ground: str) -> Iterator[tuple[int, bool, pd.DataFrame]]:
+    """Yield the place of each group that is shown, whether it evolved, and its rows."""
+    for place, name in enumerate(PROGRAMMED):
+        yield place, False, table[(table["group"] == name) & (table["ground"] == ground)]
+    for place, start in enumerate(STARTS, len(PROGRAMMED)):
+        yield place, True, evolved_there(table, start, ground)
+
+
 def _groups(axes: Axes, table: pd.DataFrame, measure: str) -> None:
-    """Draw a measure of three groups on either ground: every attempt, means, intervals."""
-    for offset, ground in ((-0.2, "slope"), (0.2, "flat")):
+    """Draw a measure of the groups on either ground: every attempt, means, intervals."""
+    for side, ground in ((-1, "slope"), (1, "flat")):
         colour, mark = COLOURS[ground], MARKS[ground]
-        for place, name in enumerate(SHOWN):
-            rows = table[(table["group"] == name) & (table["ground"] == ground)]
-            values = rows[measure].dropna()
-            if len(values):
-                _bar(axes, place + offset, interval_of(values), colour, mark)
-        rows = evolved_there(table, ground)
-        if rows.empty:
-            continue
-        means = rows.groupby("attempt")[measure].mean().dropna().to_numpy()
-        beside = len(SHOWN) + offset + np.linspace(-SPREAD, SPREAD, len(means))
-        axes.plot(beside, means, mark, color=colour, markersize=3, alpha=0.55, mew=0, clip_on=False)
-        _bar(axes, len(SHOWN) + 2 * offset, over_attempts(rows, measure), colour, mark)
-    axes.set_xticks(range(len(SHOWN) + 1), [*SHOWN.values(), EVOLVED])
-    axes.set_xlim(-0.6, len(SHOWN) + 0.6)
+        for place, has_evolved, rows in shown(table, ground):
+            known = rows.dropna(subset=[measure])
+            if known.empty:
+                continue
+            if not has_evolved:
+                _bar(axes, place + 0.12 * side, interval_of(known[measure]), colour, mark)
+                continue
+            means = known.groupby("attempt")[measure].mean().to_numpy()
+            beside = place + 0.28 * side + np.linspace(-SPREAD, SPREAD, len(means))
+            axes.plot(
+                beside, means, mark, color=colour, markersize=3, alpha=0.55, mew=0, clip_on=False
+            )
+            _bar(axes, place + 0.08 * side, over_attempts(rows, measure), colour, mark)
+    names = [*PROGRAMMED.values(), *STARTS.values()]
+    axes.set_xticks(range(len(names)), names)
+    axes.set_xlim(-0.5, len(names) - 0.5)
     if measure == "delivered":
         axes.set_ylim(bottom=0)
     else:
@@ -106,18 +119,19 @@ def _bar(axes: Axes, x: float, found: Interval, colour: str, mark: str) -> None:
 
 
 def _luck(axes: Axes, table: pd.DataFrame) -> None:
-    for offset, ground in ((-0.2, "slope"), (0.2, "flat")):
-        for place, name in enumerate([*SHOWN, None]):
-            rows = table[(table["group"] == name) & (table["ground"] == ground)]
-            rows = evolved_there(table, ground) if name is None else rows
+    for side, ground in ((-1, "slope"), (1, "flat")):
+        for place, _, rows in shown(table, ground):
             if rows["by_chance"].notna().any():
+                ends = sorted((place + 0.03 * side, place + 0.43 * side))
                 chance = [rows["by_chance"].mean()] * 2
-                ends = [place + offset - 0.17, place + offset + 0.17]
                 axes.plot(ends, chance, color=paper.INK, linewidth=1.0, linestyle=":")
 
 
 def _curves(axes: Axes, curves: Mapping[str, pd.DataFrame]) -> None:
-    for ground, curve in curves.items():
+    for name, curve in curves.items():
+        start, ground = EVOLVED[name]
+        if start != PRIMITIVES:
+            continue
         for _, rows in curve.groupby("attempt"):
             axes.plot(
                 rows["episodes"], rows["mean"], color=COLOURS[ground], linewidth=0.7, alpha=0.8,
@@ -126,7 +140,7 @@ def _curves(axes: Axes, curves: Mapping[str, pd.DataFrame]) -> None:
     axes.set_ylim(bottom=0)
     axes.set_xlabel("episodes of 1,000 ticks so far")
     axes.set_ylabel("items, mean of a generation")
-    paper.panel_title(axes, "d", "Every attempt, in worlds for training")
+    paper.panel_title(axes, "d", "Every attempt from primitives, while it evolves")
 
 
 def _legend(figure: Figure) -> None:

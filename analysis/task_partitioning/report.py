@@ -12,13 +12,24 @@ import pandas as pd
 
 from socialmind.catalogue import load_file, model_folder
 from socialmind.drawing import style as paper
-from socialmind.experiments.measures.effects import cliffs_delta
+from socialmind.experiments.measures.effects import compared
 from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.experiments.studies import Way, write_page
 from socialmind.mind import Hierarchy, MindDescription
 
-from .groups import GENERALISTS, GROUNDS, HALVES, JUDGED, judge_all, mixes
-from .plots import NAMES, draw, evolved_there, over_attempts
+from .groups import (
+    BLOCKS,
+    GENERALISTS,
+    GROUNDS,
+    HALVES,
+    JUDGED,
+    NAMES,
+    PRIMITIVES,
+    evolved_there,
+    judge_all,
+    mixes,
+)
+from .plots import draw, over_attempts
 
 if TYPE_CHECKING:
     from socialmind.learning import Training
@@ -36,7 +47,7 @@ def write_partitioning(
     """Judge all groups; write the tables, the figure and the page.
 
     Args:
-        trainings: by the ground on which they took place, each with a line on where it comes from.
+        trainings: by name, each with a line on where it comes from.
         way: in which they are come by.
         worlds: the seeds of those in which groups are judged.
         out: the folder, made where it is missing.
@@ -47,7 +58,7 @@ def write_partitioning(
     written = paper.save({NAME: figure}, out)
     table.to_csv(out / f"{NAME}.csv", index=False, float_format="%.4g", lineterminator="\n")
     rules = pd.concat(
-        rules_of(training.mind(attempt)).assign(ground=name, attempt=attempt)
+        rules_of(training.mind(attempt)).assign(training=name, attempt=attempt)
         for name, training in known.items()
         for attempt in training.finished
     )
@@ -75,55 +86,78 @@ def curve_of(training: Training) -> pd.DataFrame:
 
 
 def findings(table: pd.DataFrame) -> Iterator[str]:
-    """Yield what was found, a line each; a claim that the table does not bear is said not to hold.
+    """Yield what was found, a line each; of a claim whether the table bears it.
 
     Args:
         table: of `judge_all`.
     """
     for ground in GROUNDS:
-        rows = evolved_there(table, ground)
-        shares = rows.groupby("attempt")["shared"].mean()
         yield (
-            f"- On {NAMES[ground]} {int((shares > PARTITIONED).sum())} of {len(shares)} attempts "
-            f"divide the way for more than {PARTITIONED:.0%} of their items. Of all items that "
-            f"evolved groups bring home, more than one robot had {_said(rows, 'shared')}; they "
-            f"bring {_said(rows, 'delivered', 1)} home, programmed generalists "
-            f"{_of(table, GENERALISTS.name, ground)}, half droppers and half collectors "
-            f"{_of(table, HALVES.name, ground)}."
+            f"- On {NAMES[ground]} programmed generalists bring "
+            f"{_of(table, GENERALISTS.name, ground)} items home, half droppers and half collectors "
+            f"{_of(table, HALVES.name, ground)}. The best of all {len(list(mixes()))} programmed "
+            f"groups: {_best_mix(table, ground)}, {_of(table, _best_mix(table, ground), ground)}."
         )
-        beyond = rows.assign(beyond=rows["division"] - rows["by_chance"])
-        yield (
-            f"- Division of labour of evolved groups on {NAMES[ground]}, I / H(tasks): "
-            f"{_said(rows, 'division')}, {_said(beyond, 'beyond')} more than luck gives."
+    for start in (BLOCKS, PRIMITIVES):
+        for ground in GROUNDS:
+            yield from _what_evolved(evolved_there(table, start, ground), start, ground)
+    for start in (BLOCKS, PRIMITIVES):
+        yield _more(
+            f"Evolved from {start}, groups on the slope divide the way more than on flat ground",
+            *(_by_attempt(table, start, ground, "shared") for ground in GROUNDS),
         )
-    slope, flat = (
-        evolved_there(table, ground).groupby("attempt")["shared"].mean().dropna()
-        for ground in GROUNDS
+    yield _more(
+        "On the slope, groups that begin with building blocks divide the way more than those that "
+        "begin with primitives",
+        *(_by_attempt(table, start, "slope", "shared") for start in (BLOCKS, PRIMITIVES)),
     )
-    delta = cliffs_delta(slope, flat)
-    yield _claim(
-        "Attempts on the slope divide the way more than those on flat ground "
-        f"(Cliff's δ {delta:+.2f})",
-        len(slope) > 0 and len(flat) > 0 and delta > 0.5,
+    yield _more(
+        "and bring more home",
+        *(_by_attempt(table, start, "slope", "delivered") for start in (BLOCKS, PRIMITIVES)),
     )
-    best = {ground: _best_mix(table, ground) for ground in GROUNDS}
-    yield _claim(
-        f"The best of the {len(list(mixes()))} programmed groups divides the way on the slope "
-        f"({best['slope']}) and is one of generalists on flat ground ({best['flat']})",
-        best["slope"] != GENERALISTS.name and best["flat"] == GENERALISTS.name,
-    )
-    for ground in GROUNDS:
-        rows = evolved_there(table, ground)
-        top = table[(table["group"] == best[ground]) & (table["ground"] == ground)]
-        found = over_attempts(rows, "delivered")
-        yield _claim(
-            f"On {NAMES[ground]} evolved groups bring home less than the best programmed one",
-            bool(found.high < top["delivered"].mean()),
+    for start in (BLOCKS, PRIMITIVES):
+        alone = table[(table["group"] == GENERALISTS.name) & (table["ground"] == "slope")]
+        yield _more(
+            f"Evolved from {start}, groups on the slope bring more home than generalists do",
+            _by_attempt(table, start, "slope", "delivered"),
+            alone["delivered"],
         )
 
 
-def _claim(text: str, holds: bool) -> str:
-    return f"- {text}: {'holds' if holds else '**does not hold here**'}."
+def _what_evolved(rows: pd.DataFrame, start: str, ground: str) -> Iterator[str]:
+    if rows.empty:
+        return
+    shares = rows.groupby("attempt")["shared"].mean()
+    beyond = rows.assign(beyond=rows["division"] - rows["by_chance"])
+    yield (
+        f"- Evolved from {start} on {NAMES[ground]}: {int((shares > PARTITIONED).sum())} of "
+        f"{len(shares)} attempts divide the way for more than {PARTITIONED:.0%} of their items; of "
+        f"all items more than one robot had {_said(rows, 'shared')}. Brought home: "
+        f"{_said(rows, 'delivered', 1)}. Division of labour, I / H(tasks): "
+        f"{_said(rows, 'division')}, {_said(beyond, 'beyond')} more than luck gives."
+    )
+
+
+def _by_attempt(table: pd.DataFrame, start: str, ground: str, measure: str) -> pd.Series:
+    rows = evolved_there(table, start, ground)
+    return rows.groupby("attempt")[measure].mean().dropna()
+
+
+def _more(claim: str, first: pd.Series, second: pd.Series) -> str:
+    """Say whether one sample is larger than another, by the interval of the difference."""
+    if min(len(first), len(second)) < 2:
+        return f"- {claim}: too few attempts to tell."
+    found = compared(first, second, paired=False)
+    away = found.difference
+    verdict = "cannot be told"
+    if away.low > 0:
+        verdict = "holds"
+    elif away.high < 0:
+        verdict = "**the reverse holds**"
+    return (
+        f"- {claim}: {verdict} (difference {away.mean:.2f}, {away.low:.2f} to {away.high:.2f}; "
+        f"Cliff's δ {found.delta:+.2f})."
+    )
 
 
 def _best_mix(table: pd.DataFrame, ground: str) -> str:
