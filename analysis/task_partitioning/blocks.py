@@ -71,9 +71,13 @@ def mind_of_blocks(gradient: float) -> MindDescription:
 
 
 def lessons_of_blocks(gradient: float) -> Curriculum:
-    """Return the lessons from primitives, of a mind with building blocks.
+    """Return the lessons from primitives for a mind with building blocks, of fewer generations.
 
     Args:
         gradient: of the slope, 0 … 1; 0 for flat ground.
     """
-    return Curriculum(LESSONS.lessons(gradient).items, mind=mind_of_blocks(gradient))
+    find, refine = LESSONS.lessons(gradient).lessons
+    return Curriculum(
+        (find.changed(generations=3), refine.changed(generations=40)),
+        mind=mind_of_blocks(gradient),
+    )
