@@ -27,6 +27,7 @@ from .groups import (
     PRIMITIVES,
     evolved_there,
     judge_all,
+    mix,
     mixes,
 )
 from .plots import draw, over_attempts
@@ -98,6 +99,13 @@ def findings(table: pd.DataFrame) -> Iterator[str]:
             f"{_of(table, HALVES.name, ground)}. The best of all {len(list(mixes()))} programmed "
             f"groups: {_best_mix(table, ground)}, {_of(table, _best_mix(table, ground), ground)}."
         )
+    one_dropper, one_collector, both = (
+        _of(table, mix(*numbers).name, "slope") for numbers in ((3, 1, 0), (3, 0, 1), (2, 1, 1))
+    )
+    yield (
+        f"- On the slope, a dropper in place of one of four generalists makes it {one_dropper} "
+        f"items, a collector {one_collector}, both at once {both}."
+    )
     for start in (BLOCKS, PRIMITIVES):
         for ground in GROUNDS:
             yield from _what_evolved(evolved_there(table, start, ground), start, ground)

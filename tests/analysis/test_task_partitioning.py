@@ -101,7 +101,8 @@ def test_claims_hold_where_the_table_bears_them():
     assert all(": holds (" in line for line in claims)
     assert "half droppers and half collectors 64.5" in lines[0]
     assert "2 droppers, 2 collectors, 64.5" in lines[0] and "4 generalists, 64.5" in lines[1]
-    assert "3 of 3 attempts" in lines[2] and "0 of 3 attempts" in lines[3]
+    assert "both at once 44.5" in lines[2]
+    assert "3 of 3 attempts" in lines[3] and "0 of 3 attempts" in lines[4]
 
 
 def test_and_are_said_not_to_where_it_does_not():
