@@ -33,6 +33,8 @@ PROGRAMMED = {GENERALISTS.name: "generalists", HALVES.name: "half droppers,\nhal
 """The programmed groups that are shown, and their names on the axis."""
 STARTS = {BLOCKS: "evolved from\nblocks", PRIMITIVES: "evolved from\nprimitives"}
 """What evolved groups began with, and their names on the axis."""
+SMOOTHED = 10
+"""Generations over which the mean of curves is taken."""
 SPREAD = 0.1
 """How far dots of attempts lie from the middle, of the distance of two groups."""
 
@@ -54,8 +56,8 @@ def draw(table: pd.DataFrame, curves: Mapping[str, pd.DataFrame]) -> Figure:
         panels[0, 0].set_ylabel("items brought home in 1,000 ticks")
         paper.panel_title(panels[0, 0], "a", "What groups of four bring home")
         _groups(panels[0, 1], table, "shared")
-        panels[0, 1].set_ylabel("share of items that two robots or more had")
-        paper.panel_title(panels[0, 1], "b", "Task partitioning")
+        panels[0, 1].set_ylabel("share of items brought home")
+        paper.panel_title(panels[0, 1], "b", "Items that more than one robot had")
         _groups(panels[1, 0], table, "division")
         _luck(panels[1, 0], table)
         panels[1, 0].set_ylabel("I / H(tasks)")
@@ -133,13 +135,15 @@ def _curves(axes: Axes, curves: Mapping[str, pd.DataFrame]) -> None:
         if start != PRIMITIVES:
             continue
         for _, rows in curve.groupby("attempt"):
+            smooth = rows["mean"].rolling(SMOOTHED, min_periods=1).mean()
             axes.plot(
-                rows["episodes"], rows["mean"], color=COLOURS[ground], linewidth=0.7, alpha=0.8,
+                rows["episodes"], smooth, color=COLOURS[ground], linewidth=0.7, alpha=0.8,
                 linestyle="-" if ground == "slope" else (0, (4, 1.5)),
             )  # fmt: skip
     axes.set_ylim(bottom=0)
     axes.set_xlabel("episodes of 1,000 ticks so far")
-    axes.set_ylabel("items, mean of a generation")
+    axes.set_ylabel(f"items, mean of {SMOOTHED} generations")
+    axes.xaxis.set_major_formatter("{x:,.0f}")
     paper.panel_title(axes, "d", "Every attempt from primitives, while it evolves")
 
 
