@@ -26,7 +26,7 @@ from socialmind.learning import Training
 from socialmind.mind import MindDescription
 
 CHOOSING = range(3001, 3021)
-REPORTED = range(6001, 6041)
+REPORTED = range(6001, 6021)
 GROUNDS: Mapping[str, float] = {"slope": 1.0, "flat": 0.0}
 """The gradient of each ground."""
 NAMES: Mapping[str, str] = {"slope": "the slope", "flat": "flat ground"}

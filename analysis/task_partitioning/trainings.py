@@ -25,8 +25,8 @@ LESSONS = load_file(model_folder("task_partitioning") / "lessons.py")
 SEED = 9
 ATTEMPTS = 10
 SHIPPED = ("slope", 4)
-"""The training and the attempt whose mind the model has: picked, as the one that brings most home in
-the worlds for choosing. Others of the same training do not divide the way at all."""
+"""The training and the attempt whose mind the model has: picked, as the one that brings most home
+in the worlds for choosing. Others of the same training do not divide the way at all."""
 
 
 def from_primitives(gradient: float, ground: str) -> TrainingPlan:
