@@ -120,8 +120,8 @@ def findings(table: pd.DataFrame) -> Iterator[str]:
         *(_by_attempt(table, start, "slope", "shared") for start in (BLOCKS, PRIMITIVES)),
     )
     yield _more(
-        "On the slope, groups that begin with building blocks bring more home than those that begin "
-        "with primitives",
+        "On the slope, groups that begin with building blocks bring more home than those that "
+        "begin with primitives",
         *(_by_attempt(table, start, "slope", "delivered") for start in (BLOCKS, PRIMITIVES)),
     )
     for start in (BLOCKS, PRIMITIVES):
