@@ -1,0 +1,308 @@
+"""Why thirty-six robots do not settle as sharply as nine: measured in the economy without bodies.
+
+python -m analysis.foraging_roles.large_groups [--quick]
+
+A row of `results/large_groups.csv` is a way to decide, an attempt, a number of robots, a length of
+run and a gain, over the worlds for reporting: the share that stay within one robot, and within a
+ninth of the robots, of the wanted split all through the last quarter; the mean distance then, in
+robots; and changes. With a gain of 4 robots are told payoffs four times as far from 0.5. What was
+judged already is not judged again. `results/dead_zones.csv` says how many robots too many a mind
+puts up with: those for whose payoff, told again and again, it does not change its role.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+from scipy.stats import binomtest
+
+from socialmind.catalogue import load_file
+from socialmind.errors import SocialmindError
+from socialmind.experiments.measures.crossed import crossed_interval
+from socialmind.experiments.measures.intervals import Interval, interval_of
+from socialmind.mind import MindDescription, Programmed
+from socialmind.mind.minds import Minds
+
+from . import scheme_evolution
+from .attempts import PICKED, SUPERVISED, Contestant, contestants
+from .results import NINE
+from .scheme_economy import WRITTEN, SchemeWorlds
+from .threshold_scan import CONTROLLERS, Responders
+from .trainings import ECONOMY, MODEL
+from .worlds import REPORTED_ECONOMY
+
+DELIVERIES = load_file(MODEL / "deliveries.py")
+AS_IT_SHOULD_BE, ROLE = 0.5, "ForageRole"
+RESULTS = Path(__file__).parent / "results"
+WORLDS, FEW = 64, 2
+TICKS, LONG = 60_000, 240_000
+SETTINGS = (
+    (9, TICKS, 1.0), (18, TICKS, 1.0), (36, TICKS, 1.0), (36, LONG, 1.0), (36, TICKS, 4.0),
+    (36, LONG, 4.0),
+)  # fmt: skip
+"""Robots, ticks and gain. What nine robots do in 60,000 ticks is what the others are held to."""
+WANTED, DELIVERIES_OF_A_RUN = 2 / 3, 75
+LEFT_OUT = ("fixed roles", "random roles", "greedy", "at_once", "best of five starts")
+KEYS = ["way", "attempt", "robots", "ticks", "gain"]
+
+Floats = NDArray[np.float64]
+
+
+class Seen(NamedTuple):
+    """What worlds came to in their last quarter, (worlds,).
+
+    Attributes:
+        off: robots away from the wanted split, on the mean.
+        within_ninth: whether never by more than a ninth of those who began.
+    """
+
+    off: Floats
+    within_ninth: NDArray[np.bool_]
+
+
+def run_out(worlds: Any, minds: Any) -> Seen:
+    """Let all happen in worlds of the economy, and return what is seen beside their costs."""
+    since = 0.75 * worlds.limit
+    off, out = np.zeros((2, len(worlds.rows)))
+    going_on = True
+    while going_on:
+        was_off, begun = worlds.off_now.copy(), np.maximum(worlds.now, since)
+        going_on = worlds.go_on(minds)
+        took = np.maximum(worlds.now - begun, 0.0)
+        off += took * was_off
+        out += took * (was_off > worlds.first / 9 + 1e-9)
+    return Seen(off / (worlds.limit - since), out == 0)
+
+
+def sharpen(worlds: Any, gain: float) -> None:
+    """Let robots of the economy be told payoffs so many times farther from 0.5."""
+    decided = worlds.decided
+
+    def sharply(rows: Any, who: Any, before: Floats, payoff: Floats, minds: Any) -> Floats:
+        told = np.clip(AS_IT_SHOULD_BE + gain * (payoff - AS_IT_SHOULD_BE), 0.0, 1.0)
+        roles: Floats = decided(rows, who, before, told, minds)
+        return roles
+
+    worlds.decided = sharply
+
+
+def judged(
+    one: Contestant, robots: int, ticks: int, gain: float, worlds: Sequence[int]
+) -> pd.DataFrame:
+    """Return what robots come to in the economy, a row for each world.
+
+    Args:
+        one: the robots.
+        robots: how many.
+        ticks: of a run.
+        gain: how many times farther from 0.5 payoffs are told.
+        worlds: their seeds.
+    """
+    terms = {**NINE, "numbers": (robots,)}
+    given = ECONOMY.Terms(**terms)
+    drawn = [ECONOMY.World(seed, given, ticks) for seed in worlds]
+    minds: Any = None
+    if "programmed" in one.parameters:
+        numbers = np.array([list(numbers_of_scheme(one).values())])
+        found: Any = SchemeWorlds(drawn, worlds, numbers, ticks)
+    elif one.way in CONTROLLERS:
+        found = Responders(drawn, ticks, one.parameters)
+    else:
+        mind = one.mind or MindDescription.load(MODEL / "mind")
+        if learned_choice(mind):
+            drawn = [DELIVERIES.DeliveryWorld(seed, given, ticks) for seed in worlds]
+            parts = DELIVERIES.thinking(mind, ROLE), DELIVERIES.choosing(mind, DELIVERIES.CHOICE)
+            minds = DELIVERIES.Heads(*(with_genome(part, mind, len(worlds)) for part in parts))
+            found = DELIVERIES.Deliveries(drawn, 1, ticks, minds)
+        else:
+            minds = with_genome(ECONOMY.thinking(mind, ROLE), mind, len(worlds))
+            found = ECONOMY.Worlds(drawn, 1, ticks)
+    sharpen(found, gain)
+    seen = run_out(found, minds)
+    return pd.DataFrame(
+        {
+            "world": list(worlds),
+            "within_one": (found.out_last == 0).astype(int),
+            "within_ninth": seen.within_ninth.astype(int),
+            "off": seen.off,
+            "changes": found.changes / found.first / (ticks / 2 / 10_000),
+        }
+    )
+
+
+def learned_choice(mind: MindDescription) -> bool:
+    """Say whether what ROLE means was learned."""
+    return not isinstance(mind.skill(DELIVERIES.CHOICE).function, Programmed)
+
+
+def with_genome(part: MindDescription, mind: MindDescription, agents: int) -> Minds:
+    """Return a mind of one skill for many robots, with the weights that the whole mind has."""
+    name = next(iter(part.skills))
+    minds = Minds(part, agents=agents, own_genomes=True)
+    minds.set_genome(name, np.tile(mind.skill(name).genome, (agents, 1)))
+    return minds
+
+
+def numbers_of_scheme(one: Contestant) -> Mapping[str, float]:
+    """Return the numbers of a programmed contestant: those that evolved, or those written."""
+    if one.way == scheme_evolution.NAME:
+        evolved = scheme_evolution.kept()[one.attempt].tolist()
+        return dict(zip(WRITTEN, evolved, strict=True))
+    return WRITTEN
+
+
+def chosen() -> Iterator[Contestant]:
+    """Yield who is judged: all that learned, were programmed or evolved, and thresholds."""
+    for one in contestants():
+        if one.way not in LEFT_OUT:
+            yield one
+    for attempt in scheme_evolution.kept():
+        yield Contestant(scheme_evolution.NAME, attempt, None, {"programmed": 1.0})
+
+
+def judge_all(
+    path: Path, some: Iterable[Contestant], settings: Sequence[tuple[int, int, float]], worlds: int
+) -> pd.DataFrame:
+    """Judge all that are not judged yet, and keep what comes of it after each."""
+    table = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=[*KEYS, "world"])
+    done = set(table[KEYS].itertuples(index=False, name=None))
+    for one in some:
+        for robots, ticks, gain in settings:
+            key = (one.way, one.attempt, robots, ticks, gain)
+            if key in done:
+                continue
+            rows = judged(one, robots, ticks, gain, REPORTED_ECONOMY[:worlds])
+            rows = rows.assign(**dict(zip(KEYS, key, strict=True)))
+            table = pd.concat([table, rows], ignore_index=True) if len(table) else rows
+            table = table[[*KEYS, *(name for name in rows if name not in KEYS)]]
+            path.parent.mkdir(parents=True, exist_ok=True)
+            table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+            print(*key, file=sys.stderr, flush=True)
+    return table
+
+
+# Dead zones ---------------------------------------------------------------------------------------
+
+
+def dead_zone(mind: MindDescription, in_b: bool, deliveries: int) -> float:
+    """Return the least lack of payoff, told at every delivery, at which a learned mind changes.
+
+    Args:
+        mind: the robot's, with a CollectSelect that changes at 0.5.
+        in_b: its role at first.
+        deliveries: in which it changes.
+
+    Returns:
+        0.001 … 0.5; NaN where it never does.
+    """
+    lacks = np.arange(1, 501) / 1000
+    minds = with_genome(ECONOMY.thinking(mind, ROLE), mind, len(lacks))
+    role = np.full(len(lacks), float(in_b))
+    changed = np.zeros(len(lacks), bool)
+    for _ in range(deliveries):
+        minds.set_sensor("PAYOFF", AS_IT_SHOULD_BE - lacks)
+        minds.set_sensor("ROLE", role)
+        minds.step()
+        role = minds.actuator("ROLE").copy()
+        changed |= (role >= 0.5) != in_b
+    return float(lacks[changed.argmax()]) if changed.any() else float("nan")
+
+
+def robots_off(lack: float, robots: int, wanted: float = WANTED) -> float:
+    """Return by how many robots a split is off where its payoff lacks so much, on the mean.
+
+    The payoff lacks 0.15 · (share − wanted) / (wanted · (1 − wanted)); see `payoff.py`.
+
+    >>> round(robots_off(0.075, 9), 6), round(robots_off(0.075, 36), 6)
+    (1.0, 4.0)
+    """
+    return lack / 0.15 * wanted * (1 - wanted) * robots
+
+
+def dead_zones(some: Iterable[Contestant]) -> pd.DataFrame:
+    """Return how many robots too many ways put up with: a row for each attempt and role."""
+    rows = []
+    for one in some:
+        mind = one.mind or MindDescription.load(MODEL / "mind")
+        if "programmed" in one.parameters:
+            tolerance = numbers_of_scheme(one)["tolerance"] / 100
+            lacks = {"A": tolerance, "B": tolerance}
+        elif one.way in CONTROLLERS or learned_choice(mind):
+            continue  # thresholds have no dead zone; of learned choices the middle is elsewhere
+        else:
+            lacks = {
+                kind: dead_zone(mind, kind == "B", DELIVERIES_OF_A_RUN) for kind in ("A", "B")
+            }
+        for kind, lack in lacks.items():
+            off = {f"of_{number}": robots_off(lack, number) for number in (9, 18, 36)}
+            rows.append({"way": one.way, "attempt": one.attempt, "role": kind, "lack": lack, **off})
+    return pd.DataFrame(rows)
+
+
+# Reports ------------------------------------------------------------------------------------------
+
+
+def report(table: pd.DataFrame) -> str:
+    """Return the means of each way and setting as Markdown, over trainings and worlds."""
+    lines = [
+        "| way | attempts | robots | ticks | gain | within one | within a ninth | off | changes |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
+    for key, part in table.groupby(["way", "robots", "ticks", "gain"], sort=False):
+        way, robots, ticks, gain = key
+        cells = []
+        for name, form in (
+            ("within_one", ".0%"), ("within_ninth", ".0%"), ("off", ".2f"), ("changes", ".2f"),
+        ):  # fmt: skip
+            cells.append(in_brackets(part, name, form))
+        attempts = part["attempt"].nunique()
+        lines.append(
+            f"| {way} | {attempts} | {robots} | {ticks} | {gain:g} | " + " | ".join(cells) + " |"
+        )
+    return "\n".join(lines) + "\n"
+
+
+def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
+    """Return a mean with its interval of 95 %: over trainings and worlds, or worlds alone."""
+    square = part.pivot_table(index="attempt", columns="world", values=name).dropna(axis="columns")
+    if square.empty:
+        raise SocialmindError(f"no world in which all attempts at {part['way'].iloc[0]} were judged")
+    values = square.to_numpy(float)
+    if len(values) > 1:
+        found = crossed_interval(values)
+    elif np.isin(values, (0, 1)).all():  # where all are alike a bootstrap has no width
+        ends = binomtest(int(values.sum()), values.size).proportion_ci(method="wilson")
+        found = Interval(values.mean(), ends.low, ends.high)
+    else:
+        found = interval_of(values[0])
+    return f"{found.mean:{form}} ({found.low:{form}} to {found.high:{form}})"
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Judge, keep and print."""
+    if "--quick" in arguments:
+        few = [one for one in chosen() if one.way in (PICKED, "programmed", SUPERVISED)][:3]
+        parts = [
+            judged(one, 9, 8000, 1.0, REPORTED_ECONOMY[:FEW]).assign(
+                way=one.way, attempt=one.attempt, robots=9, ticks=8000, gain=1.0
+            )
+            for one in few
+        ]
+        print(report(pd.concat(parts, ignore_index=True)))
+        return
+    zones = dead_zones(chosen())
+    zones.round(4).to_csv(RESULTS / "dead_zones.csv", index=False, lineterminator="\n")
+    table = judge_all(RESULTS / "large_groups.csv", chosen(), SETTINGS, WORLDS)
+    text = report(table)
+    (RESULTS / "large_groups.md").write_text(text, encoding="utf-8")
+    print(zones.round(3).to_string(), text, sep="\n\n")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
