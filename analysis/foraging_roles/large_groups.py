@@ -40,7 +40,7 @@ from .worlds import REPORTED_ECONOMY
 DELIVERIES = load_file(MODEL / "deliveries.py")
 AS_IT_SHOULD_BE, ROLE = 0.5, "ForageRole"
 RESULTS = Path(__file__).parent / "results"
-WORLDS, FEW = 64, 2
+WORLDS, FEW = 32, 2
 TICKS, LONG = 60_000, 240_000
 SETTINGS = (
     (9, TICKS, 1.0), (18, TICKS, 1.0), (36, TICKS, 1.0), (36, LONG, 1.0), (36, TICKS, 4.0),
@@ -105,24 +105,7 @@ def judged(
         worlds: their seeds.
     """
     terms = {**NINE, "numbers": (robots,)}
-    given = ECONOMY.Terms(**terms)
-    drawn = [ECONOMY.World(seed, given, ticks) for seed in worlds]
-    minds: Any = None
-    if "programmed" in one.parameters:
-        numbers = np.array([list(numbers_of_scheme(one).values())])
-        found: Any = SchemeWorlds(drawn, worlds, numbers, ticks)
-    elif one.way in CONTROLLERS:
-        found = Responders(drawn, ticks, one.parameters)
-    else:
-        mind = one.mind or MindDescription.load(MODEL / "mind")
-        if learned_choice(mind):
-            drawn = [DELIVERIES.DeliveryWorld(seed, given, ticks) for seed in worlds]
-            parts = DELIVERIES.thinking(mind, ROLE), DELIVERIES.choosing(mind, DELIVERIES.CHOICE)
-            minds = DELIVERIES.Heads(*(with_genome(part, mind, len(worlds)) for part in parts))
-            found = DELIVERIES.Deliveries(drawn, 1, ticks, minds)
-        else:
-            minds = with_genome(ECONOMY.thinking(mind, ROLE), mind, len(worlds))
-            found = ECONOMY.Worlds(drawn, 1, ticks)
+    found, minds = worlds_of(one, terms, worlds, ticks)
     sharpen(found, gain)
     seen = run_out(found, minds)
     return pd.DataFrame(
@@ -134,6 +117,34 @@ def judged(
             "changes": found.changes / found.first / (ticks / 2 / 10_000),
         }
     )
+
+
+def worlds_of(
+    one: Contestant, terms: Mapping[str, Any], worlds: Sequence[int], ticks: int
+) -> tuple[Any, Any]:
+    """Return worlds of the economy in which robots decide, and their minds if they have some.
+
+    Args:
+        one: the robots.
+        terms: of the economy.
+        worlds: seeds.
+        ticks: of a run.
+    """
+    given = ECONOMY.Terms(**terms)
+    drawn = [ECONOMY.World(seed, given, ticks) for seed in worlds]
+    if "programmed" in one.parameters:
+        numbers = np.array([list(numbers_of_scheme(one).values())])
+        return SchemeWorlds(drawn, worlds, numbers, ticks), None
+    if one.way in CONTROLLERS:
+        return Responders(drawn, ticks, one.parameters), None
+    mind = one.mind or MindDescription.load(MODEL / "mind")
+    if not learned_choice(mind):
+        minds = with_genome(ECONOMY.thinking(mind, ROLE), mind, len(worlds))
+        return ECONOMY.Worlds(drawn, 1, ticks), minds
+    drawn = [DELIVERIES.DeliveryWorld(seed, given, ticks) for seed in worlds]
+    parts = DELIVERIES.thinking(mind, ROLE), DELIVERIES.choosing(mind, DELIVERIES.CHOICE)
+    heads = DELIVERIES.Heads(*(with_genome(part, mind, len(worlds)) for part in parts))
+    return DELIVERIES.Deliveries(drawn, 1, ticks, heads), heads
 
 
 def learned_choice(mind: MindDescription) -> bool:

@@ -78,22 +78,20 @@ def reinforced(calling: Floats, payoff: Floats, reinforcement: Floats) -> Floats
     return np.asarray(rested + DECIDING.PERCENT * payoff * reinforcement)
 
 
-def leaves(own: Floats, other: Floats, is_b: NDArray[np.bool_], bias: Floats, u: Floats) -> Any:
-    """Return who takes the other plan, by `BiasedWeightedStochastic`, both plans being open.
+def chance(own: Floats, other: Floats, is_b: NDArray[np.bool_], bias: Floats) -> Floats:
+    """Return how probable the other plan is by `BiasedWeightedStochastic`, both plans being open.
 
     Args:
         own: what the plan of the robot's calling weighs, 0 or more; as all that follow (robots,).
         other: the other one.
-        is_b: whether its own is CollectB, the second of the scheme.
+        is_b: whether its own is CollectB, the second of the scheme, which of equals comes last.
         bias: of the decision maker.
-        u: the draw, 0 … 1.
     """
     least = np.minimum(own, other)
     offset = np.where(least < 1.0, 1.0 - least, 0.0)
     share = (other + offset) / (own + other + 2 * offset)
-    first = (share > 0.5) | ((share == 0.5) & is_b)  # of equals the scheme's first plan
-    drawn = u**bias
-    return np.where(first, drawn <= share, drawn > 1.0 - share)
+    first = (share > 0.5) | ((share == 0.5) & is_b)
+    return np.where(first, share ** (1 / bias), 1.0 - (1.0 - share) ** (1 / bias))
 
 
 class SchemeWorlds(ECONOMY.Worlds):
@@ -141,7 +139,8 @@ class SchemeWorlds(ECONOMY.Worlds):
         lack = DECIDING.PERCENT * (DECIDING.AS_IT_SHOULD_BE - payoff)
         u = self.luck[self.which, robot, self.done[self.rows, robot]]
         own, other = self.own[kind, self.rows] * calling, self.other[kind, self.rows] * lack
-        changed = (lack > self.tolerance) & leaves(own, np.maximum(other, 0.0), is_b, self.bias, u)
+        changes = u < chance(own, np.maximum(other, 0.0), is_b, self.bias)
+        changed = (lack > self.tolerance) & changes
         calling = np.where(changed, DECIDING.FIRST_CALLING, calling)
         self.calling[rows, robot[rows]] = calling[rows]
         return np.where(is_b ^ changed, 1.0, 0.0)
@@ -168,7 +167,10 @@ class SchemeEconomy:
             genomes: (individuals, 8).
             seeds: of the worlds.
         """
-        numbers = numbers_of(np.atleast_2d(genomes))
+        return self.run_numbers(numbers_of(np.atleast_2d(genomes)), seeds)
+
+    def run_numbers(self, numbers: Floats, seeds: Sequence[int]) -> Outcome:
+        """Judge schemes by their numbers, (schemes, 8); else as `run`."""
         shape = len(numbers), len(seeds)
         drawn = [ECONOMY.World(seed, self.terms, self.ticks) for seed in seeds]
         worlds = SchemeWorlds(drawn, seeds, numbers, self.ticks)
