@@ -6,7 +6,7 @@ python -m analysis.foraging_roles.generalisation "thirty-six robots" programmed 
 python -m analysis.foraging_roles.generalisation --quick
 
 A row of `results/generalisation.csv` is a way to decide, an attempt, its partner if it has one, a
-situation and a world; `results/generalisation.md` has the means, and `generalisation.pdf` shows them.
+situation and a world; `results/generalisation.md` has the means.
 Focal robots are those that are asked about, the background their partners (Leibo et al. 2021,
 Melting Pot). Worlds are those for reporting. What was judged already is not judged again.
 """
@@ -30,7 +30,6 @@ from . import scheme_evolution
 from .attempts import PICKED, TICKS, Contestant
 from .large_groups import chosen, in_brackets
 from .scheme_economy import WRITTEN, scheme_of
-from .threshold_scan import CONTROLLERS
 from .trainings import MODEL
 from .worlds import REPORTED
 
@@ -309,15 +308,13 @@ def main(arguments: Sequence[str]) -> None:
 
 
 def asked_for(society: Society, words: set[str], ways: set[str]) -> bool:
-    """Say whether a society is among those that words of the command name; without words all are."""
+    """Say whether words of the command name a society; without words they name all."""
     whose, where = words & ways, words & set(SITUATIONS)
     if "pairs" in words and society.partner is None:
         return False
     if society.partner is not None and words and "pairs" not in words:
         return False
-    return (not whose or society.focal.way in whose) and (
-        not where or society.situation in where
-    )
+    return (not whose or society.focal.way in whose) and (not where or society.situation in where)
 
 
 if __name__ == "__main__":

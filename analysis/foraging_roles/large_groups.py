@@ -247,9 +247,7 @@ def dead_zones(some: Iterable[Contestant]) -> pd.DataFrame:
         elif one.way in CONTROLLERS or learned_choice(mind):
             continue  # thresholds have no dead zone; of learned choices the middle is elsewhere
         else:
-            lacks = {
-                kind: dead_zone(mind, kind == "B", DELIVERIES_OF_A_RUN) for kind in ("A", "B")
-            }
+            lacks = {kind: dead_zone(mind, kind == "B", DELIVERIES_OF_A_RUN) for kind in ("A", "B")}
         for kind, lack in lacks.items():
             off = {f"of_{number}": robots_off(lack, number) for number in (9, 18, 36)}
             rows.append({"way": one.way, "attempt": one.attempt, "role": kind, "lack": lack, **off})
@@ -283,7 +281,9 @@ def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
     """Return a mean with its interval of 95 %: over trainings and worlds, or worlds alone."""
     square = part.pivot_table(index="attempt", columns="world", values=name).dropna(axis="columns")
     if square.empty:
-        raise SocialmindError(f"no world in which all attempts at {part['way'].iloc[0]} were judged")
+        raise SocialmindError(
+            f"no world in which all attempts at {part['way'].iloc[0]} were judged"
+        )
     values = square.to_numpy(float)
     if len(values) > 1:
         found = crossed_interval(values)

@@ -4,14 +4,14 @@ python -m analysis.foraging_roles.scheme_distillation [--quick]
 
 A learned mind is watched while it decides, delivery after delivery, in the worlds for choosing. Of
 all schemes with the cognitons of `scheme.yaml` the one is sought that would most probably have
-decided so: what a robot was paid is known, so its callings are too, and a scheme gives each decision
-a probability. (`socialmind.learning.distilling` fits links to what plans weigh in states that are
-known; a learned mind has no callings that one could read.) `results/distilled_schemes.csv` has the
-numbers, and how well they tell the decisions in worlds for reporting.
+decided so: what a robot was paid is known, so its callings are too, and a scheme gives each
+decision a probability. (`socialmind.learning.distilling` fits links to what plans weigh in states
+that are known; a learned mind has no callings that one could read.) `results/distilled_schemes.csv`
+has the numbers, and how well they tell the decisions in worlds for reporting.
 
 Then learned, distilled, evolved and written decide in the same worlds for reporting, a row of
-`results/schemes.csv` for each way, attempt, condition and world; `results/schemes.md` has the means.
-What was judged already is not judged again.
+`results/schemes.csv` for each way, attempt, condition and world; `results/schemes.md` has the
+means. What was judged already is not judged again.
 """
 
 from __future__ import annotations

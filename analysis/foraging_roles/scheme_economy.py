@@ -1,7 +1,7 @@
 """The scheme that decides about roles, as numbers that can be fitted: many schemes side by side.
 
 `scheme_scan` asks the engine, a mind at a time; to fit links by evolution takes millions of
-decisions. Here the same rules are written for whole arrays, and the tests hold them to the engine's.
+decisions. Here the same rules are written for whole arrays; tests hold them to the engine's.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def scheme_of(numbers: ArrayLike, name: str = "evolved") -> CognitiveScheme:
         kind = one.name[-1].lower()
         calling = one.name.startswith("Calling")
         link = given[f"calling_{kind}" if calling else f"plenty_of_{kind}"]
-        again = {plan: given[f"reinforcement_{kind}"] for plan in one.reinforcement}
+        again = dict.fromkeys(one.reinforcement, given[f"reinforcement_{kind}"])
         cognitons.append(
             replace(one, influence=dict.fromkeys(one.influence, link), reinforcement=again)
         )
@@ -72,7 +72,7 @@ def scheme_of(numbers: ArrayLike, name: str = "evolved") -> CognitiveScheme:
 
 
 def reinforced(calling: Floats, payoff: Floats, reinforcement: Floats) -> Floats:
-    """Return callings after a delivery, by the rules of the model: a fifth fades, the rest grows."""
+    """Return callings after a delivery, by the model's rules: a fifth fades, what it was worth adds."""
     bound = DECIDING.CALLING_BOUND
     rested = np.where(calling > bound, bound, calling * DECIDING.CALLING_FACTOR)
     return np.asarray(rested + DECIDING.PERCENT * payoff * reinforcement)
@@ -133,9 +133,7 @@ class SchemeWorlds(ECONOMY.Worlds):
         robot = np.minimum(who, self.most - 1)
         is_b = before >= 0.5
         kind = is_b.astype(int)
-        calling = reinforced(
-            self.calling[self.rows, robot], payoff, self.again[kind, self.rows]
-        )
+        calling = reinforced(self.calling[self.rows, robot], payoff, self.again[kind, self.rows])
         lack = DECIDING.PERCENT * (DECIDING.AS_IT_SHOULD_BE - payoff)
         u = self.luck[self.which, robot, self.done[self.rows, robot]]
         own, other = self.own[kind, self.rows] * calling, self.other[kind, self.rows] * lack

@@ -2,16 +2,16 @@
 
 python -m analysis.foraging_roles.three_kinds [--quick]
 
-What an object is worth is the model's own for any number of kinds: 0.5 + 0.15 · (w − s) / (w (1 − w)),
+What an object is worth is the model's own, for any number of kinds: 0.5 + 0.15 (w − s) / (w (1 − w)),
 w being the share that is wanted of a kind and s its share of the counts. In the scheme plenty of a
-kind opens the plans of all others; a robot with thresholds hears the call of each other kind as loud
-as its own object's worth is low, and looks at them in a random order. Neither is fitted anew.
+kind opens the plans of all others; a robot with thresholds hears the call of each other kind as
+loud as its own object's worth is low, and looks at them in a random order. Neither is fitted anew.
 
-The learned minds are not here: their ROLE is one number that means A or B, by which half it is in, and
-what ForageRole reads, the worth of the last object, does not say which of two others is scarce.
+The learned minds are not here: their ROLE is one number that means A or B, by which half it is in,
+and the worth of the last object, which ForageRole reads, does not say which of two others is scarce.
 
-A row of `results/three_kinds.csv` is a way, a ratio, a number of robots, what happens half-way, and a
-world for reporting; `results/three_kinds.md` has the means.
+A row of `results/three_kinds.csv` is a way, a ratio, a number of robots, what happens half-way, and
+a world for reporting; `results/three_kinds.md` has the means.
 """
 
 from __future__ import annotations
@@ -150,7 +150,7 @@ def callings(worlds: Kinds) -> Floats:
 
 
 def by_scheme(worlds: Kinds, rows: Ints, robot: Ints, kind: Ints, payoff: Floats) -> Ints:
-    """Decide by the scheme, with the numbers that somebody wrote, plenty opening all other plans."""
+    """Decide by the scheme, with the numbers as written, plenty opening all other plans."""
     calling = worlds.state[rows, robot] * DECIDING.CALLING_FACTOR
     calling += DECIDING.PERCENT * payoff * WRITTEN["reinforcement_a"]
     lack = DECIDING.PERCENT * (DECIDING.AS_IT_SHOULD_BE - payoff)

@@ -121,7 +121,7 @@ def take_away(ball, reach):
 
 
 def watch(model):
-    """See the split that a tick leaves: by how many robots, and by which part of them, it is off."""
+    """See by how many robots, and by which part of them, the split that a tick leaves is off."""
     watch_split(model)
     if model.off > model.present / A_NINTH + 1e-9:
         model.last_beyond_a_ninth = model.tick + 1
@@ -139,10 +139,18 @@ class ForagingElsewhere(ForagingByThresholds):
         1.0, unit="times", low=0.0, doc="farther from 0.5 than they are learned minds read payoffs"
     )
     reach_a: float = parameter(
-        1.0, unit="times", low=1.0, high=2.0, doc="as far to the side objects A are: 1, or 12/7 to 2"
+        1.0,
+        unit="times",
+        low=1.0,
+        high=2.0,
+        doc="as far to the side objects A are: 1, or 12/7 to 2",
     )
     reach_b: float = parameter(
-        1.0, unit="times", low=1.0, high=2.0, doc="as far to the side objects B are: 1, or 12/7 to 2"
+        1.0,
+        unit="times",
+        low=1.0,
+        high=2.0,
+        doc="as far to the side objects B are: 1, or 12/7 to 2",
     )
     cleared: int = parameter(0, unit="of two", low=0, high=1, doc="1 for no obstacles")
     late: int = parameter(45_000, unit="ticks", low=0, doc="from which on the distance is added up")
