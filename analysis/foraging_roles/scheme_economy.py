@@ -72,7 +72,7 @@ def scheme_of(numbers: ArrayLike, name: str = "evolved") -> CognitiveScheme:
 
 
 def reinforced(calling: Floats, payoff: Floats, reinforcement: Floats) -> Floats:
-    """Return callings after a delivery, by the model's rules: a fifth fades, what it was worth adds."""
+    """Return callings after a delivery: a fifth fades, and what it was worth is added."""
     bound = DECIDING.CALLING_BOUND
     rested = np.where(calling > bound, bound, calling * DECIDING.CALLING_FACTOR)
     return np.asarray(rested + DECIDING.PERCENT * payoff * reinforcement)

@@ -2,13 +2,14 @@
 
 python -m analysis.foraging_roles.three_kinds [--quick]
 
-What an object is worth is the model's own, for any number of kinds: 0.5 + 0.15 (w − s) / (w (1 − w)),
-w being the share that is wanted of a kind and s its share of the counts. In the scheme plenty of a
+What an object is worth is the model's own, for any number of kinds:
+0.5 + 0.15 (w − s) / (w (1 − w)), w being the share that is wanted of a kind and s its share of the
+counts. In the scheme plenty of a
 kind opens the plans of all others; a robot with thresholds hears the call of each other kind as
 loud as its own object's worth is low, and looks at them in a random order. Neither is fitted anew.
 
 The learned minds are not here: their ROLE is one number that means A or B, by which half it is in,
-and the worth of the last object, which ForageRole reads, does not say which of two others is scarce.
+and the worth of the last object, which ForageRole reads, does not say which other is scarce.
 
 A row of `results/three_kinds.csv` is a way, a ratio, a number of robots, what happens half-way, and
 a world for reporting; `results/three_kinds.md` has the means.
