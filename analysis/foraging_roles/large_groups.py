@@ -3,11 +3,16 @@
 python -m analysis.foraging_roles.large_groups [--quick]
 
 A row of `results/large_groups.csv` is a way to decide, an attempt, a number of robots, a length of
-run and a gain, over the worlds for reporting: the share that stay within one robot, and within a
-ninth of the robots, of the wanted split all through the last quarter; the mean distance then, in
-robots; and changes. With a gain of 4 robots are told payoffs four times as far from 0.5. What was
-judged already is not judged again. `results/dead_zones.csv` says how many robots too many a mind
-puts up with: those for whose payoff, told again and again, it does not change its role.
+run, a gain, whether trips are even, and a world for reporting: whether it stays within one robot,
+and within a ninth of the robots, of the wanted split all through the last quarter; the mean
+distance then, in robots; how far the counts are from the wanted ratio then, as many robots as that
+is the work of; and changes. With a gain of 4 robots are told payoffs four times as far from 0.5.
+Trips for A and B are up to a tenth longer and shorter in a world, or the other way round, unless
+they are even. What was judged already is not judged again.
+
+`results/dead_zones.csv` says how many robots too many a mind puts up with: those for whose payoff,
+told again and again, it does not change its role. `results/payoffs_at_rest.csv` says how far
+payoffs spread where the split is the wanted one for good, beside what one robot too many takes.
 """
 
 from __future__ import annotations
@@ -43,15 +48,16 @@ RESULTS = Path(__file__).parent / "results"
 WORLDS, FEW = 32, 2
 TICKS, LONG = 60_000, 240_000
 SETTINGS = (
-    (9, TICKS, 1.0), (18, TICKS, 1.0), (36, TICKS, 1.0), (36, LONG, 1.0), (36, TICKS, 4.0),
-    (36, LONG, 4.0),
+    (9, TICKS, 1.0, False), (18, TICKS, 1.0, False), (36, TICKS, 1.0, False),
+    (36, LONG, 1.0, False), (36, TICKS, 4.0, False), (9, TICKS, 1.0, True), (36, TICKS, 1.0, True),
 )  # fmt: skip
-"""Robots, ticks and gain. What nine robots do in 60,000 ticks is what the others are held to."""
+"""Robots, ticks, gain, and whether trips are even. What nine robots do is what all are held to."""
 WANTED, DELIVERIES_OF_A_RUN = 2 / 3, 75
 LEFT_OUT = ("fixed roles", "random roles", "greedy", "at_once", "best of five starts")
-KEYS = ["way", "attempt", "robots", "ticks", "gain"]
+KEYS = ["way", "attempt", "robots", "ticks", "gain", "even"]
 
 Floats = NDArray[np.float64]
+Setting = tuple[int, int, float, bool]
 
 
 class Seen(NamedTuple):
@@ -60,24 +66,30 @@ class Seen(NamedTuple):
     Attributes:
         off: robots away from the wanted split, on the mean.
         within_ninth: whether never by more than a ninth of those who began.
+        by_counts: how far the share of B among the counts is from the wanted one on the mean, as
+            many robots as that is the work of.
     """
 
     off: Floats
     within_ninth: NDArray[np.bool_]
+    by_counts: Floats
 
 
 def run_out(worlds: Any, minds: Any) -> Seen:
     """Let all happen in worlds of the economy, and return what is seen beside their costs."""
     since = 0.75 * worlds.limit
-    off, out = np.zeros((2, len(worlds.rows)))
+    off, out, more = np.zeros((3, len(worlds.rows)))
     going_on = True
     while going_on:
         was_off, begun = worlds.off_now.copy(), np.maximum(worlds.now, since)
+        above = worlds.count_b / (worlds.count_a + worlds.count_b) - worlds.wanted
         going_on = worlds.go_on(minds)
         took = np.maximum(worlds.now - begun, 0.0)
         off += took * was_off
+        more += took * above
         out += took * (was_off > worlds.first / 9 + 1e-9)
-    return Seen(off / (worlds.limit - since), out == 0)
+    last = worlds.limit - since
+    return Seen(off / last, out == 0, np.abs(more) / last * worlds.robots)
 
 
 def sharpen(worlds: Any, gain: float) -> None:
@@ -93,7 +105,12 @@ def sharpen(worlds: Any, gain: float) -> None:
 
 
 def judged(
-    one: Contestant, robots: int, ticks: int, gain: float, worlds: Sequence[int]
+    one: Contestant,
+    robots: int,
+    ticks: int,
+    gain: float,
+    even: bool,
+    worlds: Sequence[int],
 ) -> pd.DataFrame:
     """Return what robots come to in the economy, a row for each world.
 
@@ -102,11 +119,14 @@ def judged(
         robots: how many.
         ticks: of a run.
         gain: how many times farther from 0.5 payoffs are told.
+        even: whether trips for A and for B are equally long.
         worlds: their seeds.
     """
     terms = {**NINE, "numbers": (robots,)}
     found, minds = worlds_of(one, terms, worlds, ticks)
     sharpen(found, gain)
+    if even:
+        found.uneven[:] = 1.0
     seen = run_out(found, minds)
     return pd.DataFrame(
         {
@@ -114,6 +134,7 @@ def judged(
             "within_one": (found.out_last == 0).astype(int),
             "within_ninth": seen.within_ninth.astype(int),
             "off": seen.off,
+            "by_counts": seen.by_counts,
             "changes": found.changes / found.first / (ticks / 2 / 10_000),
         }
     )
@@ -178,17 +199,17 @@ def chosen() -> Iterator[Contestant]:
 
 
 def judge_all(
-    path: Path, some: Iterable[Contestant], settings: Sequence[tuple[int, int, float]], worlds: int
+    path: Path, some: Iterable[Contestant], settings: Sequence[Setting], worlds: int
 ) -> pd.DataFrame:
     """Judge all that are not judged yet, and keep what comes of it after each."""
     table = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=[*KEYS, "world"])
     done = set(table[KEYS].itertuples(index=False, name=None))
     for one in some:
-        for robots, ticks, gain in settings:
-            key = (one.way, one.attempt, robots, ticks, gain)
+        for setting in settings:
+            key = (one.way, one.attempt, *setting)
             if key in done:
                 continue
-            rows = judged(one, robots, ticks, gain, REPORTED_ECONOMY[:worlds])
+            rows = judged(one, *setting, REPORTED_ECONOMY[:worlds])
             rows = rows.assign(**dict(zip(KEYS, key, strict=True)))
             table = pd.concat([table, rows], ignore_index=True) if len(table) else rows
             table = table[[*KEYS, *(name for name in rows if name not in KEYS)]]
@@ -254,25 +275,80 @@ def dead_zones(some: Iterable[Contestant]) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
+# What a payoff can tell ---------------------------------------------------------------------------
+
+
+def payoffs_at_rest(
+    robots: int, even: bool, worlds: Sequence[int], ticks: int = TICKS
+) -> tuple[float, float]:
+    """Return how far payoffs of objects B spread in groups whose split is the wanted one for good.
+
+    Args:
+        robots: how many, a multiple of three.
+        even: whether trips for A and for B are equally long.
+        worlds: seeds.
+        ticks: of a run, of which the second half counts.
+
+    Returns:
+        The mean standard deviation within a world, which time averages out; and the standard
+        deviation between the worlds' means, which it does not.
+    """
+    terms = ECONOMY.Terms(**{**NINE, "numbers": (robots,)})
+    drawn = [ECONOMY.World(seed, terms, ticks) for seed in worlds]
+    found: Any = ECONOMY.Worlds(drawn, 1, ticks)
+    found.role[:] = np.arange(found.most) < round(WANTED * robots)
+    told = []
+    if even:
+        found.uneven[:] = 1.0
+
+    def stays(rows: Any, who: Any, before: Floats, payoff: Floats, minds: Any) -> Floats:
+        late = rows[(found.now[rows] > ticks / 2) & (before[rows] > 0.5)]
+        told.append(np.stack([late, payoff[late]], axis=1))
+        return before
+
+    found.decided = stays
+    while found.go_on(None):
+        pass
+    by_world = pd.DataFrame(np.concatenate(told), columns=["world", "payoff"]).groupby("world")
+    return float(by_world["payoff"].std().mean()), float(by_world["payoff"].mean().std())
+
+
+def spread_of_payoffs(worlds: Sequence[int], ticks: int = TICKS) -> pd.DataFrame:
+    """Return the spread of payoffs beside what one robot too many in B takes of one."""
+    rows = []
+    for even in (False, True):
+        for robots in (9, 18, 36):
+            within, between = payoffs_at_rest(robots, even, worlds, ticks)
+            one = 0.15 / (WANTED * (1 - WANTED)) / robots
+            rows.append(
+                {"robots": robots, "even": even, "within": within, "between": between, "one": one}
+            )
+    return pd.DataFrame(rows)
+
+
 # Reports ------------------------------------------------------------------------------------------
 
 
 def report(table: pd.DataFrame) -> str:
     """Return the means of each way and setting as Markdown, over trainings and worlds."""
     lines = [
-        "| way | attempts | robots | ticks | gain | within one | within a ninth | off | changes |",
-        "|---|---|---|---|---|---|---|---|---|",
+        "| way | attempts | robots | ticks | gain | even | within one | within a ninth | off | "
+        "off by counts | changes |",
+        "|---" * 11 + "|",
     ]
-    for key, part in table.groupby(["way", "robots", "ticks", "gain"], sort=False):
-        way, robots, ticks, gain = key
+    for key, part in table.groupby(["way", *KEYS[2:]], sort=False):
+        way, robots, ticks, gain, even = key
         cells = []
         for name, form in (
-            ("within_one", ".0%"), ("within_ninth", ".0%"), ("off", ".2f"), ("changes", ".2f"),
+            ("within_one", ".0%"), ("within_ninth", ".0%"), ("off", ".2f"),
+            ("by_counts", ".2f"), ("changes", ".2f"),
         ):  # fmt: skip
             cells.append(in_brackets(part, name, form))
         attempts = part["attempt"].nunique()
         lines.append(
-            f"| {way} | {attempts} | {robots} | {ticks} | {gain:g} | " + " | ".join(cells) + " |"
+            f"| {way} | {attempts} | {robots} | {ticks} | {gain:g} | {even} | "
+            + " | ".join(cells)
+            + " |"
         )
     return "\n".join(lines) + "\n"
 
@@ -300,8 +376,8 @@ def main(arguments: Sequence[str]) -> None:
     if "--quick" in arguments:
         few = [one for one in chosen() if one.way in (PICKED, "programmed", SUPERVISED)][:3]
         parts = [
-            judged(one, 9, 8000, 1.0, REPORTED_ECONOMY[:FEW]).assign(
-                way=one.way, attempt=one.attempt, robots=9, ticks=8000, gain=1.0
+            judged(one, 9, 8000, 1.0, False, REPORTED_ECONOMY[:FEW]).assign(
+                way=one.way, attempt=one.attempt, robots=9, ticks=8000, gain=1.0, even=False
             )
             for one in few
         ]
@@ -309,10 +385,12 @@ def main(arguments: Sequence[str]) -> None:
         return
     zones = dead_zones(chosen())
     zones.round(4).to_csv(RESULTS / "dead_zones.csv", index=False, lineterminator="\n")
+    spread = spread_of_payoffs(REPORTED_ECONOMY[:WORLDS])
+    spread.round(5).to_csv(RESULTS / "payoffs_at_rest.csv", index=False, lineterminator="\n")
     table = judge_all(RESULTS / "large_groups.csv", chosen(), SETTINGS, WORLDS)
     text = report(table)
     (RESULTS / "large_groups.md").write_text(text, encoding="utf-8")
-    print(zones.round(3).to_string(), text, sep="\n\n")
+    print(zones.round(3).to_string(), spread.round(4).to_string(), text, sep="\n\n")
 
 
 if __name__ == "__main__":

@@ -28,11 +28,19 @@ def test_a_payoff_told_four_times_as_sharply_is_a_quarter_of_a_tolerance():
 
 def test_what_is_seen_agrees_with_what_worlds_count_themselves():
     one = groups.Contestant("programmed", 0, None, {"programmed": 1.0})
-    found = groups.judged(one, 9, 12_000, 1.0, range(6))
+    found = groups.judged(one, 9, 12_000, 1.0, False, range(6))
     assert (found["within_one"] == found["within_ninth"]).all()  # a ninth of nine is one
     assert ((found["off"] <= 1) | (found["within_one"] == 0)).all()
-    many = groups.judged(one, 36, 12_000, 1.0, range(6))
+    many = groups.judged(one, 36, 12_000, 1.0, False, range(6))
     assert (many["within_one"] <= many["within_ninth"]).all()
+
+
+def test_uneven_trips_move_payoffs_at_rest_as_far_in_groups_of_any_size():
+    nine, many = (groups.payoffs_at_rest(n, False, range(8), 30_000) for n in (9, 36))
+    even = groups.payoffs_at_rest(36, True, range(8), 30_000)
+    assert nine[0] > 1.5 * many[0] > 0  # what chance does within a world becomes less
+    assert many[1] > 0.75 * nine[1]  # what is between worlds does not
+    assert even[1] < many[1] / 3
 
 
 def test_a_mind_that_keeps_its_role_has_no_end_to_its_dead_zone():
@@ -47,10 +55,10 @@ def test_a_mind_that_keeps_its_role_has_no_end_to_its_dead_zone():
 def test_what_was_judged_is_not_judged_again(tmp_path, monkeypatch):
     one = groups.Contestant("programmed", 0, None, {"programmed": 1.0})
     path = tmp_path / "table.csv"
-    first = groups.judge_all(path, [one], [(6, 4000, 1.0)], 2)
+    first = groups.judge_all(path, [one], [(6, 4000, 1.0, False)], 2)
     monkeypatch.setattr(groups, "judged", None)  # it would fail
-    assert len(groups.judge_all(path, [one], [(6, 4000, 1.0)], 2)) == len(first) == 2
-    assert "| programmed | 1 | 6 | 4000 | 1 |" in groups.report(first)
+    assert len(groups.judge_all(path, [one], [(6, 4000, 1.0, False)], 2)) == len(first) == 2
+    assert "| programmed | 1 | 6 | 4000 | 1 | False |" in groups.report(first)
 
 
 # Partners and situations --------------------------------------------------------------------------
