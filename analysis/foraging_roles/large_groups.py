@@ -49,7 +49,7 @@ WORLDS, FEW = 32, 2
 TICKS, LONG = 60_000, 240_000
 SETTINGS = (
     (9, TICKS, 1.0, False), (18, TICKS, 1.0, False), (36, TICKS, 1.0, False),
-    (36, LONG, 1.0, False), (36, TICKS, 4.0, False), (9, TICKS, 1.0, True), (36, TICKS, 1.0, True),
+    (36, LONG, 1.0, False), (36, TICKS, 2.0, False), (36, TICKS, 4.0, False), (9, TICKS, 1.0, True), (36, TICKS, 1.0, True),
 )  # fmt: skip
 """Robots, ticks, gain, and whether trips are even. What nine robots do is what all are held to."""
 WANTED, DELIVERIES_OF_A_RUN = 2 / 3, 75
@@ -186,7 +186,7 @@ def numbers_of_scheme(one: Contestant) -> Mapping[str, float]:
     if one.way == scheme_evolution.NAME:
         evolved = scheme_evolution.kept()[one.attempt].tolist()
         return dict(zip(WRITTEN, evolved, strict=True))
-    return WRITTEN
+    return {**WRITTEN, "tolerance": one.parameters.get("tolerance", WRITTEN["tolerance"])}
 
 
 def chosen() -> Iterator[Contestant]:
@@ -196,6 +196,13 @@ def chosen() -> Iterator[Contestant]:
             yield one
     for attempt in scheme_evolution.kept():
         yield Contestant(scheme_evolution.NAME, attempt, None, {"programmed": 1.0})
+
+
+def all_judged() -> Iterator[Contestant]:
+    """Yield who is judged here: all that are chosen, and a scheme that tolerates half."""
+    yield from chosen()
+    half = WRITTEN["tolerance"] / 2
+    yield Contestant("programmed, half tolerated", 0, None, {"programmed": 1.0, "tolerance": half})
 
 
 def judge_all(
@@ -383,11 +390,11 @@ def main(arguments: Sequence[str]) -> None:
         ]
         print(report(pd.concat(parts, ignore_index=True)))
         return
-    zones = dead_zones(chosen())
+    zones = dead_zones(all_judged())
     zones.round(4).to_csv(RESULTS / "dead_zones.csv", index=False, lineterminator="\n")
     spread = spread_of_payoffs(REPORTED_ECONOMY[:WORLDS])
     spread.round(5).to_csv(RESULTS / "payoffs_at_rest.csv", index=False, lineterminator="\n")
-    table = judge_all(RESULTS / "large_groups.csv", chosen(), SETTINGS, WORLDS)
+    table = judge_all(RESULTS / "large_groups.csv", all_judged(), SETTINGS, WORLDS)
     text = report(table)
     (RESULTS / "large_groups.md").write_text(text, encoding="utf-8")
     print(zones.round(3).to_string(), spread.round(4).to_string(), text, sep="\n\n")
