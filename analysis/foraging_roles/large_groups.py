@@ -49,7 +49,8 @@ WORLDS, FEW = 32, 2
 TICKS, LONG = 60_000, 240_000
 SETTINGS = (
     (9, TICKS, 1.0, False), (18, TICKS, 1.0, False), (36, TICKS, 1.0, False),
-    (36, LONG, 1.0, False), (36, TICKS, 2.0, False), (36, TICKS, 4.0, False), (9, TICKS, 1.0, True), (36, TICKS, 1.0, True),
+    (36, LONG, 1.0, False), (36, TICKS, 2.0, False), (36, TICKS, 4.0, False),
+    (9, TICKS, 1.0, True), (36, TICKS, 1.0, True),
 )  # fmt: skip
 """Robots, ticks, gain, and whether trips are even. What nine robots do is what all are held to."""
 WANTED, DELIVERIES_OF_A_RUN = 2 / 3, 75

@@ -39,8 +39,8 @@ from .worlds import CHOOSING_ECONOMY, REPORTED_ECONOMY
 RESULTS = Path(__file__).parent / "results"
 LEAST = 1e-4
 """Of a probability: what a scheme excludes may be done by a learned mind all the same."""
-GENERATIONS, SETTINGS = 80, {"population": 20, "step": 0.3}
-WORLDS, FEW = 128, 4
+GENERATIONS, SETTINGS = 60, {"population": 20, "step": 0.3}
+WORLDS, WATCHED, FEW = 64, 24, 4
 DISTILLED, LEARNED = "distilled from", "learned"
 KEYS = ["way", "attempt", "condition"]
 
@@ -171,7 +171,7 @@ def distil_all(path: Path) -> pd.DataFrame:
     for one in learned():
         if (one.way, one.attempt) in done:
             continue
-        numbers = distilled(watched(one, CHOOSING_ECONOMY))
+        numbers = distilled(watched(one, CHOOSING_ECONOMY[:WATCHED]))
         seen = watched(one, REPORTED_ECONOMY[:WORLDS])
         share = seen.changed.sum() / seen.known.sum()
         best_constant = share * np.log(share) + (1 - share) * np.log1p(-share) if share else 0.0

@@ -38,7 +38,7 @@ from .worlds import REPORTED_ECONOMY
 
 PAYOFF = load_file(MODEL / "payoff.py")
 RESULTS = Path(__file__).parent / "results"
-WORLDS, FEW = 64, 2
+WORLDS, FEW = 32, 2
 NOTHING, TURNED = "nothing", "ratio turned round"
 SETTINGS = (
     ("1:2", 9), ("1:1:1", 9), ("2:3:4", 9), ("1:2:3", 12), ("1:2:3", 36),
