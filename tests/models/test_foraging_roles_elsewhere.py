@@ -59,24 +59,28 @@ def test_strangers_are_as_many_as_asked_for_and_decide_by_their_own_mind():
 
 def test_without_anything_else_the_worlds_are_those_of_the_model():
     seen = ["objects_a", "objects_b", "obstacles", "robots"]
-    by_thresholds = load_file(FOLDER / "thresholds.py").ForagingByThresholds(seed=5, unlearned=0)
-    elsewhere = ELSEWHERE.ForagingElsewhere(seed=5, unlearned=0)
+    by_thresholds = load_file(FOLDER / "thresholds.py").ForagingByThresholds(
+        seed=5, compiled=False, unlearned=0
+    )
+    elsewhere = ELSEWHERE.ForagingElsewhere(seed=5, compiled=False, unlearned=0)
     for model in (by_thresholds, elsewhere):
-        model.advance(40)
+        model.advance(4)
     for name in seen:
         one, other = getattr(by_thresholds, name), getattr(elsewhere, name)
         assert np.array_equal(one.x, other.x) and np.array_equal(one.y, other.y)
 
 
 def test_objects_are_farther_and_obstacles_stay_in_the_middle():
-    near = ELSEWHERE.ForagingElsewhere(seed=5, unlearned=0)
-    far = ELSEWHERE.ForagingElsewhere(seed=5, unlearned=0, reach_a=2.0, half_width=130.0)
+    near = ELSEWHERE.ForagingElsewhere(seed=5, compiled=False, unlearned=0)
+    far = ELSEWHERE.ForagingElsewhere(
+        seed=5, compiled=False, unlearned=0, reach_a=2.0, half_width=130.0
+    )
     for model in (near, far):
         model.advance(2)
     assert near.objects_a.x == pytest.approx(far.objects_a.x / 2)
     assert near.objects_b.x == pytest.approx(far.objects_b.x)
     assert near.obstacles.x == pytest.approx(far.obstacles.x)
-    cleared = ELSEWHERE.ForagingElsewhere(seed=5, unlearned=0, cleared=1)
+    cleared = ELSEWHERE.ForagingElsewhere(seed=5, compiled=False, unlearned=0, cleared=1)
     assert len(cleared.obstacles) == 0
 
 
