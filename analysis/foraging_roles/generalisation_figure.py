@@ -36,16 +36,18 @@ LEGEND = {
 }
 MARKERS = dict(LEGEND.values())
 CASES = {
-    "as it is": (1.0, False),
-    "even trips": (1.0, True),
-    "told 2 times\nas sharply": (2.0, False),
-    "told 4 times\nas sharply": (4.0, False),
+    "as\nit is": (1.0, False),
+    "trips\neven": (1.0, True),
+    "told 2×\nas sharply": (2.0, False),
+    "told 4×\nas sharply": (4.0, False),
 }
 """Gain, and whether trips are even, of panel b."""
-PARTNERED = (
-    (PICKED, 1, "programmed", 0), ("supervised_role", 1, "programmed", 0),
-    ("supervised_role", 1, "supervised_role", 3), ("delivered_narrow", 1, "programmed", 0),
-)  # fmt: skip
+PARTNERED = {
+    "picked, among programmed": (PICKED, 1, "programmed", 0),
+    "by ROLE 1, among programmed": ("supervised_role", 1, "programmed", 0),
+    "by ROLE 1, among by ROLE 3": ("supervised_role", 1, "supervised_role", 3),
+    "by deliveries 1, among programmed": ("delivered_narrow", 1, "programmed", 0),
+}
 LINES = ("-", "-", "--", "-")
 
 
@@ -93,7 +95,8 @@ def causes(axes: Axes, table: pd.DataFrame) -> None:
 
 def partners(axes: Axes, table: pd.DataFrame, alone: pd.DataFrame) -> None:
     """Show how many worlds settle again among partners never met, by how many robots are focal."""
-    for line, (way, attempt, other, other_attempt) in zip(LINES, PARTNERED, strict=True):
+    for line, (label, pair_of) in zip(LINES, PARTNERED.items(), strict=True):
+        way, attempt, other, other_attempt = pair_of
         pair = table[
             (table["way"] == way) & (table["attempt"] == attempt) & (table["partner"] == other)
             & (table["partner_attempt"] == other_attempt) & (table["situation"] == TURNED)
@@ -110,15 +113,9 @@ def partners(axes: Axes, table: pd.DataFrame, alone: pd.DataFrame) -> None:
                 found[focal] = same["within_one"].mean()
         found = found.sort_index()
         colour = COLOURS[way]
-        axes.plot(
-            found.index,
-            100 * found,
-            line,
-            color=colour,
-            marker=MARKERS[colour],
-            markersize=3,
-            lw=0.8,
-        )
+        given = {"color": colour, "marker": MARKERS[colour], "markersize": 3, "lw": 0.8}
+        axes.plot(found.index, 100 * found, line, label=label, **given)
+    axes.legend(loc="lower left", frameon=False)
     axes.set_xticks([0, 3, 6, 9])
     axes.set_xlabel("focal robots of nine")
     axes.set_ylabel("worlds within one after\nthe ratio has turned (%)")
