@@ -38,15 +38,15 @@ MARKERS = dict(LEGEND.values())
 CASES = {
     "as\nit is": (1.0, False),
     "trips\neven": (1.0, True),
-    "told 2×\nas sharply": (2.0, False),
-    "told 4×\nas sharply": (4.0, False),
+    "told 2×\nsharper": (2.0, False),
+    "told 4×\nsharper": (4.0, False),
 }
 """Gain, and whether trips are even, of panel b."""
 PARTNERED = {
-    "picked, among programmed": (PICKED, 1, "programmed", 0),
-    "by ROLE 1, among programmed": ("supervised_role", 1, "programmed", 0),
-    "by ROLE 1, among by ROLE 3": ("supervised_role", 1, "supervised_role", 3),
-    "by deliveries 1, among programmed": ("delivered_narrow", 1, "programmed", 0),
+    "picked / programmed": (PICKED, 1, "programmed", 0),
+    "ROLE 1 / programmed": ("supervised_role", 1, "programmed", 0),
+    "ROLE 1 / ROLE 3": ("supervised_role", 1, "supervised_role", 3),
+    "deliveries 1 / programmed": ("delivered_narrow", 1, "programmed", 0),
 }
 LINES = ("-", "-", "--", "-")
 
@@ -128,8 +128,8 @@ def draw(out: Path = RESULTS) -> list[Path]:
     table = read(RESULTS / "generalisation.csv")
     alone = pd.read_csv(RESULTS / "attempts.csv")
     with paper.style():
-        figure = paper.figure(paper.PAGE, 62.0)
-        first, second, third = figure.subplots(1, 3, width_ratios=(0.8, 1.25, 0.95))
+        figure = paper.figure(paper.PAGE, 70.0)
+        first, second, third = figure.subplots(1, 3, width_ratios=(0.8, 1.0, 1.0))
         groups(first, large)
         causes(second, large)
         partners(third, table[table["partner"] != ALONE], alone)
@@ -141,7 +141,8 @@ def draw(out: Path = RESULTS) -> list[Path]:
             paper.panel_title(axes, letter, title)
         for name, (colour, marker) in LEGEND.items():
             second.plot([], [], color=colour, marker=marker, markersize=3, lw=0, label=name)
-        second.legend(loc="upper left", frameon=False)
+        handles, names = second.get_legend_handles_labels()
+        figure.legend(handles, names, loc="outside lower center", ncols=5, frameon=False)
         shown = large.groupby(
             ["way", "attempt", "robots", "ticks", "gain", "even"], sort=False
         )["off"].mean()  # fmt: skip
