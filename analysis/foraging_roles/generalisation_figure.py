@@ -22,6 +22,7 @@ COLOURS = {
     "supervised_role": paper.BLUE,
     "delivered_role": paper.PURPLE,
     "delivered_narrow": paper.PURPLE,
+    "delivered_anew": paper.PURPLE,
     "programmed": paper.RED,
     "evolved_scheme": paper.RED,
     "fixed_thresholds": paper.GOLD,

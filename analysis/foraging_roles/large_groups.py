@@ -35,7 +35,7 @@ from socialmind.mind import MindDescription, Programmed
 from socialmind.mind.minds import Minds
 
 from . import scheme_evolution
-from .attempts import PICKED, SUPERVISED, Contestant, contestants
+from .attempts import PICKED, Contestant, contestants
 from .results import NINE
 from .scheme_economy import WRITTEN, SchemeWorlds
 from .threshold_scan import CONTROLLERS, Responders
@@ -54,7 +54,7 @@ SETTINGS = (
 )  # fmt: skip
 """Robots, ticks, gain, and whether trips are even. What nine robots do is what all are held to."""
 WANTED, DELIVERIES_OF_A_RUN = 2 / 3, 75
-LEFT_OUT = ("fixed roles", "random roles", "greedy", "at_once", "best of five starts")
+LEFT_OUT = ("fixed roles", "random roles", "greedy", "at_once", "thesis_role")
 KEYS = ["way", "attempt", "robots", "ticks", "gain", "even"]
 
 Floats = NDArray[np.float64]
@@ -382,7 +382,7 @@ def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
 def main(arguments: Sequence[str]) -> None:
     """Judge, keep and print."""
     if "--quick" in arguments:
-        few = [one for one in chosen() if one.way in (PICKED, "programmed", SUPERVISED)][:3]
+        few = [one for one in chosen() if one.way in (PICKED, "programmed", "supervised_role")][:3]
         parts = [
             judged(one, 9, 8000, 1.0, False, REPORTED_ECONOMY[:FEW]).assign(
                 way=one.way, attempt=one.attempt, robots=9, ticks=8000, gain=1.0, even=False

@@ -17,7 +17,7 @@ means. What was judged already is not judged again.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -43,6 +43,8 @@ GENERATIONS, SETTINGS = 60, {"population": 20, "step": 0.3}
 WORLDS, WATCHED, FEW = 64, 24, 4
 DISTILLED, LEARNED = "distilled from", "learned"
 KEYS = ["way", "attempt", "condition"]
+LESSON = "worlds of the lesson"
+CONDITIONS: Mapping[str, Mapping[str, Any]] = {LESSON: {}, **IN_THE_ECONOMY}
 
 Floats = NDArray[np.float64]
 
@@ -220,17 +222,19 @@ def entrants(table: pd.DataFrame) -> Iterator[tuple[str, int, Contestant | Float
 
 def judged(one: Contestant | Floats, condition: str, worlds: Sequence[int]) -> pd.DataFrame:
     """Return what robots come to in the economy, a row for each world."""
-    terms = IN_THE_ECONOMY[condition]
+    terms = CONDITIONS[condition]
     if isinstance(one, Contestant):
         found, minds = worlds_of(one, terms, worlds, ECONOMY.TICKS)
         while found.go_on(minds):
             pass
         within, changes = found.out_last == 0, found.late_changes()
+        cost = ECONOMY.Worlds.costs(found, ECONOMY.Terms(**terms))
     else:
         outcome = SchemeEconomy(terms).run_numbers(np.atleast_2d(one), worlds)
         within, changes = outcome.fields["within"][0], outcome.fields["changes"][0]
+        cost = -outcome.score[0]
     return pd.DataFrame(
-        {"world": list(worlds), "within_one": within.astype(int), "changes": changes}
+        {"world": list(worlds), "within_one": within.astype(int), "changes": changes, "cost": cost}
     )
 
 
@@ -241,12 +245,12 @@ def judge_all(path: Path, table: pd.DataFrame, worlds: Sequence[int]) -> pd.Data
     for way, attempt, one in entrants(table):
         rows = [
             judged(one, condition, worlds).assign(way=way, attempt=attempt, condition=condition)
-            for condition in IN_THE_ECONOMY
+            for condition in CONDITIONS
             if (way, attempt, condition) not in done
         ]
         if rows:
             found = pd.concat([found, *rows] if len(found) else rows, ignore_index=True)
-            found = found[[*KEYS, "world", "within_one", "changes"]]
+            found = found[[*KEYS, "world", "within_one", "changes", "cost"]]
             path.parent.mkdir(parents=True, exist_ok=True)
             found.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
             print(way, attempt, file=sys.stderr, flush=True)
@@ -254,16 +258,19 @@ def judge_all(path: Path, table: pd.DataFrame, worlds: Sequence[int]) -> pd.Data
 
 
 def report(found: pd.DataFrame) -> str:
-    """Return the share of worlds within one by way and condition, and the changes, as Markdown."""
-    conditions = [one for one in IN_THE_ECONOMY if one in set(found["condition"])]
+    """Return the share of worlds within one by way and condition, as Markdown.
+
+    Changes, and costs as `supervised_role` minimises them, are those of the first condition.
+    """
+    conditions = [one for one in CONDITIONS if one in set(found["condition"])]
     lines = [
-        "| way | attempts | " + " | ".join(conditions) + " | changes |",
-        "|---" * (len(conditions) + 3) + "|",
+        "| way | attempts | " + " | ".join(conditions) + " | changes | cost |",
+        "|---" * (len(conditions) + 4) + "|",
     ]
     for way, part in found.groupby("way", sort=False):
         by = dict(list(part.groupby("condition")))
         cells = [in_brackets(by[one], "within_one", ".0%") for one in conditions]
-        cells.append(in_brackets(by[conditions[0]], "changes", ".2f"))
+        cells += [in_brackets(by[conditions[0]], name, ".2f") for name in ("changes", "cost")]
         lines.append(f"| {way} | {part['attempt'].nunique()} | " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
 
