@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from scipy.stats import binomtest
+from scipy.stats import binomtest, spearmanr
 
 from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError
@@ -379,6 +379,27 @@ def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
     return f"{found.mean:{form}} ({found.low:{form}} to {found.high:{form}})"
 
 
+def by_dead_zone(table: pd.DataFrame, zones: pd.DataFrame) -> str:
+    """Return whether learned minds with wider dead zones are farther off, as a line of Markdown.
+
+    Compared are thirty-six robots on even trips, by rank.
+
+    Args:
+        table: what was judged.
+        zones: the dead zones, a row for each attempt and role.
+    """
+    many = table[(table["robots"] == 36) & (table["gain"] == 1.0) & table["even"]]
+    off = many.groupby(["way", "attempt"])["off"].mean()
+    learned = zones[zones["way"].isin([PICKED, "supervised_role"])]
+    wide = learned.groupby(["way", "attempt"])["of_36"].sum()
+    both = pd.concat([off, wide], axis=1, join="inner")
+    found = spearmanr(both["off"], both["of_36"])
+    return (
+        f"Dead zones of both roles together and robots off, of {len(both)} learned minds: "
+        f"Spearman's ρ = {found.statistic:.2f}, p = {found.pvalue:.2f}.\n"
+    )
+
+
 def main(arguments: Sequence[str]) -> None:
     """Judge, keep and print."""
     if "--quick" in arguments:
@@ -396,7 +417,7 @@ def main(arguments: Sequence[str]) -> None:
     spread = spread_of_payoffs(REPORTED_ECONOMY[:WORLDS])
     spread.round(5).to_csv(RESULTS / "payoffs_at_rest.csv", index=False, lineterminator="\n")
     table = judge_all(RESULTS / "large_groups.csv", all_judged(), SETTINGS, WORLDS)
-    text = report(table)
+    text = f"{report(table)}\n{by_dead_zone(table, zones)}"
     (RESULTS / "large_groups.md").write_text(text, encoding="utf-8")
     print(zones.round(3).to_string(), spread.round(4).to_string(), text, sep="\n\n")
 
