@@ -272,7 +272,20 @@ def report(found: pd.DataFrame) -> str:
         cells = [in_brackets(by[one], "within_one", ".0%") for one in conditions]
         cells += [in_brackets(by[conditions[0]], name, ".2f") for name in ("changes", "cost")]
         lines.append(f"| {way} | {part['attempt'].nunique()} | " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, "", *beside_written(found)]) + "\n"
+
+
+def beside_written(found: pd.DataFrame) -> list[str]:
+    """Return how much more each way costs than the written scheme, in pairs of worlds."""
+    part = found[found["condition"] == found["condition"].iloc[0]]
+    written = part[part["way"] == "written"].set_index("world")["cost"]
+    more = part.assign(more=part["cost"] - part["world"].map(written))
+    lines = ["| way | attempts | costs more than the written scheme |", "|---|---|---|"]
+    for way, rows in more[more["way"] != "written"].groupby("way", sort=False):
+        lines.append(
+            f"| {way} | {rows['attempt'].nunique()} | {in_brackets(rows, 'more', '.3f')} |"
+        )
+    return lines
 
 
 def main(arguments: Sequence[str]) -> None:
