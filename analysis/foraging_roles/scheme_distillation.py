@@ -157,6 +157,12 @@ def told_apart(found: Floats, seen: Decisions) -> float:
     return float((ranks[changed].sum() - ones * (ones + 1) / 2) / (ones * (len(values) - ones)))
 
 
+def paid_well(seen: Decisions) -> float:
+    """Return the share of changes after a payoff of 0.5 or more, which a scheme never makes."""
+    well = seen.changed & (seen.payoff >= DECIDING.AS_IT_SHOULD_BE)
+    return float(well.sum() / seen.changed.sum()) if seen.changed.any() else float("nan")
+
+
 def distilled(seen: Decisions, generations: int = GENERATIONS, seed: int = 0) -> Floats:
     """Return the numbers of the scheme that would most probably have decided so, (8,)."""
     search = optimiser_named("CMAES")(len(WRITTEN), seed, SETTINGS, np.zeros((1, len(WRITTEN))))
@@ -181,6 +187,7 @@ def distil_all(path: Path) -> pd.DataFrame:
             "way": one.way,
             "attempt": one.attempt,
             "changed": share,
+            "paid_well": paid_well(seen),
             "told_apart": told_apart(chances(numbers, seen), seen),
             "likelihood": likelihood(chances(numbers, seen), seen),
             "by_share": best_constant,
