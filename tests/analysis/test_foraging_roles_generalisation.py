@@ -1,0 +1,139 @@
+"""Large groups, partners never met and three kinds: societies are made right, and nothing twice."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from socialmind.sources.loading import load_file
+
+FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
+groups = load_file(FOLDER / "large_groups.py")
+study = load_file(FOLDER / "generalisation.py")
+kinds = load_file(FOLDER / "three_kinds.py")
+
+
+# Large groups -------------------------------------------------------------------------------------
+
+
+def test_a_payoff_told_four_times_as_sharply_is_a_quarter_of_a_tolerance():
+    one = groups.Contestant("programmed", 0, None, {"programmed": 1.0})
+    worlds, _ = groups.worlds_of(one, groups.NINE, [1, 2], 8000)
+    groups.sharpen(worlds, 4.0)
+    worlds.decided(np.array([0, 1]), np.array([0, 0]), np.zeros(2), np.array([0.48, 0.5]), None)
+    assert worlds.calling[0, 0] == pytest.approx(0.8 * 25 + 0.2 * 42)
+    assert worlds.calling[1, 0] == pytest.approx(0.8 * 25 + 0.2 * 50)
+
+
+def test_what_is_seen_agrees_with_what_worlds_count_themselves():
+    one = groups.Contestant("programmed", 0, None, {"programmed": 1.0})
+    found = groups.judged(one, 9, 12_000, 1.0, False, range(6))
+    assert (found["within_one"] == found["within_ninth"]).all()  # a ninth of nine is one
+    assert ((found["off"] <= 1) | (found["within_one"] == 0)).all()
+    many = groups.judged(one, 36, 12_000, 1.0, False, range(6))
+    assert (many["within_one"] <= many["within_ninth"]).all()
+
+
+def test_uneven_trips_move_payoffs_at_rest_as_far_in_groups_of_any_size():
+    nine, many = (groups.payoffs_at_rest(n, False, range(8), 30_000) for n in (9, 36))
+    even = groups.payoffs_at_rest(36, True, range(8), 30_000)
+    assert nine[0] > 1.5 * many[0] > 0  # what chance does within a world becomes less
+    assert many[1] > 0.75 * nine[1]  # what is between worlds does not
+    assert even[1] < many[1] / 3
+
+
+def test_a_mind_that_keeps_its_role_has_no_end_to_its_dead_zone():
+    mind = groups.MindDescription.load(groups.MODEL / "mind")
+    stay = np.zeros(39)
+    stay[21] = 1.0
+    still = mind.with_modules(skills=[mind.skill("ForageRole").changed(genome=stay)])
+    assert np.isnan(groups.dead_zone(still, True, 10))
+    assert 0 < groups.dead_zone(mind, True, 75) <= groups.dead_zone(mind, True, 5)
+
+
+def test_what_was_judged_is_not_judged_again(tmp_path, monkeypatch):
+    one = groups.Contestant("programmed", 0, None, {"programmed": 1.0})
+    path = tmp_path / "table.csv"
+    first = groups.judge_all(path, [one], [(6, 4000, 1.0, False)], 2)
+    monkeypatch.setattr(groups, "judged", None)  # it would fail
+    assert len(groups.judge_all(path, [one], [(6, 4000, 1.0, False)], 2)) == len(first) == 2
+    assert "| programmed | 1 | 6 | 4000 | 1 | False |" in groups.report(first)
+
+
+# Partners and situations --------------------------------------------------------------------------
+
+
+def test_pairs_are_of_the_minds_that_are_kept_and_each_society_is_there_once():
+    keys = [one.key for one in study.societies()]
+    assert len(set(keys)) == len(keys)
+    pairs = [one for one in study.societies() if one.partner is not None]
+    assert len(pairs) == len(study.PAIRS) * len(study.SHARES) * len(study.MET)
+
+
+def test_focal_robots_are_as_many_as_asked_for():
+    by = {one.key[:5]: one for one in study.societies() if one.partner is not None}
+    programmed = by["the model's mind", 1, "programmed", 0, 3]
+    parameters, mind = study.parameters_of(programmed)
+    assert parameters["programmed"] == pytest.approx(6 / 9) and mind is None
+    seen = {"robots.programmed": [1] * 6 + [0] * 3, "robots.stranger": [0] * 9}
+    assert study.focal_robots(programmed, seen).tolist() == [False] * 6 + [True] * 3
+    learned = by["supervised_role", 1, "supervised_role", 3, 6]
+    parameters, mind = study.parameters_of(learned)
+    assert parameters["strangers"] == pytest.approx(6 / 9)
+    focal, other = learned.focal.mind, learned.partner.mind
+    assert mind.skill("ForageRole2").genome.tolist() == focal.skill("ForageRole").genome.tolist()
+    assert mind.skill("ForageRole").genome.tolist() == other.skill("ForageRole").genome.tolist()
+    thresholds = by["programmed", 0, "fixed_thresholds", 0, 3]
+    parameters, _ = study.parameters_of(thresholds)
+    assert parameters["programmed"] == pytest.approx(3 / 9) and "lowest_threshold" in parameters
+
+
+def test_told_more_sharply_schemes_and_thresholds_are_scaled():
+    ways = {one.way: one for one in study.chosen()}
+    assert study.deciding(ways["programmed"], 4.0)[0]["tolerance"] == 1.25
+    given = groups.CONTROLLERS["fixed_thresholds"]["lowest_threshold"]
+    assert study.deciding(ways["fixed_thresholds"], 4.0)[0]["lowest_threshold"] == given / 4
+
+
+def test_words_of_the_command_choose():
+    one = next(study.societies())
+    alone = next(one for one in study.societies() if one.partner is None)
+    ways = {one.focal.way for one in study.societies()}
+    assert study.asked_for(one, set(), ways) and study.asked_for(alone, set(), ways)
+    assert study.asked_for(one, {"pairs"}, ways) and not study.asked_for(alone, {"pairs"}, ways)
+    assert not study.asked_for(alone, {"wanted 1:3"}, ways)
+    assert not study.asked_for(one, {alone.situation}, ways)
+    with pytest.raises(SystemExit, match="no way or situation 'wnted 1:3'"):
+        study.main(["wnted 1:3"])
+
+
+# Three kinds --------------------------------------------------------------------------------------
+
+
+def test_two_kinds_are_the_economy_of_two_kinds():
+    found = kinds.judged("programmed", "1:2", 9, kinds.NOTHING, range(16))
+    assert found["within_one"].mean() >= 0.75
+    nothing = kinds.PAYOFF.worth(kinds.PAYOFF.scarcity_of_a(30.0, 10.0, 2 / 3))
+    share, wanted = 10 / 40, 1 / 3
+    assert kinds.PAYOFF.worth((wanted - share) / (wanted * (1 - wanted))) == pytest.approx(nothing)
+
+
+@pytest.mark.parametrize("way", list(kinds.WAYS))
+def test_three_kinds_are_fetched_by_all_ways(way):
+    found = kinds.judged(way, "2:3:4", 9, kinds.TURNED, [1, 2], ticks=8000)
+    assert len(found) == 2 and (found["off"] >= 0).all()
+    assert set(found["within_one"]) <= {0, 1}
+
+
+def test_the_distance_of_three_kinds_is_who_would_have_to_change():
+    terms = kinds.ECONOMY.Terms(**{**kinds.NINE, "numbers": (9,)})
+    drawn = [kinds.ECONOMY.World(1, terms, 4000)]
+    worlds = kinds.Kinds(drawn, 4000, kinds.shares_of("1:1:1"), kinds.WAYS["greedy"])
+    worlds.fetches[0, :9] = [0] * 5 + [1] * 3 + [2]
+    assert worlds._off().tolist() == [2.0]
+
+
+def test_reports_tell_worlds_that_are_all_alike_with_an_interval():
+    table = pd.DataFrame({"attempt": 0, "world": range(10), "within_one": 1, "way": "x"})
+    assert groups.in_brackets(table, "within_one", ".0%") == "100% (72% to 100%)"
