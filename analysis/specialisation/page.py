@@ -99,8 +99,9 @@ def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
         html.table(societies),
         html.table(conditions),
         html.paragraph(
-            f"Each society meets the same {size.worlds} worlds under each condition, for "
-            f"{number(size.ticks, 0)} ticks. How its robots begin is drawn for each world: all in "
+            f"Each society meets the same {size.worlds} worlds under each condition, each attempt "
+            f"at a lesson the first {size.attempt_worlds} of them, for {number(size.ticks, 0)} "
+            "ticks. How its robots begin is drawn for each world: all in "
             "A, all in B, undecided, or at random; fixed roles begin in the wanted split. After "
             "each delivery a robot is told what the object was worth to all, and nothing else."
         ),

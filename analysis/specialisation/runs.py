@@ -83,8 +83,9 @@ def cells_of(size: Size) -> list[Cell]:
     every, found = tuple(CONDITIONS), []
     for one in SOCIETIES.values():
         share = float(one.parameters.get("programmed", 0.0))
+        worlds = size.attempt_worlds if one.lesson else size.worlds
         found += [
-            Cell(one.name, attempt, share, every, size.worlds, one.parameters, one.lesson)
+            Cell(one.name, attempt, share, every, worlds, one.parameters, one.lesson)
             for attempt in (attempts_at(one.lesson, size) if one.lesson else (0,))
         ]
     learned = SOCIETIES[MIXED_WITH]

@@ -183,7 +183,8 @@ class Size:
     """How much is run.
 
     Attributes:
-        worlds: for each society, attempt and condition.
+        worlds: for each society and condition where nothing was learned.
+        attempt_worlds: for each attempt at a lesson and condition, the first of these.
         ticks: of each.
         mixed_worlds: for each mixture and attempt.
         mixed: numbers of programmed robots among nine, in mixed societies.
@@ -193,6 +194,7 @@ class Size:
     """
 
     worlds: int
+    attempt_worlds: int
     ticks: int
     mixed_worlds: int
     mixed: tuple[int, ...]
@@ -207,7 +209,7 @@ class Size:
 
 
 ROBOTS = 9
-FULL = Size(20, 60_000, 5, (3, 6), None, 20, 50_000)
-QUICK = Size(4, 20_000, 2, (3,), 2, 4, 20_000)
+FULL = Size(20, 10, 60_000, 5, (3, 6), None, 20, 50_000)
+QUICK = Size(4, 2, 20_000, 2, (3,), 2, 4, 20_000)
 SEED = 6001
 """The seed of the first world of robots; worlds in which nothing was trained or chosen."""

@@ -21,7 +21,7 @@ claims, farmers, page_module, report, runs, societies, tables, worlds = (
     for name in ("claims", "farmers", "page", "report", "runs", "societies", "tables", "worlds")
 )
 RESAMPLES = 200  # enough to see that intervals are the same
-TINY = societies.Size(2, 2000, 2, (3,), 2, 2, 1500)
+TINY = societies.Size(2, 2, 2000, 2, (3,), 2, 2, 1500)
 COMMAND = "socialmind reproduce specialisation --quick"
 PARTS = ("summary", "attempts", *societies.CONDITIONS, "mixed", "farmers", "limits")
 
