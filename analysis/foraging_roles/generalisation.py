@@ -27,7 +27,7 @@ from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription
 
 from . import scheme_evolution
-from .attempts import PICKED, TICKS, Contestant
+from .contestants import PICKED, TICKS, Contestant
 from .large_groups import chosen, in_brackets
 from .scheme_economy import WRITTEN, scheme_of
 from .trainings import MODEL

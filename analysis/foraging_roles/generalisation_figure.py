@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from socialmind.drawing import style as paper
 from socialmind.experiments.studies import write_figure
 
-from .attempts import PICKED
+from .contestants import PICKED
 from .generalisation import ALONE, NINE, TURNED, read
 from .large_groups import RESULTS, TICKS
 

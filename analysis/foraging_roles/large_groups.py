@@ -35,7 +35,7 @@ from socialmind.mind import MindDescription, Programmed
 from socialmind.mind.minds import Minds
 
 from . import scheme_evolution
-from .attempts import PICKED, Contestant, contestants
+from .contestants import PICKED, Contestant, contestants
 from .results import NINE
 from .scheme_economy import WRITTEN, SchemeWorlds
 from .threshold_scan import CONTROLLERS, Responders

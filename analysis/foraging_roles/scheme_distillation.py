@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from socialmind.learning.optimisers.registry import optimiser_named
 
 from . import scheme_evolution
-from .attempts import Contestant
+from .contestants import Contestant
 from .large_groups import chosen, in_brackets, worlds_of
 from .results import IN_THE_ECONOMY
 from .scheme_economy import DECIDING, WRITTEN, SchemeEconomy, chance, numbers_of, reinforced

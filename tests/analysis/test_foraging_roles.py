@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import pytest
 
 from socialmind.errors import SocialmindError
@@ -19,7 +18,7 @@ results = load_file(FOLDER / "results.py")
 scanning = load_file(FOLDER / "scheme_scan.py")
 studies = load_file(FOLDER / "studies.py").studies
 role_trainings = load_file(FOLDER / "role_trainings.py")
-attempts = load_file(FOLDER / "attempts.py")
+contestants = load_file(FOLDER / "contestants.py")
 worlds = load_file(FOLDER / "worlds.py")
 STAY = np.zeros(39)
 STAY[21] = 1.0  # the influence on the role as it is
@@ -135,36 +134,10 @@ def test_worlds_for_choosing_and_reporting_are_apart():
     assert min(seeds_for(100, "world", worlds.TRAINING)) > 10_000
 
 
-# Attempts -----------------------------------------------------------------------------------------
-
-
-def test_attempts_are_reported_side_by_side_and_over_trainings_and_worlds():
-    rows = [
-        ("learned", attempt, "undisturbed", world, int(attempt == 1), 0.5 * attempt, 800, 600)
-        for attempt in (1, 2)
-        for world in (1, 2, 3)
-    ]
-    rows.append((attempts.PICKED, 1, "undisturbed", 1, 1, 0.1, 700, 610))
-    table = pd.DataFrame(rows, columns=[*attempts.KEYS, *attempts.JUDGED])
-    text = attempts.report(table)
-    assert "| learned | 1 | 3 | 100% | 0.50 | 600 |" in text
-    assert "| learned | 2 | 3 | 0% | 1.00 | 600 |" in text
-    assert "(picked) | 1 | 1 | 100% | 0.10 | 610 |" in text
-    assert "| learned | 2 | undisturbed | 50% | 0% to 100% | 0%, 100% |" in text
-
-
-def test_a_way_is_judged_by_what_is_brought_and_not_judged_again(tmp_path, monkeypatch):
-    one = attempts.Contestant("fixed roles", 0, None, {"unlearned": 1, "foragers": 3})
-    monkeypatch.setattr(attempts, "contestants", lambda: iter([one]))
-    path = tmp_path / "attempts.csv"
-    first = attempts.judge_all(path, [6001], ticks=2500)
-    assert first["condition"].tolist() == list(attempts.CONDITIONS)
-    assert (first["changes"] == 0).all() and (first["delivered"] > 3).all()
-    monkeypatch.setattr(attempts, "judged", None)  # it would fail
-    assert len(attempts.judge_all(path, [6001], ticks=2500)) == len(first)
+# Contestants --------------------------------------------------------------------------------------
 
 
 def test_all_kept_attempts_are_judged_and_the_picked_one_among_them():
-    ways = [(one.way, one.attempt) for one in attempts.contestants()]
+    ways = [(one.way, one.attempt) for one in contestants.contestants()]
     assert len(set(ways)) == len(ways)
-    assert {(attempts.PICKED, 1), ("supervised_role", 3), ("fixed_thresholds", 0)} <= set(ways)
+    assert {(contestants.PICKED, 1), ("supervised_role", 3), ("fixed_thresholds", 0)} <= set(ways)
