@@ -21,7 +21,7 @@ from typing import Any, Protocol, Self
 from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.work.packing import packed, unpacked
-from socialmind.work.processes import dismiss, pool
+from socialmind.work.processes import LostProcessError, ProcessExecutor
 
 LOOK_SECONDS = 0.2
 """How long it may take until a wish to stop is heard."""
@@ -31,6 +31,8 @@ AHEAD = 4
 """Jobs for each worker that are taken before their turn, so that none is ever idle."""
 
 Stop = Callable[[], bool]
+Instead = Callable[[Any, BaseException], Any]
+"""Gives what comes of a job whose worker was lost: of the job, and the error that says so."""
 Job = tuple[int, Any]
 """A job and its number."""
 
@@ -98,13 +100,29 @@ class Workers(ABC):
         """
         return (result for _, result in self._done(task, jobs, stop, in_order=True))
 
-    def finished(self, task: Task, jobs: Iterable[Any], stop: Stop = never) -> Iterator[Job]:
-        """Yield the number of each job, from 0, and what came of it, as they are done."""
-        return self._done(task, jobs, stop, in_order=False)
+    def finished(
+        self, task: Task, jobs: Iterable[Any], stop: Stop = never, instead: Instead | None = None
+    ) -> Iterator[Job]:
+        """Yield the number of each job, from 0, and what came of it, as they are done.
+
+        Jobs may be added while others are done: an iterator that has no more is asked again.
+
+        Args:
+            task: what the jobs have in common.
+            jobs: any number of them.
+            stop: asked now and then whether to drop the work.
+            instead: gives what comes of a job whose worker was lost; by default it is done again.
+        """
+        return self._done(task, jobs, stop, False, instead)
 
     @abstractmethod
     def _done(
-        self, task: Task, jobs: Iterable[Any], stop: Stop, in_order: bool
+        self,
+        task: Task,
+        jobs: Iterable[Any],
+        stop: Stop,
+        in_order: bool,
+        instead: Instead | None = None,
     ) -> Iterator[tuple[int, Any]]:
         """Yield the number of each job and what came of it."""
 
@@ -116,7 +134,12 @@ class _Pool(Workers):
     """The errors that say that a worker was lost."""
 
     def _done(
-        self, task: Task, jobs: Iterable[Any], stop: Stop, in_order: bool
+        self,
+        task: Task,
+        jobs: Iterable[Any],
+        stop: Stop,
+        in_order: bool,
+        instead: Instead | None = None,
     ) -> Iterator[tuple[int, Any]]:
         self._take_on(task)
         coming = enumerate(jobs)
@@ -125,20 +148,15 @@ class _Pool(Workers):
         given: dict[futures.Future[Any], Job] = {}
         done: dict[int, Any] = {}
         following = 0
-        broken = False
         try:
             while True:
-                while not broken and len(given) + len(done) < AHEAD * self.count:
+                while len(given) + len(done) < AHEAD * self.count:
                     job = again.pop() if again else next(coming, None)
                     if job is None:
                         break
-                    broken = not self._give(task, job, given, again, losses)
+                    given[self._submit(task, job[1])] = job
                 if not given:
-                    if not broken:
-                        return
-                    self._replace()
-                    broken = False
-                    continue
+                    return
                 finished, _ = futures.wait(given, LOOK_SECONDS, futures.FIRST_COMPLETED)
                 if stop():
                     raise Stopped
@@ -146,31 +164,17 @@ class _Pool(Workers):
                     job = given.pop(future)
                     try:
                         done[job[0]] = future.result()
-                    except self.lost:
-                        broken = True
-                        _put_back(job, again, losses)
+                    except self.lost as error:
+                        if instead is not None:
+                            done[job[0]] = instead(job[1], error)
+                        else:
+                            _put_back(job, again, losses)
                 while done and (not in_order or following in done):
                     number = following if in_order else next(iter(done))
                     yield number, done.pop(number)
                     following += 1
         finally:
             self._drop(given)
-
-    def _give(
-        self,
-        task: Task,
-        job: Job,
-        given: dict[futures.Future[Any], Job],
-        again: list[Job],
-        losses: Counter[int],
-    ) -> bool:
-        """Give a job to a worker, and return whether there was one to take it."""
-        try:
-            given[self._submit(task, job[1])] = job
-        except self.lost:
-            _put_back(job, again, losses)
-            return False
-        return True
 
     @abstractmethod
     def _submit(self, task: Task, job: Any) -> futures.Future[Any]:
@@ -179,9 +183,6 @@ class _Pool(Workers):
     @abstractmethod
     def _take_on(self, task: Task) -> None:
         """Make ready for a task's jobs."""
-
-    def _replace(self) -> None:  # most are not lost
-        """Have others in the place of lost workers."""
 
     def _drop(self, given: Iterable[futures.Future[Any]]) -> None:
         """Give up jobs that are not done."""
@@ -206,7 +207,12 @@ class Alone(Workers):
     count = 1
 
     def _done(
-        self, task: Task, jobs: Iterable[Any], stop: Stop, in_order: bool
+        self,
+        task: Task,
+        jobs: Iterable[Any],
+        stop: Stop,
+        in_order: bool,
+        instead: Instead | None = None,
     ) -> Iterator[tuple[int, Any]]:
         worker = task.worker()
         for number, job in enumerate(jobs):
@@ -307,26 +313,22 @@ class Processes(_Elsewhere):
         count: how many.
     """
 
-    lost = (futures.BrokenExecutor,)
+    lost = (LostProcessError,)
 
     def __init__(self, count: int) -> None:
         super().__init__()
         self._count = count
         self._folder = tempfile.TemporaryDirectory()
-        self._executor = pool(count, self._folder.name)
+        self._executor = ProcessExecutor(count, self._folder.name)
 
     @property
     def count(self) -> int:
         """How many they are."""
         return self._count
 
-    def _replace(self) -> None:
-        dismiss(self._executor)
-        self._executor = pool(self._count, self._folder.name)
-
     def close(self) -> None:
         """Let them go, whatever they are at."""
-        dismiss(self._executor)
+        self._executor.shutdown()
         self._folder.cleanup()
 
 

@@ -110,6 +110,43 @@ def test_a_job_that_ends_each_of_its_processes_is_given_up(killed, tmp_path, mon
         list(workers.results(killed, [0]))
 
 
+def test_a_lost_process_takes_one_job_with_it(killed, tmp_path):
+    (tmp_path / "3").write_text("9")
+    lost = []
+
+    def instead(job, error):
+        lost.append((job, error.code))
+        return "lost"
+
+    with Processes(2) as workers:
+        found = dict(workers.finished(killed, range(9), instead=instead))
+    assert found == {n: "lost" if n == 3 else n for n in range(9)}
+    assert lost == [(3, -9)]
+
+
+def test_jobs_can_be_added_while_others_are_done(killed):
+    class Coming:
+        waiting = [1]
+
+        def __iter__(self):
+            return self
+
+        def __next__(self):
+            if not self.waiting:
+                raise StopIteration
+            return self.waiting.pop()
+
+    for kind in (Alone, lambda: Processes(2)):
+        jobs, found = Coming(), []
+        jobs.waiting = [1]
+        with kind() as workers:
+            for _, result in workers.finished(killed, jobs):
+                found.append(result)
+                if result < 4:
+                    jobs.waiting.append(result + 1)
+        assert found == [1, 2, 3, 4]
+
+
 def test_who_stops_is_heard_and_so_are_the_workers():
     task = Endless()
     with Threads(2) as workers, pytest.raises(Stopped):
