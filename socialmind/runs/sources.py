@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from socialmind.catalogue import load_model, load_script
 from socialmind.errors import SocialmindError
@@ -20,6 +20,26 @@ if TYPE_CHECKING:
     from socialmind.runs.capsule import Capsule
 
     HierarchyArgument = str | Path | MindDescription | Mapping[str, Any] | None
+
+
+class Made(Protocol):
+    """A folder of what was made with a model: a run's, or a sweep's."""
+
+    @property
+    def folder(self) -> Path:
+        """Where it lies."""
+
+    @property
+    def manifest(self) -> Any:
+        """Its ``model``, ``schemes``, ``minds`` and ``versions``."""
+
+    @property
+    def schemes(self) -> dict[str, Path]:
+        """Its copies of schemes, by their names in the manifest."""
+
+    @property
+    def minds(self) -> dict[str, Path]:
+        """Its copies of minds likewise."""
 
 
 def model_source(model_class: type[Model]) -> dict[str, Any]:
@@ -53,7 +73,7 @@ def with_late_reads(record: dict[str, Any], model_class: type[Model]) -> dict[st
     return {**record, "sources": {**sources, "files": {**sources["files"], **found}}}
 
 
-def recorded_folder(capsule: Capsule) -> Path | None:
+def recorded_folder(capsule: Made) -> Path | None:
     """The folder of a run's model: where it stood, or the one of that name that ships."""
     name, path = capsule.manifest.model["name"], capsule.manifest.model["path"]
     if path is not None and (Path(path) / MODEL_FILE).is_file():
@@ -61,13 +81,13 @@ def recorded_folder(capsule: Capsule) -> Path | None:
     return catalogue().get(name or "")
 
 
-def _script(capsule: Capsule) -> Path | None:
+def _script(capsule: Made) -> Path | None:
     """The script that defines a run's model, where it stood."""
     path = capsule.manifest.model["path"]
     return Path(path) if path is not None and Path(path).is_file() else None
 
 
-def recorded_class(capsule: Capsule, kept: bool = False, trust: bool = False) -> type[Model]:
+def recorded_class(capsule: Made, kept: bool = False, trust: bool = False) -> type[Model]:
     """The model class of a run, loaded from where its manifest says, or from the run's copies.
 
     Args:
@@ -96,7 +116,7 @@ def recorded_class(capsule: Capsule, kept: bool = False, trust: bool = False) ->
     raise SocialmindError(f"{capsule.folder}: its model {record['name']} {where}; {remedy}")
 
 
-def _with_minds(capsule: Capsule, cls: type[Model], trust: bool) -> type[Model]:
+def _with_minds(capsule: Made, cls: type[Model], trust: bool) -> type[Model]:
     """The class, whose minds may lie beside its folder."""
     for population in cls.populations.values():
         if isinstance(population.hierarchy, str | Path):
@@ -105,7 +125,7 @@ def _with_minds(capsule: Capsule, cls: type[Model], trust: bool) -> type[Model]:
     return cls
 
 
-def _kept_class(capsule: Capsule, path: Path | None, trust: bool) -> type[Model]:
+def _kept_class(capsule: Made, path: Path | None, trust: bool) -> type[Model]:
     home = capsule.folder / KEPT
     if path is None or not home.is_dir():
         raise SocialmindError(
@@ -121,7 +141,7 @@ def _kept_class(capsule: Capsule, path: Path | None, trust: bool) -> type[Model]
         return load_script(home / "model" / path.name, capsule.manifest.model["name"])
 
 
-def require_minds(capsule: Capsule, trust: bool) -> None:
+def require_minds(capsule: Made, trust: bool) -> None:
     """Refuse unknown programs in a run's copies of its minds, unless they are trusted.
 
     Raises:
@@ -131,7 +151,7 @@ def require_minds(capsule: Capsule, trust: bool) -> None:
         require(programs_in(path), trust, f"{capsule.folder}: its copy of a mind")
 
 
-def changes_since(capsule: Capsule, model_class: type[Model]) -> str | None:
+def changes_since(capsule: Made, model_class: type[Model]) -> str | None:
     """What differs between the run's model or schemes and the files as they are, or None."""
     record = capsule.manifest.model
     if _is_kept(capsule, model_class):
@@ -176,7 +196,7 @@ def what_was_edited(record: Mapping[str, Any], place: Path) -> str | None:
     return None
 
 
-def _is_kept(capsule: Capsule, model_class: type[Model]) -> bool:
+def _is_kept(capsule: Made, model_class: type[Model]) -> bool:
     """Return whether a class was loaded from a run's own copies."""
     file = file_of_class(model_class)
     return file is not None and file.is_relative_to(capsule.folder / KEPT)
@@ -199,6 +219,36 @@ def model_of(
         trust: run programs that this user has neither named nor run before.
 
     Raises:
+        SocialmindError: as `checked_class`.
+    """
+    manifest = capsule.manifest
+    return checked_class(capsule, model_class, kept, trust)(
+        seed=manifest.seed,
+        compiled=manifest.compiled if compiled is None else compiled,
+        scheme=capsule.schemes or None,
+        hierarchy=capsule.minds or None,
+        **physics_of(manifest.engine),
+        **manifest.parameters,
+    )
+
+
+def checked_class(
+    capsule: Made,
+    model_class: type[Model] | None = None,
+    kept: bool = False,
+    trust: bool = False,
+    what: str = "run",
+) -> type[Model]:
+    """The class of a run's or a sweep's model, which is what it was made with.
+
+    Args:
+        capsule: the run or sweep.
+        model_class: its class; loaded from where the manifest says by default.
+        kept: load the class from the copies that the run keeps.
+        trust: run programs that this user has neither named nor run before.
+        what: "run" or "sweep".
+
+    Raises:
         SocialmindError: the model is missing, or it, its scheme or socialmind was changed since;
             or model or minds hold unknown programs.
     """
@@ -214,20 +264,13 @@ def model_of(
         cls = recorded_class(capsule, kept, trust)
     changed = changed or (None if cls is None else changes_since(capsule, cls))
     if changed or cls is None:
-        remedies = ["put the old file back", "start another run"]
+        remedies = ["put the old file back", f"start another {what}"]
         if (capsule.folder / KEPT).is_dir():
-            remedies.insert(1, "take the run's own copies (--source kept)")
+            remedies.insert(1, f"take the {what}'s own copies (--source kept)")
         remedy = f"{', '.join(remedies[:-1])}, or {remedies[-1]}"
         raise SocialmindError(f"{changed}; {remedy}")
-    folders.refuse_other_version(capsule.folder, "run", manifest.versions)
-    return cls(
-        seed=manifest.seed,
-        compiled=manifest.compiled if compiled is None else compiled,
-        scheme=capsule.schemes or None,
-        hierarchy=capsule.minds or None,
-        **physics_of(manifest.engine),
-        **manifest.parameters,
-    )
+    folders.refuse_other_version(capsule.folder, what, manifest.versions)
+    return cls
 
 
 def physics_of(engine: str) -> dict[str, Any]:

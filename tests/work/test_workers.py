@@ -126,7 +126,8 @@ def test_a_lost_process_takes_one_job_with_it(killed, tmp_path):
 
 def test_jobs_can_be_added_while_others_are_done(killed):
     class Coming:
-        waiting = [1]
+        def __init__(self):
+            self.waiting = [1]
 
         def __iter__(self):
             return self
@@ -138,7 +139,6 @@ def test_jobs_can_be_added_while_others_are_done(killed):
 
     for kind in (Alone, lambda: Processes(2)):
         jobs, found = Coming(), []
-        jobs.waiting = [1]
         with kind() as workers:
             for _, result in workers.finished(killed, jobs):
                 found.append(result)

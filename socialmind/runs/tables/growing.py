@@ -109,7 +109,7 @@ class GrowingTable:
             return
         import pyarrow.parquet as pq
 
-        table = _arrow_table(self._waiting, self.source)
+        table = arrow_table(self._waiting, self.source)
         for field in table.schema:
             before = self._types.get(field.name, field.type)
             self._types[field.name] = common_type(before, field.type, self.source, field.name)
@@ -191,7 +191,7 @@ def _refuse_unless_tick(values: Any, tick: int, where: str) -> None:
         )
 
 
-def _arrow_table(records: Sequence[Columns], name: str) -> pa.Table:
+def arrow_table(records: Sequence[Columns], name: str) -> pa.Table:
     """The rows of several ticks as one Arrow table."""
     import pyarrow as pa
 

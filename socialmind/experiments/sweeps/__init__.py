@@ -1,0 +1,1 @@
+"""Sweeps: a model at many points of a design, with replicates, as one folder."""

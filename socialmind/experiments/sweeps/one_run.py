@@ -1,0 +1,222 @@
+"""One run of a sweep, in memory: begun at a point with a seed, ticked, recorded and measured."""
+
+from __future__ import annotations
+
+import inspect
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from socialmind.errors import SocialmindError
+from socialmind.experiments.sweeps.measures_of_runs import AMeasure, Recorded, of_series
+from socialmind.experiments.sweeps.settings import Settings
+from socialmind.runs.folders import FAILED, FINISHED
+from socialmind.sources.loading import failure_in_model
+from socialmind.work.workers import Stopped, never
+
+if TYPE_CHECKING:
+    from socialmind.model import Model
+
+TIMED_OUT = "timed_out"
+PIECE_SECONDS = 0.1
+"""After about so long of ticks a run looks whether it is to stop, or has had its time."""
+
+Columns = dict[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Common:
+    """What all runs of a sweep have in common.
+
+    Attributes:
+        model_class: the model.
+        settings: what a point sets.
+        ticks: length of a run.
+        every: ticks between two rows of the series.
+        keeps_series: whether the series goes into a table.
+        agents_every: ticks between two records of the agents; 0 for the end alone, None for none.
+        measures: by name.
+        timeout: seconds that a run may take; None for any.
+        compiled: whether rules run compiled.
+    """
+
+    model_class: type[Model]
+    settings: Settings
+    ticks: int
+    every: int
+    keeps_series: bool
+    agents_every: int | None
+    measures: Mapping[str, AMeasure]
+    timeout: float | None = None
+    compiled: bool = True
+
+    @property
+    def samples(self) -> bool:
+        """Whether the series is asked for before the end."""
+        return self.keeps_series or any(of_series(one) for one in self.measures.values())
+
+    def begin(self, seed: int, values: Sequence[Any]) -> Model:
+        """Return the society of a run before its first tick.
+
+        Args:
+            seed: of the run.
+            values: of the design's columns.
+        """
+        return self.model_class(
+            seed=seed, compiled=self.compiled, **self.settings.arguments(values)
+        )
+
+
+@dataclass
+class Outcome:
+    """What a run came to.
+
+    Attributes:
+        run: its number.
+        status: `FINISHED`, `FAILED` or `TIMED_OUT`.
+        error: what went wrong, with the stage, in one line.
+        ticks: how many were done.
+        final: the last row of the series.
+        measured: the measures, those that there are.
+        series: the rows of the series, an array or list for each column, with `tick`.
+        agents: the records of the agents, one for each recorded tick, with `tick`.
+    """
+
+    run: int
+    status: str = FINISHED
+    error: str | None = None
+    ticks: int = 0
+    final: Mapping[str, Any] = field(default_factory=dict)
+    measured: dict[str, Any] = field(default_factory=dict)
+    series: Columns | None = None
+    agents: list[Columns] = field(default_factory=list)
+
+
+class _TimeoutError(Exception):
+    pass
+
+
+class OneRun:
+    """Does runs, one after another.
+
+    Args:
+        common: what they have in common.
+        stop: asked now and then whether to drop the run in hand.
+    """
+
+    def __init__(self, common: Common, stop: Callable[[], bool] = never) -> None:
+        self._common = common
+        self._stop = stop
+        self._piece = 1
+        self._until = 0.0
+
+    def done(self, run: int, seed: int, values: Sequence[Any]) -> Outcome:
+        """Do a run, and return what it came to, whatever went wrong.
+
+        Raises:
+            Stopped: it is to be dropped.
+        """
+        common, outcome = self._common, Outcome(run)
+        self._until = time.perf_counter() + (common.timeout or 0.0)
+        stage, model = "setup", None
+        try:
+            model = common.begin(seed, values)
+            stage = "run"
+            seen = self._ticked(model, outcome)
+            outcome.ticks = model.tick
+            stage = "measure"
+            for name, one in common.measures.items():
+                outcome.measured[name] = one.value(seen)
+            outcome.final = {name: plain(value) for name, value in seen.rows[-1].items()}
+            if common.keeps_series:
+                outcome.series = {"tick": np.array(seen.ticks, np.int64), **_columns(seen.rows)}
+        except Stopped:
+            raise
+        except _TimeoutError:
+            outcome = Outcome(run, TIMED_OUT, f"took longer than {common.timeout:g} s")
+        except MemoryError:
+            outcome = Outcome(run, FAILED, f"{stage}: not enough memory")
+        except Exception as error:
+            outcome = Outcome(run, FAILED, f"{stage}: {self._said(error, model)}")
+            outcome.ticks = 0 if model is None else model.tick
+        return outcome
+
+    def _ticked(self, model: Model, outcome: Outcome) -> Recorded:
+        """Let a society run to its end, and return what was seen of it."""
+        common, seen = self._common, Recorded(model, [], [])
+        steps = [common.every] if common.samples else []
+        steps += [common.agents_every] if common.agents_every else []
+        length = common.ticks
+        while True:
+            tick = model.tick
+            if model.stopped:
+                length = tick
+            over = tick >= length
+            if over or (common.samples and tick % common.every == 0):
+                seen.ticks.append(tick)
+                seen.rows.append(_row(model, common.model_class))
+            if common.agents_every is not None and (
+                over or (common.agents_every and tick % common.agents_every == 0)
+            ):
+                columns = {name: _kept(one) for name, one in model.agents().items()}
+                outcome.agents.append({"tick": tick, **columns})
+            if over:
+                return seen
+            self._advance(model, min(length, *(tick - tick % k + k for k in steps), length))
+
+    def _advance(self, model: Model, end: int) -> None:
+        """Advance to a tick, in pieces: between two the run can be dropped."""
+        while model.tick < end and not model.stopped:
+            count = min(self._piece, end - model.tick)
+            begin = time.perf_counter()
+            model.advance(count)
+            now = time.perf_counter()
+            if self._stop():
+                raise Stopped
+            if self._common.timeout is not None and now > self._until:
+                raise _TimeoutError
+            if count == self._piece and now - begin < PIECE_SECONDS / 4:
+                self._piece *= 4
+            elif now - begin > PIECE_SECONDS and count > 1:
+                self._piece = max(1, count // 2)
+
+    def _said(self, error: Exception, model: Model | None) -> str:
+        """Return what went wrong in one line, with the place in the model's files."""
+        if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
+            return str(error)
+        path = Path(inspect.getfile(self._common.model_class))
+        doing = "its beginning" if model is None else f"the run at tick {model.tick}"
+        return str(failure_in_model(error, path, doing))
+
+
+def _row(model: Model, model_class: type[Model]) -> Mapping[str, Any]:
+    row = model.series()
+    if not isinstance(row, Mapping):
+        raise SocialmindError(
+            f"{model_class.__name__}.series() gave {type(row).__name__}; expected a dictionary"
+        )
+    return row
+
+
+def _columns(rows: Sequence[Mapping[str, Any]]) -> Columns:
+    names = tuple(rows[0])
+    for row in rows:
+        if tuple(row) != names:
+            raise SocialmindError(
+                f"series() gave the columns {', '.join(row)} after {', '.join(names)}; "
+                "give the same at every tick"
+            )
+    return {name: [row[name] for row in rows] for name in names if name != "tick"}
+
+
+def _kept(column: Any) -> Any:
+    return column.copy() if isinstance(column, np.ndarray) else list(column)
+
+
+def plain(value: Any) -> Any:
+    """Return a value of NumPy as Python's."""
+    return value.item() if isinstance(value, np.generic) else value
