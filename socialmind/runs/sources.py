@@ -172,7 +172,7 @@ def changes_since(capsule: Made, model_class: type[Model]) -> str | None:
     for population, path in capsule.minds.items():
         if not path.is_dir():
             return f"{path}: the run's copy of its mind is missing"
-        if _hash_of(files_in(path)) != capsule.manifest.minds[population]["sha256"]:
+        if hash_of(files_in(path)) != capsule.manifest.minds[population]["sha256"]:
             return f"{path}: the run's copy of its mind was changed"
     return None
 
@@ -295,7 +295,7 @@ def mind_copies(model: Model) -> tuple[dict[str, dict[str, str]], dict[str, byte
 
         found = files_of(assembly.description)
         folder = f"minds/{population}"
-        name, sha256 = assembly.description.name, _hash_of(found)
+        name, sha256 = assembly.description.name, hash_of(found)
         remember({path: content for path, content in found.items() if path.endswith(".py")})
         records[population] = {"name": name, "folder": folder, "sha256": sha256}
         files |= {f"{folder}/{path}": content for path, content in found.items()}
@@ -312,6 +312,7 @@ def files_in(folder: Path) -> dict[str, bytes]:
     }
 
 
-def _hash_of(files: Mapping[str, bytes]) -> str:
+def hash_of(files: Mapping[str, bytes]) -> str:
+    """Return a hash of files, by their names and contents."""
     whole = "".join(f"{name} {digest(content)}\n" for name, content in sorted(files.items()))
     return digest(whole.encode())

@@ -115,6 +115,20 @@ class Expression:
         found = [_column_of(node) for node in ast.walk(tree) if id(node) not in called]
         return tuple(dict.fromkeys(one for one in found if one is not None))
 
+    def check_names(self, source: Source) -> None:
+        """Refuse columns and fields that there are not.
+
+        Raises:
+            SocialmindError: says which, and what there is.
+        """
+        tree = self._tree()
+        called = {id(one.func) for one in ast.walk(tree) if isinstance(one, ast.Call)}
+        called |= {id(one.value) for one in ast.walk(tree) if isinstance(one, ast.Attribute)}
+        for node in ast.walk(tree):
+            named = isinstance(node, ast.Attribute) or _column_of(node) is not None
+            if named and id(node) not in called and isinstance(node, ast.expr):
+                self._value(node, source)
+
     def value(self, source: Source) -> float | int | bool:
         """Return the measure of a run.
 
@@ -144,7 +158,9 @@ class Expression:
             return _parsed(self.text.strip())
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
             place = getattr(error, "offset", None) or 1
-            raise self._error(f"not an expression ({getattr(error, 'msg', error)})", place) from None
+            raise self._error(
+                f"not an expression ({getattr(error, 'msg', error)})", place
+            ) from None
 
     def _error(self, what: str, node: ast.AST | int, remedy: str | None = None) -> SocialmindError:
         at = node if isinstance(node, int) else getattr(node, "col_offset", 0) + 1
@@ -168,9 +184,7 @@ class Expression:
                 func=ast.Name(id="series"), args=[ast.Constant(value=str())], keywords=[]
             ):
                 return
-            case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if (
-                name in FUNCTIONS
-            ):
+            case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in FUNCTIONS:
                 low, high = FUNCTIONS[name][1]
                 if not low <= len(arguments) <= high:
                     wanted = f"{low}" if low == high else f"{low} to {high}"
@@ -225,8 +239,9 @@ class Expression:
         match node:
             case ast.Constant(value=value):
                 return value
-            case ast.Name(id=name) | ast.Call(
-                func=ast.Name(id="series"), args=[ast.Constant(value=str(name))]
+            case (
+                ast.Name(id=name)
+                | ast.Call(func=ast.Name(id="series"), args=[ast.Constant(value=str(name))])
             ):
                 return self._taken(node, lambda: source.column(name), name, "series")
             case ast.Attribute(value=ast.Name(), attr=field):
@@ -324,4 +339,3 @@ def _said(node: ast.expr) -> str:
         ast.NamedExpr: "an assignment", ast.Starred: "a star",
     }  # fmt: skip
     return names.get(type(node), type(node).__name__)
-

@@ -191,4 +191,3 @@ def _in_group(group: Group, word: Word, value: Any) -> Group:
         for role in group.roles
     )
     return replace(group, roles=roles)
-

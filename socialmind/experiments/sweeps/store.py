@@ -89,7 +89,7 @@ class Store:
             pieces = [one for one in tables.get(name, []) if one.num_columns]
             if not pieces:
                 continue
-            rows = _sorted(_together(pieces, name))
+            rows = _sorted(together(pieces))
             with replacing(self._part(name, self._next)) as file:
                 pq.write_table(rows, file, row_group_size=ROW_GROUP, compression="zstd")
                 file.flush()
@@ -329,7 +329,8 @@ def _cast(rows: pa.Table, schema: pa.Schema) -> pa.Table:
     return pa.Table.from_arrays(columns, schema=schema)
 
 
-def _together(pieces: Sequence[pa.Table], name: str) -> pa.Table:
+def together(pieces: Sequence[pa.Table]) -> pa.Table:
+    """Return the rows of several tables as one, with the columns of all."""
     import pyarrow as pa
 
     names = dict.fromkeys(n for one in pieces for n in one.column_names)

@@ -1,0 +1,198 @@
+"""What workers are sent: a few runs at a time, each a number, a seed and a point's values."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from multiprocessing import parent_process
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from socialmind.errors import IdleWarning, SocialmindError
+from socialmind.experiments.sweeps.columns import ERROR, RUN, STATUS, TICKS, Names
+from socialmind.experiments.sweeps.one_run import Common, OneRun, Outcome
+from socialmind.runs.folders import FAILED
+from socialmind.runs.tables import AGENTS, SERIES, arrow_table
+from socialmind.work.workers import Stop, never
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+OVERTIME = 75
+"""The exit code of a process that ended itself, since a run in it went on and on."""
+PATIENCE = 2.0
+"""Seconds beyond its time that a run may take to notice, before its process ends."""
+
+RunJob = tuple[int, int, tuple[Any, ...]]
+"""A run's number, its seed, and the values at its point."""
+
+
+@dataclass
+class Done:
+    """What came of the runs of a job.
+
+    Attributes:
+        rows: of the runs' table: `run`, `status`, `error`, `ticks`, ends of the series, measures.
+        tables: the series and the agents, as Arrow streams.
+        seconds: that they took.
+    """
+
+    rows: list[dict[str, Any]] = field(default_factory=list)
+    tables: dict[str, bytes] = field(default_factory=dict)
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """The runs of a sweep as a task of workers.
+
+    Args:
+        common: what the runs have in common.
+        names: of the columns.
+        stop: asked by a worker in this process whether to drop the run in hand.
+    """
+
+    common: Common
+    names: Names
+    stop: Stop = never
+
+    def worker(self) -> RunWorker:
+        """Return a worker."""
+        return RunWorker(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Task, (self.common, self.names)
+
+
+class RunWorker:
+    """Does the runs of one job after another.
+
+    Args:
+        task: what they have in common.
+    """
+
+    def __init__(self, task: Task) -> None:
+        self._names = task.names
+        self._runs = OneRun(task.common, task.stop)
+        self._watch = None
+        if task.common.timeout is not None and task.stop is never and parent_process() is not None:
+            self._watch = _Watch(task.common.timeout + PATIENCE)
+
+    def stop(self) -> None:
+        """A worker of another process is ended with it."""
+
+    def do(self, job: Sequence[RunJob]) -> Done:
+        """Do the runs of a job."""
+        begin, done = time.perf_counter(), Done()
+        tables: dict[str, list[pa.Table]] = {SERIES: [], AGENTS: []}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", IdleWarning)  # said in the tables, where it is recorded
+            for run, seed, values in job:
+                if self._watch is not None:
+                    self._watch.begin()
+                outcome = self._runs.done(run, seed, values)
+                try:
+                    found = self._recorded(outcome)
+                except SocialmindError as error:
+                    outcome = Outcome(run, FAILED, f"record: {error}", outcome.ticks)
+                    found = {}
+                for name, one in found.items():
+                    tables[name].append(one)
+                done.rows.append(self._row(outcome))
+        if self._watch is not None:
+            self._watch.end()
+        done.tables = {name: _stream(several) for name, several in tables.items() if several}
+        done.seconds = time.perf_counter() - begin
+        return done
+
+    def _row(self, outcome: Outcome) -> dict[str, Any]:
+        ends = {self._names.of_series(name): value for name, value in outcome.final.items()}
+        own = {
+            RUN: outcome.run,
+            STATUS: outcome.status,
+            ERROR: outcome.error,
+            TICKS: outcome.ticks,
+        }
+        return {**own, **ends, **outcome.measured}
+
+    def _recorded(self, outcome: Outcome) -> dict[str, pa.Table]:
+        """Return the tables of a run."""
+        arrow_table([{name: [one] for name, one in outcome.final.items()}], "series()")
+        found = {}
+        if outcome.series is not None:
+            found[SERIES] = self._table(outcome.run, [outcome.series], "series()", "series")
+        if outcome.agents:
+            found[AGENTS] = self._table(outcome.run, outcome.agents, "agents()", "agents")
+        return found
+
+    def _table(self, run: int, records: list[dict[str, Any]], where: str, prefix: str) -> pa.Table:
+        pieces = []
+        for record in records:
+            others = {name: values for name, values in record.items() if name != "tick"}
+            tick = record["tick"]
+            if isinstance(tick, int):
+                length = len(next(iter(others.values()), ()))
+                tick = np.full(length, tick, np.int64)
+            odd = next((n for n, one in others.items() if len(one) != len(tick)), None)
+            if odd is not None:
+                raise SocialmindError(
+                    f"{where}: column {odd} has {len(others[odd])} values, others {len(tick)}"
+                )
+            named = {f"{prefix}.{n}" if n == RUN else n: one for n, one in others.items()}
+            pieces.append({RUN: np.full(len(tick), run, np.int64), "tick": tick, **named})
+        if any(tuple(one) != tuple(pieces[0]) for one in pieces):
+            raise SocialmindError(f"{where}: other columns at one tick than at another")
+        return arrow_table(pieces, where)
+
+
+class _Watch:
+    """Ends this process when what it has in hand goes on for too long: compiled code hears nothing.
+
+    Args:
+        seconds: how long it may.
+    """
+
+    def __init__(self, seconds: float) -> None:
+        self._seconds = seconds
+        self._end: float | None = None
+        threading.Thread(target=self._look, daemon=True).start()
+
+    def begin(self) -> None:
+        """Something is in hand from now on."""
+        self._end = time.monotonic() + self._seconds
+
+    def end(self) -> None:
+        """Nothing is in hand."""
+        self._end = None
+
+    def _look(self) -> None:
+        while True:
+            time.sleep(min(0.2, self._seconds / 4))
+            end = self._end
+            if end is not None and time.monotonic() > end:
+                os._exit(OVERTIME)
+
+
+def _stream(tables: list[pa.Table]) -> bytes:
+    import pyarrow as pa
+
+    from socialmind.experiments.sweeps.store import together
+
+    rows = tables[0] if len(tables) == 1 else together(tables)
+    sink = pa.BufferOutputStream()
+    with pa.ipc.new_stream(sink, rows.schema) as writer:
+        writer.write_table(rows)
+    return bytes(sink.getvalue().to_pybytes())
+
+
+def from_stream(content: bytes) -> pa.Table:
+    """Return the table of an Arrow stream."""
+    import pyarrow as pa
+
+    with pa.ipc.open_stream(content) as reader:
+        return reader.read_all()
