@@ -1,4 +1,4 @@
-"""The command line: `socialmind list, run, branch, learn, score, plot, replay, check, explain, …`.
+"""The command line: `socialmind list, run, sweep, branch, learn, score, plot, check, …`.
 
 The commands stand in `socialmind.commands`, the small ones here. What they work with is imported
 when they run, so that a run starts fast. What the user can put right goes to stderr in one line,
@@ -36,6 +36,7 @@ from socialmind.commands.console.terminal import (
 from socialmind.commands.learning import learn
 from socialmind.commands.rendering import render
 from socialmind.commands.scoring import score
+from socialmind.commands.sweeping import sweep
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.version import __version__
 
@@ -130,7 +131,9 @@ def list_(
         raise typer.Exit(WRONG)
 
 
-for one in (running.run, branch, compare, learn, score, running.plot, render, running.replay):
+for one in (
+    running.run, sweep, branch, compare, learn, score, running.plot, render, running.replay,
+):  # fmt: skip
     command(one)
 
 

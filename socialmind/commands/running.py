@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 Value = float | int | bool | str
 
+MADE_AGAIN_WITH = ("from_sweep", "number", "out", "figures", "interpreted", "trust", "quiet")
 RESUMED_WITH = ("ticks", "figures", "interpreted", "resume", "source", "trust", "quiet")
 
 
@@ -71,6 +72,12 @@ def run(
         Path | None,
         typer.Option(metavar="DIR", help="Go on with a run; --ticks makes a finished one longer."),
     ] = None,
+    from_sweep: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Make a run of a sweep again: see --number.")
+    ] = None,
+    number: Annotated[
+        int | None, typer.Option(**options.FROM_0, help="Its number, the column `run`.")
+    ] = None,
     source: options.Source = None,
     trust: options.Trust = False,
     quiet: options.Quiet = False,
@@ -80,7 +87,18 @@ def run(
 
     # Let Arrow give memory back, rather than keep it for the next table of a large society.
     os.environ.setdefault("ARROW_DEFAULT_MEMORY_POOL", "system")
-    if resume is None:
+    if (from_sweep is None) != (number is None):
+        raise SocialmindError("--from-sweep DIR and --number N go together; give both")
+    if from_sweep is not None and number is not None:
+        options.refuse_beside(context, "--from-sweep", "run of a sweep", MADE_AGAIN_WITH)
+        from socialmind.experiments.sweeps.remaking import remake_run
+
+        with progress_bar(quiet) as on_progress:
+            folder = remake_run(
+                from_sweep, number, out, False if interpreted else None, on_progress=on_progress,
+                trust=trust,
+            )  # fmt: skip
+    elif resume is None:
         from socialmind.catalogue import load_model
 
         if model is None:

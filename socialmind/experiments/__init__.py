@@ -1,4 +1,4 @@
-"""Runs as capsules: one folder each, that can be stopped, gone on with, replayed and read.
+"""Runs and sweeps as folders that can be stopped, gone on with, made again and read.
 
 - `run`, `resume`: run a model into a folder, go on with one;
 - `branch`: go back to a moment of a capsule, change something, and go on;
@@ -6,7 +6,9 @@
 - `replay`: run a capsule again and compare;
 - `Run`: read a capsule's tables, parameters and scheme;
 - `draw_figures`: draw a run's figures into its folder;
-- `score`: measure minds on a plane in many worlds.
+- `score`: measure minds on a plane in many worlds;
+- `sweep`, `resume_sweep`: run a model over a design into one folder, go on with it;
+- `Sweep`: read a sweep's tables; `remake_run`: make one of its runs again as a capsule.
 """
 
 from typing import TYPE_CHECKING
@@ -14,6 +16,11 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from socialmind.experiments.scoring import Score as Score
     from socialmind.experiments.scoring import score as score
+    from socialmind.experiments.sweeps.remaking import remake_run as remake_run
+    from socialmind.experiments.sweeps.result import Sweep as Sweep
+    from socialmind.experiments.sweeps.sweep import SweepInterrupted as SweepInterrupted
+    from socialmind.experiments.sweeps.sweep import resume_sweep as resume_sweep
+    from socialmind.experiments.sweeps.sweep import sweep as sweep
     from socialmind.interventions.change import Change as Change
     from socialmind.interventions.shock import Shock as Shock
     from socialmind.runs.branching.branch import branch as branch
@@ -31,6 +38,9 @@ else:
         __name__,
         {
             "socialmind.experiments.scoring": "Score score",
+            "socialmind.experiments.sweeps.remaking": "remake_run",
+            "socialmind.experiments.sweeps.result": "Sweep",
+            "socialmind.experiments.sweeps.sweep": "SweepInterrupted resume_sweep sweep",
             "socialmind.interventions.change": "Change",
             "socialmind.interventions.shock": "Shock",
             "socialmind.runs.branching.branch": "branch",

@@ -63,6 +63,15 @@ def refuse_with_resume(context: typer.Context, what: str, taken: Collection[str]
     Raises:
         SocialmindError: another one was given.
     """
+    refuse_beside(context, "--resume", what, taken)
+
+
+def refuse_beside(context: typer.Context, option: str, what: str, taken: Collection[str]) -> None:
+    """Refuse what was given beside an option that settles it; arguments as above.
+
+    Raises:
+        SocialmindError: another one was given.
+    """
     given = [
         one.opts[0] if one.opts[0].startswith("-") else one.opts[0].upper()
         for one in context.command.params
@@ -70,6 +79,6 @@ def refuse_with_resume(context: typer.Context, what: str, taken: Collection[str]
     ]
     if given:
         raise SocialmindError(
-            f"--resume with {', '.join(given)}: a {what} keeps what it was started with; "
+            f"{option} with {', '.join(given)}: a {what} keeps what it was started with; "
             f"leave it out, or start another {what}"
         )

@@ -17,6 +17,7 @@ from socialmind.experiments.sweeps.capsule import SweepCapsule, SweepManifest
 from socialmind.experiments.sweeps.columns import Names
 from socialmind.experiments.sweeps.expressions import Expression
 from socialmind.experiments.sweeps.measures_of_runs import (
+    AMeasure,
     Recorded,
     measure_called,
     of_records,
@@ -190,6 +191,7 @@ def taken_up(
     model_class: type[Model] | None = None,
     measures: Mapping[str, Any] | None = None,
     trust: bool = False,
+    functions: bool = True,
 ) -> Prepared:
     """Return the sweep that a folder keeps.
 
@@ -198,6 +200,7 @@ def taken_up(
         model_class: the model; loaded from where the manifest says by default.
         measures: functions in place of those that stand in no file.
         trust: run programs that this user has neither named nor run before.
+        functions: whether measures are wanted at all.
 
     Raises:
         SocialmindError: its model, schemes or socialmind were changed since.
@@ -218,8 +221,10 @@ def taken_up(
     there = Nameable(cls, own, tuple(owner for owner, given in minds if not given))
     columns = tuple(there.called(name) for name in manifest.columns)
     fixed = tuple((there.called(name), value) for name, value in manifest.fixed.items())
-    found = of_records(manifest.measures, measures or {}, str(capsule.folder), trust)
-    names = Names(tuple(manifest.columns), tuple(found))
+    found: dict[str, AMeasure] = {}
+    if functions:
+        found = of_records(manifest.measures, measures or {}, str(capsule.folder), trust)
+    names = Names(tuple(manifest.columns), tuple(manifest.measures))
     common = Common(
         cls,
         Settings(columns, fixed, schemes, minds, makers),

@@ -98,13 +98,23 @@ class Store:
 
     def rows(self, columns: Sequence[str]) -> Iterator[dict[str, Any]]:
         """Yield some columns of the runs' table, a row for each run that counts, part by part."""
-        latest = self._latest(RUNS)
+        latest = self._latest()
         for number in self.numbers():
             rows = self._read(RUNS, number)
             there = [name for name in columns if name in rows.column_names]
             for row in rows.select([RUN, *there]).to_pylist():
                 if latest[row[RUN]] == number:
                     yield row
+
+    def frames(self, name: str) -> list[Any]:
+        """Return the rows of a table, as far as they are safe, in data frames."""
+        latest = self._latest()
+        found = []
+        for number in self.numbers():
+            if self._part(name, number).is_file():
+                frame = self._read(name, number).to_pandas()
+                found.append(frame[frame[RUN].map(latest) == number])
+        return found
 
     def merge(
         self,
@@ -178,7 +188,7 @@ class Store:
         except (OSError, pa.ArrowException) as error:
             raise _unreadable(path) from error
 
-    def _latest(self, name: str) -> dict[int, int]:
+    def _latest(self) -> dict[int, int]:
         """Return the part that each run counts in, by run."""
         found: dict[int, int] = {}
         for number in self.numbers():
@@ -189,7 +199,7 @@ class Store:
         self, name: str, paths: dict[int, Path], schema: pa.Schema, pending: list[dict[str, Any]]
     ) -> Iterator[pa.Table]:
         """Yield the rows of a table by run, in as few pieces as they lie in."""
-        latest = self._latest(RUNS)
+        latest = self._latest()
         blocks: list[NDArray[np.int64]] = []
         for number, path in paths.items():
             runs = _runs_of(path)

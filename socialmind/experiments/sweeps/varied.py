@@ -155,8 +155,8 @@ class Nameable:
             return population
         if not known or "." in name:
             raise SocialmindError(
-                f"{name}: no population of {self.model_class.name} called so has a {what}; "
-                f"those that have one: {', '.join(known) or 'none'}"
+                f"{name}: there is no such {what} in {self.model_class.name}; populations that "
+                f"have a {what}: {', '.join(known) or 'none'}"
             )
         if len(known) > 1:
             raise SocialmindError(
