@@ -18,7 +18,7 @@ from socialmind.errors import SocialmindError
 if TYPE_CHECKING:
     import pandas as pd
 
-    from socialmind.experiments.sweeps.varied import Nameable, Varied
+    from socialmind.experiments.sweeps.points.varied import Nameable, Varied
 
 RESUMED_WITH = ("resume", "retry", "workers", "cluster", "trust", "quiet")
 SEVERAL = "may be repeated"
@@ -118,7 +118,7 @@ def sweep(
             )
     else:
         from socialmind.catalogue import load_model
-        from socialmind.experiments.sweeps.measures_of_runs import read_measures
+        from socialmind.experiments.sweeps.measures.of_runs import read_measures
         from socialmind.experiments.sweeps.preparing import nameable
         from socialmind.experiments.sweeps.replicates import read_seeds
 

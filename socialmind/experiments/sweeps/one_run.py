@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.sweeps.measures_of_runs import AMeasure, Recorded, of_series
-from socialmind.experiments.sweeps.settings import Settings
+from socialmind.experiments.sweeps.measures.of_runs import AMeasure, Recorded, of_series
+from socialmind.experiments.sweeps.points.settings import Settings
 from socialmind.runs.folders import FAILED, FINISHED
 from socialmind.sources.loading import failure_in_model
 from socialmind.work.workers import Stopped, never

@@ -15,8 +15,8 @@ from coglogo_py.border.numbers import is_number
 from socialmind.errors import SocialmindError, nearest
 from socialmind.experiments.sweeps.capsule import SweepCapsule, SweepManifest
 from socialmind.experiments.sweeps.columns import Names
-from socialmind.experiments.sweeps.expressions import Expression
-from socialmind.experiments.sweeps.measures_of_runs import (
+from socialmind.experiments.sweeps.measures.expressions import Expression
+from socialmind.experiments.sweeps.measures.of_runs import (
     AMeasure,
     Recorded,
     measure_called,
@@ -24,17 +24,17 @@ from socialmind.experiments.sweeps.measures_of_runs import (
     record_of,
 )
 from socialmind.experiments.sweeps.one_run import Common
-from socialmind.experiments.sweeps.points import (
+from socialmind.experiments.sweeps.points.scheme_words import Words
+from socialmind.experiments.sweeps.points.settings import Key, Settings
+from socialmind.experiments.sweeps.points.table import (
     Points,
     points_in,
     points_of,
     points_of_parquet,
     refuse_twice,
 )
+from socialmind.experiments.sweeps.points.varied import MIND, SCHEME, WORD, Nameable, Varied
 from socialmind.experiments.sweeps.replicates import Replicates
-from socialmind.experiments.sweeps.scheme_words import Words
-from socialmind.experiments.sweeps.settings import Key, Settings
-from socialmind.experiments.sweeps.varied import MIND, SCHEME, WORD, Nameable, Varied
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of
 from socialmind.runs import folders

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.capsule import SweepCapsule
+from socialmind.experiments.sweeps.points.varied import SCHEME, WORD
 from socialmind.experiments.sweeps.preparing import taken_up
-from socialmind.experiments.sweeps.varied import SCHEME, WORD
 from socialmind.runs import execution
 
 if TYPE_CHECKING:

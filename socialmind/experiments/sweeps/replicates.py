@@ -232,7 +232,8 @@ class Waiting:
             asked = self._asked[point]
             if asked >= self._replicates.most or (asked >= FEWEST and self._reached(point)):
                 return
-            self._ask(point, min(max(asked + STEP, FEWEST), self._replicates.most))
+            following = FEWEST if asked < FEWEST else asked + STEP
+            self._ask(point, min(following, self._replicates.most))
 
     def _ask(self, point: int, count: int) -> None:
         """Want so many replicates at a point."""

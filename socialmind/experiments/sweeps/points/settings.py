@@ -10,8 +10,8 @@ from typing import Any
 from coglogo_py import CognitiveScheme
 from coglogo_py.decision import DecisionMaker
 from socialmind.errors import SocialmindError
-from socialmind.experiments.sweeps.scheme_words import Word, with_words
-from socialmind.experiments.sweeps.varied import MIND, PARAMETER, SCHEME, WORD, Varied
+from socialmind.experiments.sweeps.points.scheme_words import Word, with_words
+from socialmind.experiments.sweeps.points.varied import MIND, PARAMETER, SCHEME, WORD, Varied
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of, mind_of
 

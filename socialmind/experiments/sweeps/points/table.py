@@ -13,7 +13,7 @@ import numpy as np
 from coglogo_py.border.errors import shown
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.columns import POINT, Names
-from socialmind.experiments.sweeps.varied import Nameable, Varied
+from socialmind.experiments.sweeps.points.varied import Nameable, Varied
 from socialmind.runs.tables import arrow_table
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from coglogo_py import CognitiveScheme
 from coglogo_py.border.errors import nearest, shown
 from socialmind.errors import SocialmindError
-from socialmind.experiments.sweeps.scheme_words import Word, Words
+from socialmind.experiments.sweeps.points.scheme_words import Word, Words
 
 if TYPE_CHECKING:
     from socialmind.model import Model

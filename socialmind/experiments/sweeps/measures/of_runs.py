@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from coglogo_py.border.errors import shown
 from socialmind.errors import SocialmindError, nearest
-from socialmind.experiments.sweeps.expressions import Expression
+from socialmind.experiments.sweeps.measures.expressions import Expression
 from socialmind.sources.folders import digest
 from socialmind.sources.loading import failure_in_model, load_file
 from socialmind.sources.trust import require
