@@ -1,0 +1,62 @@
+"""The page about sweeps: its code runs, and its command is one that there is."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pandas as pd
+
+from socialmind.catalogue import load_model
+from socialmind.experiments import Sweep, designs
+from socialmind.experiments.sweeps.measures.of_runs import measure_called
+from socialmind.experiments.sweeps.points.scheme_words import Words
+from socialmind.experiments.sweeps.preparing import nameable
+
+PAGE = (Path(__file__).parents[2] / "docs" / "sweeps.md").read_text("utf-8")
+BLOCKS = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+
+
+def test_its_first_sweep_ends_in_a_figure(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    short = BLOCKS[0].replace("ticks=50_000", "ticks=20").replace("range(20)", "range(2)")
+    short = short.replace("every=500", "every=5").replace('"farmer_artisan"', "model")
+    short = short.replace("measures=", "compiled=False, workers=1, measures=")
+    assert short.count("compiled=False") == 1
+    names = {"__name__": "__main__", "model": "farmer_artisan"}
+    exec(compile(short, "docs/sweeps.md", "exec"), names)
+    assert (tmp_path / "artisans.pdf").stat().st_size > 1000
+    assert len(names["runs"]) == 18
+    assert list(names["table"]["mean"].columns) == [0.5, 1.0, 2.0]
+    assert isinstance(Sweep(names["folder"]).series, pd.DataFrame)
+
+
+def test_its_commands_are_there(tmp_path, monkeypatch):
+    from typer.testing import CliRunner
+
+    from socialmind.cli import app
+
+    monkeypatch.chdir(tmp_path)
+    lines = re.findall(r"^socialmind (.*)$", PAGE, re.MULTILINE)
+    assert len(lines) == 4
+    for line in lines:
+        words = shlex.split(line)
+        for old, new in {"50000": "4", "500": "2", "0:20": "0:2"}.items():
+            words = [new if word == old else word for word in words]
+        words += ["--interpreted", "--workers", "1"] if "--grid" in words else ["--quiet"]
+        result = CliRunner().invoke(app, words)
+        assert result.exit_code == 0, (line, result.output)
+    assert "`9 points (grid) × 20 seeds = 180 runs of 50,000 ticks`" in PAGE
+
+
+def test_what_it_names_is_there():
+    names = {}
+    exec(BLOCKS[1], names)
+    assert measure_called("share", names["share_of_artisans"]).takes == ("series",)
+    for name in designs.SAMPLERS:
+        assert f"`{name}" in PAGE
+    known = Words(nameable(load_model("farmer_artisan")).schemes["humans"]).known
+    kinds = "influence|reinforcement|start|at_birth|decision_maker"
+    named = re.findall(rf"`((?:{kinds})\.\w[\w.]*)`", PAGE)
+    assert len(named) >= 6
+    assert [name for name in named if name not in known] == []
