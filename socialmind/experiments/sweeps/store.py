@@ -8,6 +8,7 @@ the same run of an earlier one, and the sorted tables do not hang on how windows
 
 from __future__ import annotations
 
+import itertools
 import os
 import shutil
 from collections import OrderedDict
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 from socialmind.errors import SocialmindError
 from socialmind.runs.columns import from_arrow
 from socialmind.runs.digest import ContentDigest, TableContent
-from socialmind.runs.tables import AGENTS, ROW_GROUP, SERIES, common_type
+from socialmind.runs.tables import AGENTS, ROW_GROUP, SERIES, arrow_table, common_type
 from socialmind.work.files import make_room, replacing
 
 if TYPE_CHECKING:
@@ -120,15 +121,14 @@ class Store:
         self,
         name: str,
         first: Sequence[str],
-        runs: Iterable[tuple[int, dict[str, Any] | None]] | None = None,
+        pending: Iterable[dict[str, Any]] | None = None,
     ) -> TableContent | None:
         """Write the rows of all parts, sorted by run, into one file; None where there are none.
 
         Args:
             name: of the table.
             first: columns that come first, in this order; the others come by name.
-            runs: of the runs' table, the numbers of all runs in order, each with the row of one
-                that is not done yet.
+            pending: of the runs' table, the rows of runs that are not done yet, in order.
 
         Raises:
             SocialmindError: a part cannot be read.
@@ -137,12 +137,12 @@ class Store:
         import pyarrow.parquet as pq
 
         paths = {n: self._part(name, n) for n in self.numbers() if self._part(name, n).is_file()}
-        pending = [] if runs is None else [row for _, row in runs if row is not None]
+        pending = iter(()) if pending is None else iter(pending)
+        first_pending = next(pending, None)
         schemas = [_schema(path) for path in paths.values()]
-        if pending:
-            from socialmind.runs.tables import arrow_table
-
-            schemas.append(arrow_table([{k: [v] for k, v in pending[0].items()}], name).schema)
+        if first_pending is not None:
+            schemas.append(arrow_table([{k: [v] for k, v in first_pending.items()}], name).schema)
+            pending = itertools.chain([first_pending], pending)
         if not schemas:
             return None
         schema = _ordered(schemas, first)
@@ -196,7 +196,11 @@ class Store:
         return found
 
     def _in_order(
-        self, name: str, paths: dict[int, Path], schema: pa.Schema, pending: list[dict[str, Any]]
+        self,
+        name: str,
+        paths: dict[int, Path],
+        schema: pa.Schema,
+        pending: Iterator[dict[str, Any]],
     ) -> Iterator[pa.Table]:
         """Yield the rows of a table by run, in as few pieces as they lie in."""
         latest = self._latest()
@@ -213,19 +217,14 @@ class Store:
         lying = np.concatenate([np.zeros((0, 4), np.int64), *blocks])
         lying = lying[np.argsort(lying[:, 0], kind="stable")]
         groups = _Groups(paths, schema)
-        waiting = iter(pending)
-        following = next(waiting, None)
+        waiting = _Pending(pending, schema)
         part = begin = end = -1
         for run, number, first, last in lying.tolist():
-            if following is not None and following[RUN] < run:
+            if waiting.before(run):
                 if end > begin:
                     yield groups.rows(part, begin, end)
                 begin = end = -1
-                rows = []
-                while following is not None and following[RUN] < run:
-                    rows.append(following)
-                    following = next(waiting, None)
-                yield _rows_of(rows, schema)
+                yield from waiting.until(run)
             if number == part and first == end:
                 end = last
                 continue
@@ -234,8 +233,29 @@ class Store:
             part, begin, end = number, first, last
         if end > begin:
             yield groups.rows(part, begin, end)
-        if following is not None:
-            yield _rows_of([following, *waiting], schema)
+        yield from waiting.until(None)
+
+
+class _Pending:
+    """Rows of runs that are not done yet, some at a time."""
+
+    def __init__(self, rows: Iterator[dict[str, Any]], schema: pa.Schema) -> None:
+        self._rows, self._schema = rows, schema
+        self._following = next(rows, None)
+
+    def before(self, run: int | None) -> bool:
+        """Return whether there are some before a run; at all, for None."""
+        return self._following is not None and (run is None or self._following[RUN] < run)
+
+    def until(self, run: int | None) -> Iterator[pa.Table]:
+        """Yield those before a run; all, for None."""
+        while self.before(run):
+            some: list[dict[str, Any]] = []
+            while self._following is not None and self.before(run) and len(some) < ROW_GROUP:
+                some.append(self._following)
+                self._following = next(self._rows, None)
+            columns = {name: [row[name] for row in some] for name in some[0]}
+            yield _cast(arrow_table([columns], RUNS), self._schema)
 
 
 class _Groups:
@@ -356,10 +376,3 @@ def _sorted(rows: pa.Table) -> pa.Table:
     from socialmind.runs.columns import to_arrow
 
     return rows.take(to_arrow(np.argsort(found, kind="stable"))).combine_chunks()
-
-
-def _rows_of(rows: Sequence[dict[str, Any]], schema: pa.Schema) -> pa.Table:
-    from socialmind.runs.tables import arrow_table
-
-    columns = {name: [row[name] for row in rows] for name in rows[0]}
-    return _cast(arrow_table([columns], RUNS), schema)

@@ -367,14 +367,14 @@ class _Sweep:
         done = {row[RUN] for row in self._store.rows([])}
         replicates = self._prepared.replicates
 
-        def runs() -> Iterator[tuple[int, dict[str, Any] | None]]:
+        def pending() -> Iterator[dict[str, Any]]:
             for point in range(len(self._prepared.points.values)):
                 for replicate in range(len(replicates.seeds)):
                     run = replicates.run_of(point, replicate)
-                    row = None if run in done else {RUN: run, STATUS: PENDING, ERROR: None}
-                    yield run, row if row is None else _whole_row(self._prepared, row)
+                    if run not in done:
+                        yield _whole_row(self._prepared, {RUN: run, STATUS: PENDING, ERROR: None})
 
-        self._store.merge(RUNS, self._first(), runs())
+        self._store.merge(RUNS, self._first(), pending())
 
     def _finish(self) -> None:
         """Write the sorted tables, and take the parts away."""
