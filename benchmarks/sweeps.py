@@ -1,10 +1,11 @@
-"""What a run of a sweep costs beyond its ticks, and whether a long sweep stays as fast and as small.
+"""What a run of a sweep costs beyond its ticks, and whether a long sweep stays fast and small.
 
 - `beyond`: runs of farmer_artisan in a sweep of one worker, against a bare loop in the same process
   that makes the same societies and calls `advance`; in processor time, so that others who use the
-  machine count little. With `--every 0`, and with a hundred rows of series and the agents' end.
-- `long`: a sweep of 20,000 runs of 100 ticks: runs a second, memory of this process and its workers,
-  and open files, in the first and in the last thousand.
+  machine count little. With `--every 0`; and with a hundred rows of series and the agents' end,
+  which is mostly what the model's own `series()` and `agents()` take.
+- `long`: a sweep of 20,000 runs of 100 ticks: runs a second, memory of this process and its
+  workers, and open files, in the second and in the last twentieth.
 
     python benchmarks/sweeps.py
 
@@ -82,7 +83,7 @@ def rss(process: int) -> float:
 
 
 def long(runs: int, ticks: int, workers: int) -> dict[str, dict[str, float]]:
-    """Return what the second and the last twentieth of the runs are like; in the first all warms up."""
+    """Return what two twentieths of the runs are like, the second and the last."""
     seen: list[tuple[int, float]] = []
     part, marks = runs // 20, {}
 
