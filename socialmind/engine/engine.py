@@ -119,6 +119,13 @@ class Engine:
         else:
             run_setup(self.model, self.functions)
 
+    def compile(self) -> None:
+        """Compile what ticks run in, or load it, and run none."""
+        if self.compiled:
+            self._make_room()
+            connect(self.model)
+            self._guarded(lambda: self.module.advance(self._record, 0), run_tick)
+
     def _compiles_setup(self) -> bool:
         """Whether the setup runs compiled: in large worlds, and once other societies had ticks."""
         if not self.model.program.setup or self._entities() > INTERPRETED_SETUP:

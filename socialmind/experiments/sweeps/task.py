@@ -7,6 +7,7 @@ import threading
 import time
 import warnings
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing import parent_process
 from typing import TYPE_CHECKING, Any
@@ -18,7 +19,7 @@ from socialmind.experiments.sweeps.columns import ERROR, RUN, STATUS, TICKS, Nam
 from socialmind.experiments.sweeps.one_run import Common, OneRun, Outcome
 from socialmind.runs.folders import FAILED
 from socialmind.runs.tables import AGENTS, SERIES, arrow_table
-from socialmind.work.workers import Stop, never
+from socialmind.work.workers import LOOK_SECONDS, Stop, never
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -27,6 +28,9 @@ OVERTIME = 75
 """The exit code of a process that ended itself, since a run in it went on and on."""
 PATIENCE = 2.0
 """Seconds beyond its time that a run may take to notice, before its process ends."""
+
+LONGEST_WARM_UP = 1800.0
+"""Seconds that compiling may take before the first run of a process."""
 
 RunJob = tuple[int, int, tuple[Any, ...]]
 """A run's number, its seed, and the values at its point."""
@@ -79,22 +83,26 @@ class RunWorker:
     def __init__(self, task: Task) -> None:
         self._names = task.names
         self._runs = OneRun(task.common, task.stop)
+        self._common = task.common
+        self._warm = False
         self._watch = None
         if task.common.timeout is not None and task.stop is never and parent_process() is not None:
-            self._watch = _Watch(task.common.timeout + PATIENCE)
+            self._watch = _Watch()
 
     def stop(self) -> None:
         """A worker of another process is ended with it."""
 
     def do(self, job: Sequence[RunJob]) -> Done:
         """Do the runs of a job."""
+        if self._watch is not None and not self._warm:
+            self._warm_up(job[0])
         begin, done = time.perf_counter(), Done()
         tables: dict[str, list[pa.Table]] = {SERIES: [], AGENTS: []}
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", IdleWarning)  # said in the tables, where it is recorded
             for run, seed, values in job:
                 if self._watch is not None:
-                    self._watch.begin()
+                    self._watch.begin((self._common.timeout or 0.0) + PATIENCE)
                 outcome = self._runs.done(run, seed, values)
                 try:
                     found = self._recorded(outcome)
@@ -109,6 +117,15 @@ class RunWorker:
         done.tables = {name: _stream(several) for name, several in tables.items() if several}
         done.seconds = time.perf_counter() - begin
         return done
+
+    def _warm_up(self, job: RunJob) -> None:
+        """Compile, or load, what runs need: that is no run's time."""
+        if self._watch is not None:
+            self._watch.begin(LONGEST_WARM_UP)
+        with suppress(Exception):  # what is wrong with it the run will say
+            for _ in range(2):  # the second society's setup is compiled as well
+                self._common.begin(*job[1:]).engine.compile()
+        self._warm = True
 
     def _row(self, outcome: Outcome) -> dict[str, Any]:
         ends = {self._names.of_series(name): value for name, value in outcome.final.items()}
@@ -151,20 +168,15 @@ class RunWorker:
 
 
 class _Watch:
-    """Ends this process when what it has in hand goes on for too long: compiled code hears nothing.
+    """Ends this process when what it has in hand takes too long; compiled code hears nothing."""
 
-    Args:
-        seconds: how long it may.
-    """
-
-    def __init__(self, seconds: float) -> None:
-        self._seconds = seconds
+    def __init__(self) -> None:
         self._end: float | None = None
         threading.Thread(target=self._look, daemon=True).start()
 
-    def begin(self) -> None:
-        """Something is in hand from now on."""
-        self._end = time.monotonic() + self._seconds
+    def begin(self, seconds: float) -> None:
+        """Something is in hand from now on, which may take so long."""
+        self._end = time.monotonic() + seconds
 
     def end(self) -> None:
         """Nothing is in hand."""
@@ -172,7 +184,7 @@ class _Watch:
 
     def _look(self) -> None:
         while True:
-            time.sleep(min(0.2, self._seconds / 4))
+            time.sleep(LOOK_SECONDS)
             end = self._end
             if end is not None and time.monotonic() > end:
                 os._exit(OVERTIME)
