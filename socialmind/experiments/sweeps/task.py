@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coglogo_py.border.errors import shown
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.experiments.sweeps.columns import ERROR, RUN, STATUS, TICKS, Names
 from socialmind.experiments.sweeps.one_run import Common, OneRun, Outcome
+from socialmind.runs.columns import EXPECTED
 from socialmind.runs.folders import FAILED
 from socialmind.runs.tables import AGENTS, SERIES, arrow_table
 from socialmind.work.workers import LOOK_SECONDS, Stop, never
@@ -139,7 +141,12 @@ class RunWorker:
 
     def _recorded(self, outcome: Outcome) -> dict[str, pa.Table]:
         """Return the tables of a run."""
-        arrow_table([{name: [one] for name, one in outcome.final.items()}], "series()")
+        for name, one in outcome.final.items():
+            fits = isinstance(one, bool | float | str) or one is None
+            if not fits and not (isinstance(one, int) and -(2**63) <= one < 2**63):
+                raise SocialmindError(
+                    f"series(): column {name}: found {shown(one)}; expected {EXPECTED}"
+                )
         found = {}
         if outcome.series is not None:
             found[SERIES] = self._table(outcome.run, [outcome.series], "series()", "series")

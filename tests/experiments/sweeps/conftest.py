@@ -57,7 +57,7 @@ class Nobody(Agent):
 class Slow(Model):
     """Nothing happens."""
 
-    how: str = parameter("well", choices=("well", "sleeps", "killed", "once"))
+    how: str = parameter("well", choices=("well", "sleeps", "killed", "odd"))
     note: int = parameter(0)
     nobody = Population(Nobody, 1)
 
@@ -66,7 +66,7 @@ class Slow(Model):
             time.sleep(600)
         if self.how == "killed" and self.tick > 0:
             os.kill(os.getpid(), 9)
-        return {"tick_now": self.tick}
+        return {"tick_now": [1] if self.how == "odd" and self.tick > 0 else self.tick}
 '''
 
 

@@ -207,6 +207,13 @@ def test_errors_name_their_stage(gifts, tmp_path):
     assert error.startswith("measure: measure odd: 'richest[7]', column 1: index 7")
 
 
+def test_what_a_table_cannot_hold_is_recorded_as_such(slow, tmp_path):
+    out = sweep(slow, {"how": ["odd", "well"]}, 1, compiled=False, workers=1, out=tmp_path / "s")
+    runs = Sweep(out).runs
+    assert runs["status"].tolist() == ["failed", "finished"]
+    assert runs["error"][0].startswith("record: series(): column tick_now: found [1]; expected")
+
+
 def test_one_that_hangs_is_timed_out_and_others_go_on(slow, tmp_path):
     design = {"how": ["well", "sleeps", "well"]}
     options = {"compiled": False, "workers": 1, "timeout": 2.0}
