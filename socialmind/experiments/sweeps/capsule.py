@@ -13,7 +13,7 @@ from socialmind.runs import record as kinds
 from socialmind.runs.record import within
 
 KIND = "sweep"
-_ANYTHING = kinds.Kind("anything", lambda value: True)
+_DESIGN = kinds.Fields({"name": kinds.TEXT, "sha256": kinds.SHA256})
 _COPY = kinds.Fields(
     {"population": kinds.TEXT, "given": kinds.TEXT, "sha256": kinds.SHA256},
     {"file": kinds.NAME_WITHIN, "folder": kinds.NAME_WITHIN, "name": kinds.TEXT},
@@ -36,8 +36,8 @@ class SweepManifest(folders.FolderManifest):
 
     Args:
         model: ``name``, ``path``, ``source_sha256`` and ``sources``, as for a run.
-        design: how the design was made: ``name`` (`grid`, `lhs`, …, or `table`) and what it was
-            made with.
+        design: how the design was made: ``name`` (`grid`, `lhs`, …, or `table`), what it was made
+            with, and ``sha256`` of ``design.parquet``.
         points: how many points it has.
         columns: what varies, as its columns are called in ``design.parquet``.
         fixed: what is set in all runs alike, by name.
@@ -65,7 +65,7 @@ class SweepManifest(folders.FolderManifest):
     """
 
     model: Annotated[dict[str, Any], kinds.model_called(kinds.TEXT)]
-    design: Annotated[dict[str, Any], kinds.Each(_ANYTHING)]
+    design: Annotated[dict[str, Any], _DESIGN]
     points: Annotated[int, kinds.whole(1)]
     columns: Annotated[list[str], kinds.Many(kinds.TEXT)]
     fixed: Annotated[dict[str, Any], kinds.Each(kinds.SETTING)]

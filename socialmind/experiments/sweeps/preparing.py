@@ -157,11 +157,12 @@ def begun(
                 f"--until: no measure called {wanted!r}; {nearest(wanted, known)}"
             )
     records, files = _copies(there, settings)
+    table = points.parquet(names)
     copies = sources_of(model_class).copies()
     remember({path: content for path, content in copies.items() if path.endswith(".py")})
     manifest = SweepManifest(
         model=model_source(model_class),
-        design=dict(points.made),
+        design={**points.made, "sha256": digest(table)},
         points=len(points.values),
         columns=[one.name for one in points.columns],
         fixed={one.name: value for one, value in settled},
@@ -180,7 +181,7 @@ def begun(
         versions=folders.versions(),
         platforms=[folders.fingerprint()],
     )
-    files = {**files, **copies, "design.parquet": points.parquet(names)}
+    files = {**files, **copies, "design.parquet": table}
     capsule = SweepCapsule.create(target, manifest, files)
     notes = there.clashes([*manifest.columns, *manifest.fixed])
     return capsule, [*notes, *_sizes(common, points, replicates, series)]
@@ -236,7 +237,14 @@ def taken_up(
         manifest.timeout,
         manifest.compiled,
     )
-    points = points_of_parquet(capsule.table("design").read_bytes(), columns, names)
+    table = capsule.table("design")
+    content = table.read_bytes() if table.is_file() else b""
+    if digest(content) != manifest.design.get("sha256"):
+        raise SocialmindError(
+            f"{table}: is not the design that the sweep was begun with; take it from a copy of the "
+            "folder, or start another sweep"
+        )
+    points = points_of_parquet(content, columns, names)
     replicates = Replicates.of_record(manifest.replicates)
     return Prepared(common, points, replicates, names, tuple(manifest.series_columns))
 

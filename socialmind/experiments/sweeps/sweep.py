@@ -344,8 +344,9 @@ class _Sweep:
         if len(job) == 1:
             run = job[0][0]
             self._losses[run] += 1
-            if code == OVERTIME and timeout is not None:
-                said = f"took longer than {timeout:g} s"
+            if timeout is not None and code in (OVERTIME, None):  # a cluster does not say which
+                lost = "" if code == OVERTIME else ", or its worker was lost"
+                said = f"took longer than {timeout:g} s{lost}"
                 return Done([{RUN: run, STATUS: TIMED_OUT, ERROR: said, TICKS: 0}])
             if self._losses[run] >= LOST:
                 ended = f"by signal {-code}" if code is not None and code < 0 else "by itself"

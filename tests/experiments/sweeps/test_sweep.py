@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -307,6 +308,14 @@ def test_a_model_that_was_changed_is_not_gone_on_with(gifts, tmp_path, one_by_on
     (folder / "model.py").write_text(text.replace("uniform(0,", "uniform(0.1,"))
     with pytest.raises(SocialmindError, match=r"model\.py: is not the file"):
         resume_sweep(tmp_path / "s", workers=1)
+
+
+def test_a_design_that_was_changed_is_not_gone_on_with(whole, tmp_path):
+    shutil.copytree(whole, tmp_path / "s")
+    design = pd.read_parquet(tmp_path / "s" / "design.parquet")
+    design.assign(n=4).to_parquet(tmp_path / "s" / "design.parquet")
+    with pytest.raises(SocialmindError, match=r"design\.parquet: is not the design"):
+        remake_run(tmp_path / "s", 0, tmp_path / "run")
 
 
 def test_the_manifest_keeps_how_the_design_was_made(gifts, tmp_path):
