@@ -16,6 +16,7 @@ import warnings
 from collections import deque
 from collections.abc import Callable
 from concurrent import futures
+from contextlib import suppress
 from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection, wait
 from multiprocessing.util import Finalize
@@ -197,8 +198,8 @@ def _serve(pipe: Connection, folder: str) -> None:
     while True:
         try:
             function, arguments, named = pickle.loads(pipe.recv_bytes())
-        except EOFError:
-            return
+        except (EOFError, OSError):
+            return  # the process that gives out the work has ended
         try:
             answer = pickle.dumps((True, function(*arguments, **named)))
         except BaseException as error:
@@ -208,7 +209,8 @@ def _serve(pipe: Connection, folder: str) -> None:
                 pickle.loads(answer)
             except Exception:
                 answer = pickle.dumps((False, RuntimeError(f"{type(error).__name__}: {error}")))
-        pipe.send_bytes(answer)
+        with suppress(OSError):  # likewise
+            pipe.send_bytes(answer)
 
 
 def _begin(folder: str) -> None:

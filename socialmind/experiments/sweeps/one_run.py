@@ -141,7 +141,9 @@ class OneRun:
         except MemoryError:
             outcome = Outcome(run, FAILED, f"{stage}: not enough memory")
         except Exception as error:
-            outcome = Outcome(run, FAILED, f"{stage}: {self._said(error, model)}")
+            outcome = Outcome(
+                run, FAILED, f"{stage}: {in_one_line(error, common.model_class, model)}"
+            )
             outcome.ticks = 0 if model is None else model.tick
         return outcome
 
@@ -184,13 +186,23 @@ class OneRun:
             elif now - begin > PIECE_SECONDS and count > 1:
                 self._piece = max(1, count // 2)
 
-    def _said(self, error: Exception, model: Model | None) -> str:
-        """Return what went wrong in one line, with the place in the model's files."""
-        if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
-            return str(error)
-        path = Path(inspect.getfile(self._common.model_class))
-        doing = "its beginning" if model is None else f"the run at tick {model.tick}"
-        return str(failure_in_model(error, path, doing))
+
+def in_one_line(error: Exception, model_class: type[Model], model: Model | None) -> str:
+    """Return what went wrong in one line, with the place in the model's files.
+
+    Args:
+        error: what was raised.
+        model_class: the model.
+        model: the society; None where it was still being made.
+    """
+    if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
+        return str(error)
+    doing = "its beginning" if model is None else f"the run at tick {model.tick}"
+    try:
+        path = Path(inspect.getfile(model_class))
+    except (TypeError, OSError):  # a class that was typed in
+        return f"{doing} stopped with {type(error).__name__}: {error}"
+    return str(failure_in_model(error, path, doing))
 
 
 def _row(model: Model, model_class: type[Model]) -> Mapping[str, Any]:

@@ -23,7 +23,7 @@ from socialmind.experiments.sweeps.measures.of_runs import (
     of_records,
     record_of,
 )
-from socialmind.experiments.sweeps.one_run import Common
+from socialmind.experiments.sweeps.one_run import Common, in_one_line
 from socialmind.experiments.sweeps.points.scheme_words import Words
 from socialmind.experiments.sweeps.points.settings import Key, Settings
 from socialmind.experiments.sweeps.points.table import (
@@ -50,6 +50,8 @@ if TYPE_CHECKING:
 
 ROWS = 100
 """Rows of a run's series, by default."""
+TRIES = 5
+"""Points of which one must be such that a society can begin."""
 AGENTS = ("none", "last")
 SCHEMES, MINDS = "schemes", "minds"
 """The folders of a sweep's copies."""
@@ -324,13 +326,23 @@ def _check_words(settings: Settings, points: Points) -> None:
 def _first_society(
     common: Common, points: Points, replicates: Replicates, names: Names
 ) -> tuple[str, ...]:
-    """Make the society of the first run, and return what columns its series has.
+    """Make the first society that can be made, and return what columns its series has.
 
     Raises:
-        SocialmindError: measures name what there is not, or are called as something else.
+        SocialmindError: none of the first can be, measures name what there is not, or are called as
+            something else.
     """
-    model = common.begin(replicates.seed_of(0), points.values[0])
-    row = model.series()
+    failures = []
+    for point, values in enumerate(points.values[:TRIES]):
+        model = None
+        try:
+            model = common.begin(replicates.seed_of(replicates.run_of(point, 0)), values)
+            row = model.series()
+            break
+        except Exception as error:
+            failures.append(in_one_line(error, common.model_class, model))
+    else:
+        raise SocialmindError(failures[0])
     names.check(row)
     source = Recorded(model, [0], [row])
     for one in common.measures.values():

@@ -57,11 +57,13 @@ class Nobody(Agent):
 class Slow(Model):
     """Nothing happens."""
 
-    how: str = parameter("well", choices=("well", "sleeps", "killed", "odd"))
+    how: str = parameter("well", choices=("well", "sleeps", "killed", "odd", "at once"))
     note: int = parameter(0)
     nobody = Population(Nobody, 1)
 
     def series(self):
+        if self.how == "at once":
+            raise LookupError("nothing there")
         if self.how == "sleeps" and self.tick > 0:
             time.sleep(600)
         if self.how == "killed" and self.tick > 0:

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -213,6 +214,17 @@ def test_what_a_table_cannot_hold_is_recorded_as_such(slow, tmp_path):
     runs = Sweep(out).runs
     assert runs["status"].tolist() == ["failed", "finished"]
     assert runs["error"][0].startswith("record: series(): column tick_now: found [1]; expected")
+
+
+def test_a_first_point_that_cannot_begin_is_recorded_where_others_can(slow, tmp_path):
+    options = {"compiled": False, "workers": 1}
+    out = sweep(slow, {"how": ["at once", "well"]}, 1, out=tmp_path / "s", **options)
+    runs = Sweep(out).runs
+    assert runs["status"].tolist() == ["failed", "finished"]
+    assert re.search(r"model\.py:\d+: .*LookupError: nothing there", runs["error"][0])
+    with pytest.raises(SocialmindError, match=r"model\.py:\d+: .*LookupError: nothing there"):
+        sweep(slow, {"how": ["at once"]}, 1, out=tmp_path / "t", **options)
+    assert not (tmp_path / "t").exists()
 
 
 def test_one_that_hangs_is_timed_out_and_others_go_on(slow, tmp_path):
