@@ -160,11 +160,13 @@ class _Pool(Workers):
                 finished, _ = futures.wait(given, LOOK_SECONDS, futures.FIRST_COMPLETED)
                 if stop():
                     raise Stopped
+                self._check()
                 for future in finished:
                     job = given.pop(future)
                     try:
                         done[job[0]] = future.result()
                     except self.lost as error:
+                        self._check()
                         if instead is not None:
                             done[job[0]] = instead(job[1], error)
                         else:
@@ -183,6 +185,9 @@ class _Pool(Workers):
     @abstractmethod
     def _take_on(self, task: Task) -> None:
         """Make ready for a task's jobs."""
+
+    def _check(self) -> None:  # most are replaced one by one
+        """Raise when there is nobody any more to do the work."""
 
     def _drop(self, given: Iterable[futures.Future[Any]]) -> None:
         """Give up jobs that are not done."""
@@ -344,6 +349,7 @@ class Cluster(_Elsewhere):
 
     def __init__(self, address: str) -> None:
         super().__init__()
+        self._address = address
         try:
             distributed: Any = import_module("distributed")
         except ImportError:
@@ -361,6 +367,10 @@ class Cluster(_Elsewhere):
     def count(self) -> int:
         """How many threads its workers have now, 1 at least."""
         return max(1, sum(self._client.ncores().values()))
+
+    def _check(self) -> None:
+        if self._client.status in ("closing", "closed"):
+            raise SocialmindError(f"{self._address}: the Dask scheduler answers no more")
 
     def close(self) -> None:
         """Let them go; the cluster stays."""

@@ -3,6 +3,7 @@
 import itertools
 import threading
 import time
+from types import SimpleNamespace
 
 import pytest
 
@@ -180,3 +181,14 @@ def test_wrong_numbers_and_addresses_are_refused():
     pytest.importorskip("distributed")
     with pytest.raises(SocialmindError, match="no Dask scheduler answers"):
         Cluster("nonsense://x:1")
+
+
+def test_a_cluster_whose_scheduler_has_ended_is_said_to_be_gone():
+    cluster = Cluster.__new__(Cluster)
+    cluster._address, cluster._client = "tcp://10.0.0.5:8786", SimpleNamespace(status="running")
+    cluster._check()
+    cluster._client.status = "closed"
+    with pytest.raises(
+        SocialmindError, match=r"tcp://10\.0\.0\.5:8786: the Dask scheduler answers"
+    ):
+        cluster._check()
