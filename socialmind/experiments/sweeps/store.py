@@ -99,13 +99,21 @@ class Store:
 
     def rows(self, columns: Sequence[str]) -> Iterator[dict[str, Any]]:
         """Yield some columns of the runs' table, a row for each run that counts, part by part."""
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
         latest = self._latest()
         for number in self.numbers():
-            rows = self._read(RUNS, number)
-            there = [name for name in columns if name in rows.column_names]
-            for row in rows.select([RUN, *there]).to_pylist():
-                if latest[row[RUN]] == number:
-                    yield row
+            path = self._part(RUNS, number)
+            try:
+                with pq.ParquetFile(path) as file:
+                    there = [RUN, *(one for one in columns if one in file.schema_arrow.names)]
+                    for batch in file.iter_batches(ROW_GROUP, columns=there, use_threads=False):
+                        for row in batch.to_pylist():
+                            if latest[row[RUN]] == number:
+                                yield row
+            except (OSError, pa.ArrowException) as error:
+                raise _unreadable(path) from error
 
     def frames(self, name: str) -> list[Any]:
         """Return the rows of a table, as far as they are safe, in data frames."""
