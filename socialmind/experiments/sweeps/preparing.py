@@ -39,7 +39,8 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of
 from socialmind.runs import folders
 from socialmind.runs.execution import whole
-from socialmind.runs.sources import as_yaml, checked_class, hash_of, model_source
+from socialmind.runs.schemes import as_kept
+from socialmind.runs.sources import checked_class, hash_of, model_source
 from socialmind.society.founding.making import schemes_of
 from socialmind.sources.folders import digest
 from socialmind.sources.provenance import sources_of
@@ -360,11 +361,9 @@ def _copies(
     for (owner, given), scheme in settings.schemes.items():
         key = _key(owner, records[SCHEMES])
         source = given or there.model_class.populations[owner].mind
-        if isinstance(source, str | Path):
-            path = Path(source).expanduser() if given else there.model_class.folder() / source
-            suffix, content = path.suffix, path.read_bytes()
-        else:
-            suffix, content = ".yaml", as_yaml(scheme)
+        if isinstance(source, str | Path) and not given:
+            source = there.model_class.folder() / source
+        suffix, content = as_kept(scheme if source is None else source)
         file = f"{SCHEMES}/{key}{suffix}"
         files[file] = content
         records[SCHEMES][key] = {

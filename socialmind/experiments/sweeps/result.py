@@ -11,7 +11,7 @@ from socialmind.experiments.sweeps.capsule import SweepCapsule, SweepManifest
 from socialmind.experiments.sweeps.columns import RUN
 from socialmind.experiments.sweeps.store import DESIGN, RUNS, Store
 from socialmind.runs.folders import FINISHED
-from socialmind.runs.tables import AGENTS, SERIES
+from socialmind.runs.tables.names import AGENTS, SERIES
 
 if TYPE_CHECKING:
     import pandas as pd

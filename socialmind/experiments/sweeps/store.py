@@ -20,9 +20,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError
-from socialmind.runs.columns import from_arrow
-from socialmind.runs.digest import ContentDigest, TableContent
-from socialmind.runs.tables import AGENTS, ROW_GROUP, SERIES, arrow_table, common_type
+from socialmind.runs.tables.column_types import common_type
+from socialmind.runs.tables.columns import from_arrow
+from socialmind.runs.tables.digest import ContentDigest, TableContent
+from socialmind.runs.tables.files import ROW_GROUP
+from socialmind.runs.tables.growing import arrow_table
+from socialmind.runs.tables.names import AGENTS, SERIES
 from socialmind.work.files import make_room, replacing
 
 if TYPE_CHECKING:
@@ -381,6 +384,6 @@ def _sorted(rows: pa.Table) -> pa.Table:
     found = np.concatenate([from_arrow(chunk).values for chunk in rows[RUN].chunks])
     if (np.diff(found) >= 0).all():
         return rows.combine_chunks()
-    from socialmind.runs.columns import to_arrow
+    from socialmind.runs.tables.columns import to_arrow
 
     return rows.take(to_arrow(np.argsort(found, kind="stable"))).combine_chunks()

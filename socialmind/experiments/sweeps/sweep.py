@@ -20,9 +20,10 @@ from socialmind.experiments.sweeps.replicates import Replicates, Until, Waiting
 from socialmind.experiments.sweeps.store import RUNS, Store
 from socialmind.experiments.sweeps.task import OVERTIME, Done, RunJob, Task, from_stream
 from socialmind.runs import folders
-from socialmind.runs.execution import NO_ROOM
 from socialmind.runs.folders import FAILED, FINISHED, INTERRUPTED, RUNNING
-from socialmind.runs.tables import AGENTS, SERIES, arrow_table
+from socialmind.runs.loop import NO_ROOM
+from socialmind.runs.tables.growing import arrow_table
+from socialmind.runs.tables.names import AGENTS, SERIES
 from socialmind.work.processes import LostProcessError
 from socialmind.work.signals import deferred_signals
 from socialmind.work.workers import Alone, Stopped, Workers, hired, workers_here

@@ -18,9 +18,10 @@ from coglogo_py.border.errors import shown
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.experiments.sweeps.columns import ERROR, RUN, STATUS, TICKS, Names
 from socialmind.experiments.sweeps.one_run import Common, OneRun, Outcome
-from socialmind.runs.columns import EXPECTED
 from socialmind.runs.folders import FAILED
-from socialmind.runs.tables import AGENTS, SERIES, arrow_table
+from socialmind.runs.tables.columns import EXPECTED
+from socialmind.runs.tables.growing import arrow_table
+from socialmind.runs.tables.names import AGENTS, SERIES
 from socialmind.work.workers import LOOK_SECONDS, Stop, never
 
 if TYPE_CHECKING:

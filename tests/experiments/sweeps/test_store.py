@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps import store
 from socialmind.experiments.sweeps.store import RUNS, Store
-from socialmind.runs.tables import SERIES, arrow_table
+from socialmind.runs.tables.growing import arrow_table
+from socialmind.runs.tables.names import SERIES
 
 
 def rows_of(run):

@@ -14,7 +14,7 @@ from coglogo_py.border.errors import shown
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.columns import POINT, Names
 from socialmind.experiments.sweeps.points.varied import Nameable, Varied
-from socialmind.runs.tables import arrow_table
+from socialmind.runs.tables.growing import arrow_table
 
 if TYPE_CHECKING:
     import pandas as pd
