@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from coglogo_py.border.errors import SchemeError, nearest
 from coglogo_py.decision import DecisionMaker, decision_maker_called
@@ -50,6 +50,69 @@ def is_word(name: str) -> bool:
     """
     first, dot, rest = name.partition(".")
     return bool(dot and rest) and first in FIRST
+
+
+class Word(NamedTuple):
+    """What a word names.
+
+    Attributes:
+        text: the word.
+        first: what it begins with.
+        group: that of a culturon or attribute; None for a cogniton or the decision maker.
+        name: of the holder, the attribute, or the decision maker's field.
+        plan: of a link; else empty.
+    """
+
+    text: str
+    first: str
+    group: str | None
+    name: str
+    plan: str = ""
+
+
+def words_of(scheme: CognitiveScheme) -> dict[str, Word]:
+    """Return all words of a scheme by their texts, but for names that may be of several.
+
+    >>> hunger = Cogniton("Hunger", influence={"eat": 2.0})
+    >>> [word for word in words_of(CognitiveScheme("cows", (hunger,))) if "eat" in word]
+    ['influence.Hunger.eat', 'reinforcement.Hunger.eat', 'conditional.Hunger.eat']
+    """
+    found = [Word(f"decision_maker.{field}", "decision_maker", None, field) for field in MAKER]
+    for title, holders in _called(_holders(scheme)).items():
+        if len(set(holders)) > 1:
+            continue
+        group, name = holders[0]
+        found += [
+            Word(f"{first}.{title}", first, group, name)
+            for first in OF_HOLDERS
+            if group is None or first not in OF_COGNITONS
+        ]
+        found += [
+            Word(f"{first}.{title}.{plan}", first, group, name, plan)
+            for first in LINKS
+            for plan in scheme.plans
+        ]
+    for group in scheme.groups:
+        for name, _ in group.attributes:
+            text = f"group_attributes.{group.name}.{name}"
+            found.append(Word(text, "group_attributes", group.name, name))
+    return {one.text: one for one in found}
+
+
+def value_of(word: str, value: Any) -> float | bool | str:
+    """Return a value, or its text, as a word takes it.
+
+    Raises:
+        SchemeError: it is of another kind; what it may be is the scheme's to check.
+
+    >>> value_of("start.Farmer", "3"), value_of("at_birth.Farmer", "no")
+    (3.0, False)
+    """
+    if word == "decision_maker.name":
+        return str(value)
+    if word.partition(".")[0] in ("at_birth", "conditional"):
+        return _truth(word, value)
+    return _number(word, value)
 
 
 def with_word(
@@ -89,7 +152,7 @@ scheme 'cows'; expected one of eat
     if first in LINKS:
         change = _link(first, plan, word, value)
     else:
-        given = _truth(word, value) if first == "at_birth" else _number(word, value)
+        given = value_of(word, value)
 
         def change(holder: Any) -> Any:
             return replace(holder, **{OF_HOLDERS[first]: given})
@@ -107,22 +170,28 @@ def _holders(scheme: CognitiveScheme) -> Iterator[tuple[str | None, str]]:
         yield from ((group.name, name) for name in dict.fromkeys(named))
 
 
+def _called(holders: Iterable[tuple[str | None, str]]) -> dict[str, list[tuple[str | None, str]]]:
+    """Return holders by what they may be called."""
+    called: dict[str, list[tuple[str | None, str]]] = {}
+    for group, name in holders:
+        for title in (name,) if group is None else (name, f"{group}.{name}"):
+            called.setdefault(title, []).append((group, name))
+    return called
+
+
 def _found(
     scheme: CognitiveScheme, word: str, first: str, rest: str
 ) -> tuple[tuple[str | None, str], str]:
     """Return the holder that a word names, and the plan behind it; names may hold full stops."""
     holders = [one for one in _holders(scheme) if first not in OF_COGNITONS or one[0] is None]
-    called: dict[str, list[tuple[str | None, str]]] = {}
-    for group, name in holders:
-        for title in {name, name if group is None else f"{group}.{name}"}:
-            called.setdefault(title, []).append((group, name))
+    called = _called(holders)
     links = first in LINKS
     fits = [(title, rest[len(title) + 1 :]) for title in called if rest.startswith(f"{title}.")]
     named = [(t, p) for t, p in fits if p in scheme.plans] if links else []
     if not links and rest in called:
         named = [(rest, "")]
     if not named and links and fits:
-        title, plan = max(fits, key=lambda one: len(one[0]))
+        _, plan = max(fits, key=lambda one: len(one[0]))
         raise SchemeError(
             f"{word!r}, with no plan {plan!r} in scheme {scheme.name!r}",
             f"one of {', '.join(scheme.plans)}",

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pandas as pd
 
+from coglogo_py.changing.words import words_of
 from socialmind.catalogue import load_model
 from socialmind.experiments import Sweep, designs
 from socialmind.experiments.sweeps.measures.of_runs import measure_called
-from socialmind.experiments.sweeps.points.scheme_words import Words
 from socialmind.experiments.sweeps.preparing import nameable
 
 PAGE = (Path(__file__).parents[2] / "docs" / "sweeps.md").read_text("utf-8")
@@ -55,7 +55,7 @@ def test_what_it_names_is_there():
     assert measure_called("share", names["share_of_artisans"]).takes == ("series",)
     for name in designs.SAMPLERS:
         assert f"`{name}" in PAGE
-    known = Words(nameable(load_model("farmer_artisan")).schemes["humans"]).known
+    known = words_of(nameable(load_model("farmer_artisan")).schemes["humans"])
     kinds = "influence|reinforcement|start|at_birth|decision_maker"
     named = re.findall(rf"`((?:{kinds})\.\w[\w.]*)`", PAGE)
     assert len(named) >= 6

@@ -10,8 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coglogo_py import CognitiveScheme
+from coglogo_py.border.errors import nearest as resembling
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_number
+from coglogo_py.changing.words import words_of
 from socialmind.errors import SocialmindError, nearest
 from socialmind.experiments.sweeps.capsule import SweepCapsule, SweepManifest
 from socialmind.experiments.sweeps.columns import Names
@@ -24,7 +26,6 @@ from socialmind.experiments.sweeps.measures.of_runs import (
     record_of,
 )
 from socialmind.experiments.sweeps.one_run import Common, in_one_line
-from socialmind.experiments.sweeps.points.scheme_words import Words
 from socialmind.experiments.sweeps.points.settings import Key, Settings
 from socialmind.experiments.sweeps.points.table import (
     Points,
@@ -301,16 +302,12 @@ def _check_words(settings: Settings, points: Points) -> None:
     if not words:
         return
     for (owner, given), scheme in settings.schemes.items():
-        known = Words(scheme)
+        known = words_of(scheme)
         for one in words:
-            if (
-                one.word is not None
-                and one.population == owner
-                and one.word.text not in known.known
-            ):
+            if one.word is not None and one.population == owner and one.word.text not in known:
+                hint = resembling(one.word.text, known) or "leave one of the two out"
                 raise SocialmindError(
-                    f"{given or owner}: this scheme has no {one.word.text}, which varies; "
-                    f"{known.hint(one.word.text) or 'leave one of the two out'}"
+                    f"{given or owner}: this scheme has no {one.word.text}, which varies; {hint}"
                 )
     places = [n for n, one in enumerate(settings.columns) if one.kind in (WORD, SCHEME)]
     seen: set[tuple[Any, ...]] = set()

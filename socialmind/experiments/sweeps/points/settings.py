@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from coglogo_py import CognitiveScheme
+from coglogo_py.changing.words import Word, with_word
 from coglogo_py.decision import DecisionMaker
-from socialmind.errors import SocialmindError
-from socialmind.experiments.sweeps.points.scheme_words import Word, with_words
 from socialmind.experiments.sweeps.points.varied import MIND, PARAMETER, SCHEME, WORD, Varied
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of, mind_of
@@ -80,12 +79,10 @@ class Settings:
         if key not in self._made:
             while len(self._made) >= KEPT:
                 self._made.popitem(last=False)
-            try:
-                self._made[key] = with_words(whole, words, self.makers.get(owner, ()))
-            except KeyError as error:
-                raise SocialmindError(
-                    f"{name or owner}: this scheme has no {error.args[0]!r}, whose words vary"
-                ) from None
+            changed = whole
+            for word, value in words.items():
+                changed = with_word(changed, word.text, value, self.makers.get(owner, ()))
+            self._made[key] = changed
         return self._made[key]
 
     def __reduce__(self) -> tuple[Any, ...]:

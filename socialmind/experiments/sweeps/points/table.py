@@ -134,8 +134,7 @@ def refuse_twice(columns: Sequence[Varied], where: str = "") -> None:
     """
     seen: dict[tuple[Any, ...], str] = {}
     for one in columns:
-        word = one.word
-        said = () if word is None else (word.kind, word.group, word.holder, word.plan)
+        said = () if one.word is None else one.word[1:]  # whatever its text is
         target = (one.kind, one.population, said, one.name if one.parameter else "")
         if target in seen:
             raise SocialmindError(

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from coglogo_py import CognitiveScheme
+from coglogo_py import CognitiveScheme, SchemeError
 from coglogo_py.border.errors import nearest, shown
+from coglogo_py.changing.words import Word, value_of, words_of
 from socialmind.errors import SocialmindError
-from socialmind.experiments.sweeps.points.scheme_words import Word, Words
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -45,7 +45,7 @@ class Varied:
         """
         if self.parameter is not None:
             return self.parameter.read(text)
-        return self.checked(text if self.word is None else self.word.read(text))
+        return self.checked(text)
 
     def checked(self, value: Any) -> Any:
         """Return a value as Python has it.
@@ -56,7 +56,10 @@ class Varied:
         if self.parameter is not None:
             return self.parameter.checked(value)
         if self.word is not None:
-            return self.word.checked(value)
+            try:
+                return value_of(self.word.text, value)
+            except SchemeError as error:
+                raise SocialmindError(str(error)) from None
         if not isinstance(value, str | Path):
             raise SocialmindError(f"{self.name}: found {shown(value)}; expected a file")
         if not Path(value).expanduser().exists():
@@ -121,14 +124,14 @@ class Nameable:
         if said == MIND:
             return Varied(name, MIND, population=self._owner(name, population, self.minded))
         if of_population and population in self.schemes:
-            word = Words(self.schemes[population]).known.get(said)
+            word = words_of(self.schemes[population]).get(said)
             if word is not None:
                 return Varied(name, WORD, population=population, word=word)
         if not of_population:
             owners = {
                 owner: word
                 for owner, scheme in self.schemes.items()
-                if (word := Words(scheme).known.get(said)) is not None
+                if (word := words_of(scheme).get(said)) is not None
             }
             if len(owners) > 1 or (owners and len(self.schemes) > 1):
                 raise SocialmindError(
@@ -171,7 +174,7 @@ class Nameable:
         words = [
             text if alone else f"{owner}.{text}"
             for owner, scheme in self.schemes.items()
-            for text in Words(scheme).known
+            for text in words_of(scheme)
         ]
         wholes = [*([SCHEME] if self.schemes else []), *([MIND] if self.minded else [])]
         hint = nearest(name, [*parameters, *wholes, *words])

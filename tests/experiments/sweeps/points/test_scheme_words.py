@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from coglogo_py import CognitiveScheme, SchemeError
+from coglogo_py.changing.words import with_word, words_of
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
-from socialmind.experiments.sweeps.points.scheme_words import Words, with_words
 from socialmind.experiments.sweeps.preparing import nameable
 
 EDITS = [
@@ -61,26 +61,27 @@ def test_a_word_is_an_edit_of_the_file(farmers, tmp_path, name, value, old, new)
     (tmp_path / "edited.yaml").write_text(text.replace(old, new))
     edited = CognitiveScheme.load(tmp_path / "edited.yaml")
     scheme = CognitiveScheme.load(farmers.folder() / "scheme.yaml")
-    assert with_words(scheme, {Words(scheme).known[name]: value}) == edited != scheme
+    assert with_word(scheme, name, value) == edited != scheme
 
 
 def test_culturons_have_words_too():
     scheme = CognitiveScheme.parsed(GROUPS, "cattle.yaml")
-    known = Words(scheme).known
-    assert known["influence.Peace.follow"].group == "herd"
-    assert known["influence.Mood.lead"].group == ""  # the cogniton, not the culturon
-    words = {known["influence.herd.Peace.follow"]: 7.0, known["start.pack.Mood"]: 4.0}
+    known = words_of(scheme)
+    assert known["influence.Peace.follow"][1:] == known["influence.herd.Peace.follow"][1:]
+    assert "influence.Mood.lead" not in known  # a cogniton and a culturon are called so
+    changed = with_word(scheme, "influence.herd.Peace.follow", 7.0)
+    changed = with_word(changed, "start.pack.Mood", 4.0)
     edited = GROUPS.replace("follow: 2", "follow: 7").replace("start: 2", "start: 4")
-    assert with_words(scheme, words) == CognitiveScheme.parsed(edited, "cattle.yaml")
+    assert changed == CognitiveScheme.parsed(edited, "cattle.yaml")
 
 
 def test_a_value_that_cannot_be_is_refused(farmers):
     there = nameable(farmers)
     bias = there.called("decision_maker.bias")
-    with pytest.raises(SocialmindError, match=r"decision_maker\.bias: found 'high'; expected a nu"):
+    with pytest.raises(SocialmindError, match=r"decision_maker\.bias=high; expected a number"):
         bias.read("high")
     with pytest.raises(SchemeError, match="bias -1"):
-        with_words(there.schemes["humans"], {bias.word: -1.0})
+        with_word(there.schemes["humans"], bias.word.text, -1.0)
 
 
 def test_names_are_found_or_hinted_at(farmers):
