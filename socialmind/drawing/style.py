@@ -6,10 +6,10 @@ text in vector files stays text, and the colours are told apart by the colour-bl
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from io import BytesIO
-from itertools import zip_longest
+from itertools import chain, repeat
 from pathlib import Path
 from typing import Any
 
@@ -207,7 +207,7 @@ def attempts(
     [[1.0, 2.0, 3.0], [3.0, 4.0], [4.0], [2.0, 3.0]]
     """
     longest = max(map(len, lines))
-    for values, short in zip_longest(lines, failed, fillvalue=False):
+    for values, short in zip(lines, chain(failed, repeat(False)), strict=False):
         places = range(1, len(values) + 1)
         colour, order = (RED, 2.2) if short else (PALE, 2.0)
         axes.plot(places, values, color=colour, linewidth=width, zorder=order)
@@ -229,7 +229,7 @@ def attempts_key(lines: Sequence[Sequence[float]], failed: Sequence[bool] = ()) 
     if any(failed):
         handles.append(Line2D([], [], color=RED, label="fell short"))
     if len(set(map(len, lines))) > 1:
-        dot = {"marker": "o", "markersize": 2.2, "color": INK, "linestyle": "none"}
+        dot: dict[str, Any] = {"marker": "o", "markersize": 2.2, "color": INK, "linestyle": "none"}
         handles.append(Line2D([], [], label="its lesson ends", **dot))
     return handles
 
@@ -294,7 +294,7 @@ def bars(axes: Axes, values: Mapping[str, float], colours: Mapping[str, str], ab
         )
 
 
-def limits_with_zero(values: Sequence[float]) -> tuple[float, float]:
+def limits_with_zero(values: Iterable[float]) -> tuple[float, float]:
     """Limits of an axis that show 0 and all values, with a little air beyond them.
 
     Args:
