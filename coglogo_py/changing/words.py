@@ -92,11 +92,11 @@ def words_of(scheme: CognitiveScheme) -> dict[str, Word]:
             for first in LINKS
             for plan in scheme.plans
         ]
-    for group in scheme.groups:
-        for name, _ in group.attributes:
-            text = f"group_attributes.{group.name}.{name}"
-            found.append(Word(text, "group_attributes", group.name, name))
-    return {one.text: one for one in found}
+    for one in scheme.groups:
+        for name, _ in one.attributes:
+            text = f"group_attributes.{one.name}.{name}"
+            found.append(Word(text, "group_attributes", one.name, name))
+    return {word.text: word for word in found}
 
 
 def value_of(word: str, value: Any) -> float | bool | str:
