@@ -11,7 +11,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from types import CodeType, FrameType, ModuleType
 
@@ -24,7 +24,7 @@ PRIVATE = "_socialmind_"
 """How the names of modules begin that were loaded by path."""
 
 
-def load_file(path: Path, alone: bool = False) -> ModuleType:
+def load_file(path: Path, alone: bool = False, modules: Path | None = None) -> ModuleType:
     """Run a Python file as a module with a private name that stands for its folder's content.
 
     The module is the package of its folder, so ``from .rules import eat`` finds ``rules.py``
@@ -34,6 +34,7 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
     Args:
         path: the file.
         alone: whether it stands for itself, and not for the folder that it lies in.
+        modules: a folder of modules that it may import.
 
     Raises:
         ModelError: it is no Python, or stopped with an error.
@@ -47,13 +48,14 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
     )
     if spec is None:
         raise ModelError("a file that Python cannot load", file=path)
+    spec.loader_state = modules
     module = importlib.util.module_from_spec(spec)
     code = _compile(source, path)
     remember({str(path): source})
     sys.modules[name] = module
     with _heard_interrupts() as heard:
         try:
-            with _no_bytecode():
+            with _no_bytecode(), nullcontext() if modules is None else modules_from(modules):
                 exec(code, module.__dict__)
         except SocialmindError:
             _forget(name)
@@ -64,6 +66,12 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
                 raise
             raise _failed_import(error, path) from error
     return module
+
+
+def modules_of(module: ModuleType) -> Path | None:
+    """Return the folder of modules that was given with a file; None where none was."""
+    found = module.__spec__ and module.__spec__.loader_state
+    return found if isinstance(found, Path) else None
 
 
 def is_alone(path: Path, name: str) -> bool:

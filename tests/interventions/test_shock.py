@@ -11,7 +11,7 @@ from socialmind import Agent, Model, Population, each, parameter
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.interventions.change import Change
 from socialmind.interventions.following import advanced
-from socialmind.interventions.shock import Shock
+from socialmind.interventions.shock import Shock, loaded
 from socialmind.work.packing import packed
 
 CHECKOUT = Path(__file__).parents[2]
@@ -190,12 +190,14 @@ def test_what_is_not_at_the_top_of_a_file_has_none(tmp_path):
     assert Shock(1, lambda society: None).file is None
 
 
-def test_a_shock_of_a_file_goes_to_another_process(tmp_path):
-    (tmp_path / "parts.py").write_text("AMOUNT = 3.0\n")
-    (tmp_path / "plague.py").write_text(
-        "from parts import AMOUNT\ndef strike(society):\n    return AMOUNT\n"
-    )
-    (tmp_path / "shock").write_bytes(packed(Shock.parsed(f"12:{tmp_path}/plague.py:strike")))
+@pytest.mark.parametrize("modules", [".", "modules"])
+def test_a_shock_of_a_file_goes_to_another_process(tmp_path, modules):
+    (tmp_path / modules).mkdir(exist_ok=True)
+    (tmp_path / modules / "parts.py").write_text("AMOUNT = 3.0\n")
+    plague = tmp_path / "plague.py"
+    plague.write_text("from parts import AMOUNT\ndef strike(society):\n    return AMOUNT\n")
+    shock = Shock(12, loaded(plague, "strike", (tmp_path / modules).resolve()))
+    (tmp_path / "shock").write_bytes(packed(shock))
     script = (
         "import sys; from pathlib import Path; from socialmind.work.packing import unpacked\n"
         "one = unpacked(Path(sys.argv[1]).read_bytes()); print(one.tick, one.function(None))"
