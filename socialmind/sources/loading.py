@@ -48,7 +48,6 @@ def load_file(path: Path, alone: bool = False, modules: Path | None = None) -> M
     )
     if spec is None:
         raise ModelError("a file that Python cannot load", file=path)
-    spec.loader_state = modules
     module = importlib.util.module_from_spec(spec)
     code = _compile(source, path)
     remember({str(path): source})
@@ -57,6 +56,8 @@ def load_file(path: Path, alone: bool = False, modules: Path | None = None) -> M
         try:
             with _no_bytecode(), nullcontext() if modules is None else modules_from(modules):
                 exec(code, module.__dict__)
+                if modules is not None:
+                    spec.loader_state = modules, _of_folder(modules)
         except SocialmindError:
             _forget(name)
             raise
@@ -70,8 +71,26 @@ def load_file(path: Path, alone: bool = False, modules: Path | None = None) -> M
 
 def modules_of(module: ModuleType) -> Path | None:
     """Return the folder of modules that was given with a file; None where none was."""
-    found = module.__spec__ and module.__spec__.loader_state
-    return found if isinstance(found, Path) else None
+    found = getattr(getattr(module, "__spec__", None), "loader_state", None)
+    return Path(found[0]) if isinstance(found, tuple) else None
+
+
+def found_by(module: ModuleType) -> dict[str, ModuleType]:
+    """Return the modules of that folder as the file found them, by name.
+
+    Another file's may have the names since.
+    """
+    found = getattr(getattr(module, "__spec__", None), "loader_state", None)
+    return dict(found[1]) if isinstance(found, tuple) else {}
+
+
+def _of_folder(folder: Path) -> dict[str, ModuleType]:
+    return {
+        name: one
+        for name, one in list(sys.modules.items())
+        if not name.startswith(PRIVATE)
+        and Path(getattr(one, "__file__", None) or "").is_relative_to(folder)
+    }
 
 
 def is_alone(path: Path, name: str) -> bool:
