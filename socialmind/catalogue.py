@@ -14,7 +14,7 @@ from socialmind.sources.folders import (
     model_folder,
     source_hash,
 )
-from socialmind.sources.loading import load_file, modules_from
+from socialmind.sources.loading import load_file
 from socialmind.sources.trust import programs_in, remember
 
 if TYPE_CHECKING:
@@ -69,8 +69,7 @@ def load_script(path: Path, name: str | None = None) -> type[Model]:
     Raises:
         ModelError: the file cannot be read or run, or which class is meant is unclear.
     """
-    with modules_from(path.resolve().parent):
-        module = load_file(path.resolve(), alone=True)
+    module = load_file(path.resolve(), alone=True, modules=path.resolve().parent)
     if name is None:
         return _model_class(module)
     from socialmind.model import Model

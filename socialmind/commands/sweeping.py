@@ -13,6 +13,7 @@ import typer
 from socialmind.commands.console import options
 from socialmind.commands.console.progress import Told, progress_bar
 from socialmind.commands.console.terminal import quoted
+from socialmind.commands.running import shocks_in
 from socialmind.errors import SocialmindError
 
 if TYPE_CHECKING:
@@ -77,6 +78,13 @@ def sweep(
             help=f"As settled=mean(farmers[-100:]), or NAME=FILE.py:FUNCTION; {SEVERAL}.",
         ),
     ] = None,
+    shock: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="TICK:FILE.py:FUNCTION",
+            help=f"Function that changes the society of every run at a tick; {SEVERAL}.",
+        ),
+    ] = None,
     timeout: Annotated[
         float | None, typer.Option(metavar="SECONDS", help="How long a run may take.")
     ] = None,
@@ -132,11 +140,13 @@ def sweep(
         there = nameable(model_class)
         fixed = read_fixed(settings or [], there)
         points = read_design(grid or [], sample, design, ranges or [], there)
+        shocks = shocks_in(shock or [])
         with _told(quiet, f"sweep {model}") as on_progress:
             folder = sweeping.sweep(
                 model_class, points, ticks, read_seeds(seeds or "0:1"), common=common,
                 fixed=fixed, measures=read_measures(measure or []), every=every, agents=agents,
                 until=until, at_most=at_most or 0, timeout=timeout, compiled=not interpreted,
+                shocks=shocks,
                 workers=workers, cluster=cluster, out=out, on_progress=on_progress,
                 on_begin=None if quiet else _say,
             )  # fmt: skip

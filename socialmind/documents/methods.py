@@ -75,6 +75,9 @@ def _of_run(folder: Path, trust: bool) -> str:
         parts.append(f"It is {manifest.status}, after {manifest.ticks_done:,} ticks.")
     parts.append(settings(manifest.parameters, model_class))
     parts += _minds_used(manifest.schemes, manifest.minds)
+    if manifest.branch is not None:
+        parts.append(f"It left {manifest.branch['run']} at tick {manifest.branch['tick']:,}.")
+    parts.append(_interventions(manifest.interventions))
     if manifest.engine != "compiled":
         parts.append(f"Bodies were moved by {manifest.engine}.")
     parts.append(
@@ -93,13 +96,15 @@ def _of_run(folder: Path, trust: bool) -> str:
                 command += [option, f"{population}={copy}"]
     if manifest.engine != "compiled":
         command += ["--engine", manifest.engine]
+    shocks = _as_options(manifest.interventions, capsule.folder)
     parts.append(_luck())
-    replay = f"`socialmind replay {folder}`"
-    if model_class is not None and changes_since(capsule, model_class) is None:
-        parts.append(f"The run is repeated by `{shlex.join(command)}`;")
-    else:
+    place = shlex.quote(str(folder))
+    replay = f"`socialmind replay {place}`"
+    if model_class is None or changes_since(capsule, model_class) is not None:
         parts.append("The model's files are not at hand as they ran; the run keeps copies of them:")
-        replay = f"`socialmind replay {folder} --source kept`"
+        replay = f"`socialmind replay {place} --source kept`"
+    elif shocks is not None:
+        parts.append(f"The run is repeated by `{shlex.join(command + shocks)}`;")
     parts.append(f"{replay} repeats it from its folder and compares every number.")
     return " ".join(part for part in parts if part)
 
@@ -125,49 +130,111 @@ def paragraph_of_sweep(
     """
     model, replicates = content["model"], content["replicates"]
     parts = [_opening(model, content.get("versions", {}), content.get("platforms", ()), None)]
-    name = str(content["design"].get("name", "table"))
-    varied = [_varied(one, points) for one in content["columns"]]
-    phrase = DESIGNS.get(name, f"the design {name}")
-    seeds = replicates["seeds"]
-    each = len(seeds)
-    number = f"{content['points']:,} point{'s' if content['points'] != 1 else ''}"
-    parts.append(f"What was varied is {_listed(varied)}, by {phrase} of {number}.")
-    if replicates.get("until"):
-        measure = replicates["until"].partition(":")
-        parts.append(
-            f"At each point runs with further seeds were added until the 95 % interval of "
-            f"{measure[2]} was within {measure[0]}, at most {replicates['most']:,}."
-        )
-    else:
-        parts.append(
-            f"At each point {each:,} replicate{'s were' if each != 1 else ' was'} run, "
-            + (f"with the seeds {_seeds(seeds)} at all points (common random numbers)."
-               if replicates.get("common") else
-               f"each with a seed of its own that follows from {_seeds(seeds)} and the point.")
-        )  # fmt: skip
+    parts.append(_design(content["design"], content["columns"], content["points"], points))
+    parts.append(_replicates(replicates))
     counts = content.get("counts", {})
     done = counts.get("finished", 0)
     others = [f"{number:,} {status.replace('_', ' ')}" for status, number in counts.items()
               if status not in ("finished", "pending") and number]  # fmt: skip
     lacking = f" ({_listed(others)})" if others else ""
-    parts.append(f"{done:,} runs of {content['ticks']:,} ticks were finished{lacking}.")
+    were = "run of {} was" if done == 1 else "runs of {} were"
+    parts.append(f"{done:,} {were.format(_number(content['ticks']))} finished{lacking}.")
+    if content.get("status", FINISHED) != FINISHED:
+        parts.append(f"The sweep is {content['status']}: further runs may come.")
+    if content.get("timeout"):
+        parts.append(f"Each had {content['timeout']:g} s at most.")
     if content.get("fixed"):
         fixed = [f"{one} = {written(value)}" for one, value in content["fixed"].items()]
         parts.append(f"In all of them {_listed(fixed)}; all other parameters had their defaults.")
     else:
-        parts.append("All other parameters had their defaults.")
+        which = "All other" if content["columns"] else "All"
+        parts.append(f"{which} parameters had their defaults.")
+    parts += _minds_used(content.get("schemes", {}), content.get("minds", {}))
+    parts.append(_interventions(content.get("interventions", ())))
     if content.get("measures"):
-        told = [
-            f"{one} = {measure.get('expression') or measure.get('function')}"
-            for one, measure in content["measures"].items()
-        ]
+        told = [f"{one} = {_measure(measure)}" for one, measure in content["measures"].items()]
         parts.append(f"Of each run was measured: {'; '.join(told)}.")
+    if content.get("measures") or content.get("keeps_series"):
+        parts.append(f"Its series was recorded every {_ticks(content['every'])}.")
     parts.append(_luck())
     parts.append(
         f"The design, the seeds and every result are in {folder}; any run of it is repeated by "
-        f"`socialmind run --from-sweep {folder} --number N`."
+        f"`socialmind run --from-sweep {shlex.quote(str(folder))} --number N`."
     )
-    return " ".join(parts)
+    return " ".join(part for part in parts if part)
+
+
+def _design(
+    made: Mapping[str, Any], columns: Sequence[str], count: int, points: pd.DataFrame | None
+) -> str:
+    """Return the sentence of what varied, and by which design."""
+    if not columns:
+        return "Nothing was varied."
+    name = str(made.get("name", "table"))
+    varied = _listed([_varied(one, points) for one in columns])
+    said = [f"{one} {made[one]}" for one in ("size", "seed") if one in made]
+    number = f"{count:,} point{'s' if count != 1 else ''}"
+    return (
+        f"What was varied is {varied}, by {DESIGNS.get(name, f'the design {name}')} of {number}"
+        f"{f' ({_listed(said)})' if said else ''}."
+    )
+
+
+def _replicates(record: Mapping[str, Any]) -> str:
+    """Return the sentences of the replicates and their seeds."""
+    seeds = record["seeds"]
+    each = len(seeds)
+    how = (
+        f"with the seed{'s' if each != 1 else ''} {_seeds(seeds)} at all points (common random "
+        "numbers)"
+        if record.get("common")
+        else f"each with a seed of its own that follows from {_seeds(seeds)} and the point"
+    )
+    told = f"At each point {each:,} replicate{'s were' if each != 1 else ' was'} run, {how}."
+    if not record.get("until"):
+        return told
+    width, _, measure = record["until"].partition(":")
+    return (
+        f"{told} There runs with further seeds were added until the 95 % interval of {measure} was "
+        f"within {width}, at most {record['most']:,}."
+    )
+
+
+def _measure(record: Mapping[str, str]) -> str:
+    """Return a measure as its author wrote it."""
+    if "file" not in record:
+        return record.get("expression") or f"the function {record['function']}"
+    file, _, function = record["file"].rpartition(":")
+    return f"{function} ({Path(file).name}, SHA-256 {record['sha256'][:HASH_DIGITS]}…)"
+
+
+def _interventions(records: Sequence[Mapping[str, Any]]) -> str:
+    """Return the sentence of what was done to societies on their way, if anything was."""
+    told = []
+    for one in records:
+        if "function" in one:
+            digest = one["sources"]["sha256"][:HASH_DIGITS]
+            what = [f"{one['function']} ({Path(one['file']).name}, SHA-256 {digest}…)"]
+        else:
+            what = [_valued(*each) for each in one["parameters"].items()]
+            what += [
+                f"the cognitive scheme {scheme['name']} of {owner} (SHA-256 "
+                f"{scheme['sha256'][:HASH_DIGITS]}…)"
+                for owner, scheme in one["schemes"].items()
+            ]
+        told.append(f"at tick {one['tick']:,} {_listed(what)}")
+    return f"Societies were changed on their way: {'; '.join(told)}." if told else ""
+
+
+def _as_options(records: Sequence[Mapping[str, Any]], folder: Path) -> list[str] | None:
+    """Return interventions as options of `socialmind run`; None where these cannot say them."""
+    options: list[str] = []
+    for one in records:
+        # A copy that imports others of the user's finds them in a replay alone.
+        if "function" not in one or len(one["sources"]["files"]) > 1:
+            return None
+        options += ["--shock", f"{one['tick']}:{folder / one['file']}:{one['function']}"]
+    return options
 
 
 def _is_own_scheme(copy: Path, population: str, model_class: type[Model] | None) -> bool:
@@ -257,11 +324,14 @@ def _plain(value: Any) -> str:
 def _minds_used(
     schemes: Mapping[str, Mapping[str, str]], minds: Mapping[str, Mapping[str, str]]
 ) -> list[str]:
-    return [
-        f"The {what} of {population} was {one['name']} (SHA-256 {one['sha256'][:HASH_DIGITS]}…)."
-        for what, copies in (("cognitive scheme", schemes), ("hierarchy of skills", minds))
-        for population, one in copies.items()
-    ]
+    told = []
+    for what, copies in (("cognitive scheme", schemes), ("hierarchy of skills", minds)):
+        found: dict[str, list[str]] = {}
+        for key, one in copies.items():  # a sweep may have several of a population
+            name = f"{one['name']} (SHA-256 {one['sha256'][:HASH_DIGITS]}…)"
+            found.setdefault(one.get("population", key), []).append(name)
+        told += [f"The {what} of {owner} was {' or '.join(n)}." for owner, n in found.items()]
+    return told
 
 
 def _varied(name: str, points: pd.DataFrame | None) -> str:
@@ -282,7 +352,11 @@ def _seeds(seeds: Sequence[int]) -> str:
 
 
 def _ticks(number: int) -> str:
-    return "tick" if number == 1 else f"{number:,} ticks"
+    return "tick" if number == 1 else _number(number)
+
+
+def _number(ticks: int) -> str:
+    return f"{ticks:,} tick{'s' if ticks != 1 else ''}"
 
 
 def _listed(words: Sequence[str]) -> str:

@@ -17,7 +17,7 @@ from socialmind.errors import ModelError, SocialmindError, nearest, written_at
 from socialmind.model import Model
 from socialmind.society.copying import own_of
 from socialmind.sources.folders import MODEL_FILE
-from socialmind.sources.loading import failure_in_model, modules_from
+from socialmind.sources.loading import failure_in_model
 from socialmind.sources.provenance import note_module
 from socialmind.streams import SHOCK_TAG, SHOCK_TAGS, Stream
 
@@ -213,8 +213,7 @@ def loaded(path: Path, name: str, modules: Path | None = None) -> Callable[..., 
         load_model(path)
         module = load_file(path)
     else:
-        with modules_from(modules or path.parent):
-            module = load_file(path, alone=True)
+        module = load_file(path, alone=True, modules=modules or path.parent)
     found = getattr(module, name, None)
     if not callable(found):
         known = [one for one, value in vars(module).items() if inspect.isfunction(value)]

@@ -112,6 +112,8 @@ def _stays(value: Any) -> bool:
 
 
 NAME_WITHIN = Kind("a name within the folder", _stays)
+SHOCK = Fields({"tick": whole(), "function": TEXT, "file": NAME_WITHIN, "sources": SOURCES})
+"""A shock that a folder keeps: `socialmind.runs.branching.kept`."""
 
 
 def read_record(path: Path, what: str) -> dict[str, Any]:

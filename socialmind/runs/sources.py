@@ -31,7 +31,7 @@ class Made(Protocol):
 
     @property
     def manifest(self) -> Any:
-        """Its ``model``, ``schemes``, ``minds`` and ``versions``."""
+        """Its ``model``, ``schemes``, ``minds``, ``interventions`` and ``versions``."""
 
     @property
     def schemes(self) -> dict[str, Path]:

@@ -11,7 +11,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from types import CodeType, FrameType, ModuleType
 
@@ -24,7 +24,7 @@ PRIVATE = "_socialmind_"
 """How the names of modules begin that were loaded by path."""
 
 
-def load_file(path: Path, alone: bool = False) -> ModuleType:
+def load_file(path: Path, alone: bool = False, modules: Path | None = None) -> ModuleType:
     """Run a Python file as a module with a private name that stands for its folder's content.
 
     The module is the package of its folder, so ``from .rules import eat`` finds ``rules.py``
@@ -34,6 +34,7 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
     Args:
         path: the file.
         alone: whether it stands for itself, and not for the folder that it lies in.
+        modules: a folder of modules that it may import.
 
     Raises:
         ModelError: it is no Python, or stopped with an error.
@@ -53,8 +54,10 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
     sys.modules[name] = module
     with _heard_interrupts() as heard:
         try:
-            with _no_bytecode():
+            with _no_bytecode(), nullcontext() if modules is None else modules_from(modules):
                 exec(code, module.__dict__)
+                if modules is not None:
+                    spec.loader_state = modules, _of_folder(modules)
         except SocialmindError:
             _forget(name)
             raise
@@ -64,6 +67,30 @@ def load_file(path: Path, alone: bool = False) -> ModuleType:
                 raise
             raise _failed_import(error, path) from error
     return module
+
+
+def modules_of(module: ModuleType) -> Path | None:
+    """Return the folder of modules that was given with a file; None where none was."""
+    found = getattr(getattr(module, "__spec__", None), "loader_state", None)
+    return Path(found[0]) if isinstance(found, tuple) else None
+
+
+def found_by(module: ModuleType) -> dict[str, ModuleType]:
+    """Return the modules of that folder as the file found them, by name.
+
+    Another file's may have the names since.
+    """
+    found = getattr(getattr(module, "__spec__", None), "loader_state", None)
+    return dict(found[1]) if isinstance(found, tuple) else {}
+
+
+def _of_folder(folder: Path) -> dict[str, ModuleType]:
+    return {
+        name: one
+        for name, one in list(sys.modules.items())
+        if not name.startswith(PRIVATE)
+        and Path(getattr(one, "__file__", None) or "").is_relative_to(folder)
+    }
 
 
 def is_alone(path: Path, name: str) -> bool:

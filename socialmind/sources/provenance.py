@@ -26,7 +26,7 @@ from socialmind.errors import SocialmindError
 from socialmind.language.syntax import parsed
 from socialmind.sources import folders
 from socialmind.sources.folders import MODEL_FILE, deciding_files, digest, models_in
-from socialmind.sources.loading import PRIVATE
+from socialmind.sources.loading import PRIVATE, found_by
 
 VERSION = 2
 """Of how sources are found and hashed; a record without one is of the model's folder alone."""
@@ -151,7 +151,8 @@ def _found(file: Path | None, names: list[str], apart: set[Path], texts: dict[st
     if file is not None and home is not None:
         own = deciding_files(home) if file.name == MODEL_FILE else [file]
         places = {path: f"model/{path.relative_to(home).as_posix()}" for path in own}
-    modules, packages = _reached_modules(names)
+    first = sys.modules.get(names[0]) if names else None
+    modules, packages = _reached_modules(names, {} if first is None else found_by(first))
     for module in modules.values():
         path = _file_of(module)
         if path is not None:
@@ -280,14 +281,21 @@ sys.addaudithook(_note_read)
 _KNOWN = frozenset((*sys.stdlib_module_names, "socialmind", "coglogo_py", "numpy"))
 
 
-def _reached_modules(names: list[str]) -> tuple[dict[str, ModuleType], dict[str, str]]:
-    """Return the user's modules that some modules reach, and the versions of packages."""
+def _reached_modules(
+    names: list[str], known: Mapping[str, ModuleType]
+) -> tuple[dict[str, ModuleType], dict[str, str]]:
+    """Return the user's modules that some modules reach, and the versions of packages.
+
+    Args:
+        names: of the modules.
+        known: what is called otherwise in Python's own table by now, by name.
+    """
     modules: dict[str, ModuleType] = {}
     packages: dict[str, str] = {}
     waiting = list(names)
     while waiting:
         name = waiting.pop()
-        module = sys.modules.get(name)
+        module = known.get(name) or sys.modules.get(name)
         root = name.partition(".")[0]
         if module is None or name in modules or root in _KNOWN:
             continue

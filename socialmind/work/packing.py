@@ -16,7 +16,7 @@ from typing import Any
 
 from socialmind.errors import ModelError
 from socialmind.sources.folders import catalogue
-from socialmind.sources.loading import PRIVATE, is_alone, load_file, modules_from
+from socialmind.sources.loading import PRIVATE, is_alone, load_file, modules_of
 
 
 def packed(content: Any) -> bytes:
@@ -60,20 +60,24 @@ def is_private(something: Any) -> bool:
     return str(getattr(something, "__module__", None)).startswith(PRIVATE)
 
 
-def reference(something: Any) -> tuple[Any, tuple[str, str, str, str, str]]:
+def reference(something: Any) -> tuple[Any, tuple[str, ...]]:
     """Return a class or function of such a module as a call that finds it, for `__reduce__`."""
     if "<locals>" in something.__qualname__:
         raise pickle.PicklingError(f"{something.__qualname__} is made within a function")
     name, _, inner = something.__module__.partition(".")
     file = Path(str(sys.modules[name].__file__)).resolve()
+    modules = modules_of(sys.modules[name])
+    elsewhere = () if modules in (None, file.parent) else (str(modules),)
     model = ""
     for known, folder in catalogue().items():
         if file.is_relative_to(folder.resolve()):
             model = known
-    return _in_file, (name, str(file), model, inner, something.__qualname__)
+    return _in_file, (name, str(file), model, inner, something.__qualname__, *elsewhere)
 
 
-def _in_file(name: str, file: str, model: str, inner: str, qualified: str) -> Any:
+def _in_file(
+    name: str, file: str, model: str, inner: str, qualified: str, modules: str = ""
+) -> Any:
     """Return a class or function by its module's name and file.
 
     Args:
@@ -83,6 +87,7 @@ def _in_file(name: str, file: str, model: str, inner: str, qualified: str) -> An
             on another machine; empty for none.
         inner: the module within it, where the folder has several.
         qualified: the qualified name.
+        modules: the folder of modules that it may import, where that is not its own.
     """
     module = sys.modules.get(name)
     if module is None:
@@ -93,8 +98,7 @@ def _in_file(name: str, file: str, model: str, inner: str, qualified: str) -> An
         if not path.is_file():
             raise ModelError("a file that is gone", "the one that was packed", file=path)
         if is_alone(path, name):
-            with modules_from(path.parent):
-                module = load_file(path, alone=True)
+            module = load_file(path, alone=True, modules=Path(modules) if modules else path.parent)
         else:
             module = load_file(path)
         if module.__name__ != name and not elsewhere:

@@ -49,6 +49,27 @@ def test_set_sample_measures_and_a_function_of_a_file(socialmind, grazers, tmp_p
     assert not (tmp_path / "s" / "series.parquet").exists()
 
 
+def test_a_shock_strikes_each_run_as_in_run(socialmind, grazers, tmp_path):
+    (tmp_path / "plague.py").write_text("def strike(society):\n    society.grazers[0].die()\n")
+    words = ("--ticks", 10, "--every", 5, "--interpreted", "--quiet")
+    shock = ("--shock", "4:plague.py:strike")
+    result = socialmind("sweep", grazers, *words, *shock, "--seeds", "7:8", "--common", "--workers",
+                        1, "--out", "s")  # fmt: skip
+    assert result.exit_code == 0, result.output
+    result = socialmind("run", grazers, *words, *shock, "--seed", 7, "--out", "run")
+    assert result.exit_code == 0, result.output
+    own = Sweep("s").series.drop(columns="run")
+    pd.testing.assert_frame_equal(Run("run").series, own, check_exact=True)
+    told = socialmind("methods", "s")
+    assert "at tick 4 strike (plague.py, SHA-256 " in told.stdout, told.output
+    told = socialmind("methods", "run")
+    assert "at tick 4 strike (plague.py, SHA-256 " in told.stdout
+    copy = tmp_path / "run/interventions/00-strike/source/model/plague.py"
+    assert f"--shock 4:{copy}:strike`" in told.stdout
+    refused = socialmind("sweep", "--resume", "s", *shock)
+    assert refused.exit_code != 0 and "shock" in refused.stderr
+
+
 def test_a_stopped_one_says_how_to_go_on(socialmind, grazers, tmp_path, monkeypatch):
     monkeypatch.setattr(sweeping, "JOB_SECONDS", 0.0)
     done = []

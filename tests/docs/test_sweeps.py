@@ -49,6 +49,20 @@ def test_its_commands_are_there(tmp_path, monkeypatch):
     assert "`9 points (grid) × 20 seeds = 180 runs of 50,000 ticks`" in PAGE
 
 
+def test_its_shock_strikes(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "plague.py").write_text("def hail(society):\n    society.humans.wheat = 0.0\n")
+    short = BLOCKS[2].replace("10_000", "2, every=1, compiled=False, workers=1")
+    short = short.replace("5000:", "1:").replace("range(20)", "range(1)")
+    names = {"__name__": "__main__"}
+    exec(compile(short, "docs/sweeps.md", "exec"), names)
+    series = Sweep(names["folder"]).series
+    assert (series.loc[series["tick"] == 1, "wheat"] > 0).all()
+    assert (
+        series.loc[series["tick"] == 2, "wheat"] < series.loc[series["tick"] == 1, "wheat"].min()
+    ).all()
+
+
 def test_what_it_names_is_there():
     names = {}
     exec(BLOCKS[1], names)

@@ -6,7 +6,7 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.documents.methods import methods, paragraph_of_sweep
 from socialmind.errors import SocialmindError
-from socialmind.experiments import run
+from socialmind.experiments import Change, Shock, designs, run, sweep
 
 MODEL = '''
 from socialmind import Agent, Model, Population, each, parameter
@@ -84,6 +84,7 @@ SWEEP = {
     "fixed": {"fast": True},
     "replicates": {"seeds": list(range(20)), "common": False, "until": None, "most": 20},
     "ticks": 1000,
+    "every": 10,
     "measures": {"far": {"expression": "mean(steps[-100:])"}},
     "counts": {"finished": 118, "failed": 1, "timed_out": 1},
     "versions": {"socialmind": "0.1.0", "python": "3.11.7"},
@@ -116,6 +117,55 @@ def test_ranges_common_seeds_and_intervals_of_a_sweep(tmp_path):
     replicates = {**replicates, "until": "5%:far", "most": 80}
     text = paragraph_of_sweep({**SWEEP, "replicates": replicates}, None, tmp_path)
     assert "until the 95 % interval of far was within 5%, at most 80." in text
+
+
+@pytest.fixture
+def plague(tmp_path):
+    file = tmp_path / "plague.py"
+    file.write_text(
+        "def strike(society):\n    society.walkers.steps = 0\n"
+        "def far(series):\n    return 1.0 * series['tick'][-1]\n",
+        "utf-8",
+    )
+    return file
+
+
+def test_a_sweep_s_own_folder_is_told_with_shocks_and_measures(walk, plague, tmp_path):
+    folder = sweep(
+        walk, designs.lhs({"stride": (1, 9), "limit": (0.5, 1.5)}, 3, seed=5, whole=["stride"]), 20,
+        range(2), fixed={"fast": True}, measures={"far": f"{plague}:far"}, every=5, compiled=False,
+        shocks=[Shock.parsed(f"8:{plague}:strike")], timeout=60.0, workers=1,
+        out=tmp_path / "a sweep",
+    )  # fmt: skip
+    text = methods(folder)
+    assert "by a Latin hypercube sample of 3 points (size 3 and seed 5)." in text
+    assert (
+        "At each point 2 replicates were run, each with a seed of its own that follows from 0, 1 a"
+        in text
+    )
+    assert "6 runs of 20 ticks were finished. Each had 60 s at most." in text
+    assert "Societies were changed on their way: at tick 8 strike (plague.py, SHA-256 " in text
+    assert "Of each run was measured: far = far (plague.py, SHA-256 " in text
+    assert "Its series was recorded every 5 ticks." in text
+    assert f"`socialmind run --from-sweep '{folder}' --number N`" in text
+    alone = sweep(walk, None, 1, every=0, compiled=False, workers=1, out=tmp_path / "one")
+    assert "Nothing was varied. At each point 1 replicate was run" in methods(alone)
+    assert "1 run of 1 tick was finished. All other parameters had" not in methods(alone)
+    assert "1 run of 1 tick was finished. All parameters had their defaults." in methods(alone)
+
+
+def test_shocks_and_changes_of_a_run_are_told(walk, plague, tmp_path):
+    shock = Shock.parsed(f"8:{plague}:strike")
+    options = {"ticks": 20, "compiled": False}
+    folder = run(load_model(walk), interventions=[shock], out=tmp_path / "a", **options)
+    text = methods(folder)
+    assert "Societies were changed on their way: at tick 8 strike (plague.py, SHA-256 " in text
+    copy = folder / "interventions/00-strike/source/model/plague.py"
+    assert f"--shock 8:{copy}:strike`" in text
+    change = Change(12, {"stride": 4})
+    folder = run(load_model(walk), interventions=[shock, change], out=tmp_path / "b", **options)
+    assert "at tick 12 stride = 4." in methods(folder)
+    assert "socialmind run" not in methods(folder) and "socialmind replay" in methods(folder)
 
 
 def test_a_folder_of_something_else_is_refused(tmp_path):

@@ -11,7 +11,8 @@ from socialmind import Agent, Model, Population, each, parameter
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.interventions.change import Change
 from socialmind.interventions.following import advanced
-from socialmind.interventions.shock import Shock
+from socialmind.interventions.shock import Shock, loaded
+from socialmind.sources.provenance import sources_of_module
 from socialmind.work.packing import packed
 
 CHECKOUT = Path(__file__).parents[2]
@@ -190,12 +191,14 @@ def test_what_is_not_at_the_top_of_a_file_has_none(tmp_path):
     assert Shock(1, lambda society: None).file is None
 
 
-def test_a_shock_of_a_file_goes_to_another_process(tmp_path):
-    (tmp_path / "parts.py").write_text("AMOUNT = 3.0\n")
-    (tmp_path / "plague.py").write_text(
-        "from parts import AMOUNT\ndef strike(society):\n    return AMOUNT\n"
-    )
-    (tmp_path / "shock").write_bytes(packed(Shock.parsed(f"12:{tmp_path}/plague.py:strike")))
+@pytest.mark.parametrize("modules", [".", "modules"])
+def test_a_shock_of_a_file_goes_to_another_process(tmp_path, modules):
+    (tmp_path / modules).mkdir(exist_ok=True)
+    (tmp_path / modules / "parts.py").write_text("AMOUNT = 3.0\n")
+    plague = tmp_path / "plague.py"
+    plague.write_text("from parts import AMOUNT\ndef strike(society):\n    return AMOUNT\n")
+    shock = Shock(12, loaded(plague, "strike", (tmp_path / modules).resolve()))
+    (tmp_path / "shock").write_bytes(packed(shock))
     script = (
         "import sys; from pathlib import Path; from socialmind.work.packing import unpacked\n"
         "one = unpacked(Path(sys.argv[1]).read_bytes()); print(one.tick, one.function(None))"
@@ -203,6 +206,24 @@ def test_a_shock_of_a_file_goes_to_another_process(tmp_path):
     words = [sys.executable, "-c", script, str(tmp_path / "shock")]
     ended = subprocess.run(words, capture_output=True, text=True, cwd=CHECKOUT, timeout=120)
     assert ended.stdout == "12 3.0\n", ended.stderr
+
+
+def test_what_a_shock_imports_is_its_own_whatever_else_has_its_name(tmp_path):
+    shocks = []
+    for folder, amount in (("one", 1.0), ("two", 2.0)):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "helpers_of_shocks.py").write_text(f"AMOUNT = {amount}\n")
+        plague = tmp_path / folder / "plague.py"
+        plague.write_text(
+            "from helpers_of_shocks import AMOUNT\n"
+            "def strike(society):\n    society.goats.milk = AMOUNT\n"
+        )
+        shocks.append(Shock.parsed(f"1:{plague}:strike"))
+    assert [after(2, one).goats.milk[0] > 1.9 for one in shocks] == [False, True]
+    for shock, amount in zip(shocks, (b"1.0", b"2.0"), strict=True):
+        copies = sources_of_module(shock.function.__module__).copies()
+        (kept,) = (one for place, one in copies.items() if "helpers_of_shocks" in place)
+        assert kept == b"AMOUNT = " + amount + b"\n"
 
 
 # Changes of parameters and schemes

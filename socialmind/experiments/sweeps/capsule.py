@@ -48,6 +48,7 @@ class SweepManifest(folders.FolderManifest):
         agents_every: ticks between two records of the agents; 0 for the end alone, None for none.
         measures: by name, their ``expression``, or ``file`` and ``sha256``, or ``function``.
         series_columns: those of the series, as its first society has them.
+        interventions: the shocks of every run, in order, as a run's manifest has them.
         timeout: seconds that a run may take; None for any.
         compiled: whether rules run compiled.
         schemes: copies of the schemes: ``population``, ``given`` (the text of the design; empty for
@@ -87,6 +88,9 @@ class SweepManifest(folders.FolderManifest):
     timings: Annotated[dict[str, Any], _TIMINGS] = field(default_factory=dict)
     versions: Annotated[dict[str, str], kinds.TEXTS] = field(default_factory=dict)
     platforms: Annotated[list[dict[str, str]], kinds.Many(kinds.TEXTS)] = field(
+        default_factory=list
+    )
+    interventions: Annotated[list[dict[str, Any]], kinds.Many(kinds.SHOCK)] = field(
         default_factory=list
     )
     kind: str = KIND

@@ -14,11 +14,13 @@ import numpy as np
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.measures.of_runs import AMeasure, Recorded, of_series
 from socialmind.experiments.sweeps.points.settings import Settings
+from socialmind.interventions.following import after_those_at, next_after
 from socialmind.runs.folders import FAILED, FINISHED
 from socialmind.sources.loading import failure_in_model
 from socialmind.work.workers import Stopped, never
 
 if TYPE_CHECKING:
+    from socialmind.interventions.shock import Shock
     from socialmind.model import Model
 
 TIMED_OUT = "timed_out"
@@ -42,6 +44,7 @@ class Common:
         measures: by name.
         timeout: seconds that a run may take; None for any.
         compiled: whether rules run compiled.
+        shocks: of every run, in order.
     """
 
     model_class: type[Model]
@@ -53,6 +56,7 @@ class Common:
     measures: Mapping[str, AMeasure]
     timeout: float | None = None
     compiled: bool = True
+    shocks: Sequence[Shock] = ()
 
     @property
     def samples(self) -> bool:
@@ -152,23 +156,32 @@ class OneRun:
         common, seen = self._common, Recorded(model, [], [])
         steps = [common.every] if common.samples else []
         steps += [common.agents_every] if common.agents_every else []
-        length = common.ticks
+        shocked = {one.tick for one in common.shocks}
+        length, series_at, agents_at = common.ticks, -1, -1
         while True:
             tick = model.tick
             if model.stopped:
                 length = tick
             over = tick >= length
-            if over or (common.samples and tick % common.every == 0):
+            # A shock may end the society: what was recorded of its tick stays, as in a run.
+            sampled = common.samples or tick in shocked
+            if series_at != tick and (over or (sampled and tick % common.every == 0)):
                 seen.ticks.append(tick)
                 seen.rows.append(_row(model, common.model_class))
-            if common.agents_every is not None and (
-                over or (common.agents_every and tick % common.agents_every == 0)
+                series_at = tick
+            if (
+                common.agents_every is not None
+                and agents_at != tick
+                and (over or (common.agents_every and tick % common.agents_every == 0))
             ):
                 columns = {name: _kept(one) for name, one in model.agents().items()}
                 outcome.agents.append({"tick": tick, **columns})
+                agents_at = tick
             if over:
                 return seen
-            self._advance(model, min(length, *(tick - tick % k + k for k in steps), length))
+            after_those_at(model, common.shocks)
+            stop = min(length, *(tick - tick % k + k for k in steps), length)
+            self._advance(model, next_after(tick, common.shocks, stop))
 
     def _advance(self, model: Model, end: int) -> None:
         """Advance to a tick, in pieces: between two the run can be dropped."""

@@ -36,9 +36,11 @@ from socialmind.experiments.sweeps.points.table import (
 )
 from socialmind.experiments.sweeps.points.varied import MIND, SCHEME, WORD, Nameable, Varied
 from socialmind.experiments.sweeps.replicates import Replicates
+from socialmind.interventions.shock import Shock
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of
 from socialmind.runs import folders
+from socialmind.runs.branching.kept import copies_of, interventions_of
 from socialmind.runs.execution import whole
 from socialmind.runs.schemes import as_kept
 from socialmind.runs.sources import checked_class, hash_of, model_source
@@ -106,6 +108,7 @@ def begun(
     measures: Mapping[str, Any],
     timeout: float | None,
     compiled: bool,
+    shocks: Sequence[Shock],
     out: str | Path | None,
 ) -> tuple[SweepCapsule, list[str]]:
     """Check all that was asked for, and make the folder of a sweep.
@@ -121,6 +124,7 @@ def begun(
         measures: by name.
         timeout: seconds that a run may take.
         compiled: whether rules run compiled.
+        shocks: of every run.
         out: the folder.
 
     Returns:
@@ -151,8 +155,9 @@ def begun(
     found = {name: measure_called(name, one) for name, one in measures.items()}
     names = Names(tuple(one.name for one in points.columns), tuple(found))
     common = Common(
-        model_class, settings, length, step, every != 0, _agents(agents), found, timeout, compiled
-    )
+        model_class, settings, length, step, every != 0, _agents(agents), found, timeout, compiled,
+        shocks,
+    )  # fmt: skip
     series = _first_society(common, points, replicates, names)
     if replicates.until is not None:
         wanted, known = replicates.until.measure, [*found, *series]
@@ -161,6 +166,7 @@ def begun(
                 f"--until: no measure called {wanted!r}; {nearest(wanted, known)}"
             )
     records, files = _copies(there, settings)
+    shocked, shock_files = copies_of(shocks, model_class)
     table = points.parquet(names)
     copies = sources_of(model_class).copies()
     remember({path: content for path, content in copies.items() if path.endswith(".py")})
@@ -184,8 +190,9 @@ def begun(
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds"), "seconds": 0.0},
         versions=folders.versions(),
         platforms=[folders.fingerprint()],
+        interventions=shocked,
     )
-    files = {**files, **copies, "design.parquet": table}
+    files = {**files, **copies, **shock_files, "design.parquet": table}
     capsule = SweepCapsule.create(target, manifest, files)
     notes = there.clashes([*manifest.columns, *manifest.fixed])
     return capsule, [*notes, *_sizes(common, points, replicates, series)]
@@ -197,6 +204,7 @@ def taken_up(
     measures: Mapping[str, Any] | None = None,
     trust: bool = False,
     functions: bool = True,
+    shocks: Sequence[Shock] | None = None,
 ) -> Prepared:
     """Return the sweep that a folder keeps.
 
@@ -206,9 +214,10 @@ def taken_up(
         measures: functions in place of those that stand in no file.
         trust: run programs that this user has neither named nor run before.
         functions: whether measures are wanted at all.
+        shocks: those of the sweep, where they are at hand; from its copies by default.
 
     Raises:
-        SocialmindError: its model, schemes or socialmind were changed since.
+        SocialmindError: its model, schemes, shocks or socialmind were changed since.
     """
     manifest = capsule.manifest
     cls = checked_class(capsule, model_class, trust=trust, what="sweep")
@@ -240,6 +249,7 @@ def taken_up(
         found,
         manifest.timeout,
         manifest.compiled,
+        checked_shocks(interventions_of(capsule, trust) if shocks is None else shocks),
     )
     table = capsule.table("design")
     content = table.read_bytes() if table.is_file() else b""
@@ -251,6 +261,18 @@ def taken_up(
     points = points_of_parquet(content, columns, names)
     replicates = Replicates.of_record(manifest.replicates)
     return Prepared(common, points, replicates, names, tuple(manifest.series_columns))
+
+
+def checked_shocks(shocks: Sequence[Any]) -> tuple[Shock, ...]:
+    """Return shocks in the order of their ticks.
+
+    Raises:
+        SocialmindError: there is something else.
+    """
+    for one in shocks:
+        if not isinstance(one, Shock):
+            raise SocialmindError(f"shocks: found {shown(one)}; expected Shock(TICK, FUNCTION)")
+    return tuple(sorted(shocks, key=lambda one: one.tick))
 
 
 def _agents(agents: str | int) -> int | None:

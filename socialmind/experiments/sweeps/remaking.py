@@ -74,4 +74,5 @@ def remake_run(
         out,
         common.compiled if compiled is None else compiled,
         on_progress,
+        interventions=common.shocks,
     )

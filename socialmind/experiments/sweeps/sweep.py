@@ -15,7 +15,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.capsule import SweepCapsule
 from socialmind.experiments.sweeps.columns import ERROR, POINT, REPLICATE, RUN, SEED, STATUS, TICKS
 from socialmind.experiments.sweeps.one_run import TIMED_OUT
-from socialmind.experiments.sweeps.preparing import Prepared, begun, taken_up
+from socialmind.experiments.sweeps.preparing import Prepared, begun, checked_shocks, taken_up
 from socialmind.experiments.sweeps.replicates import Replicates, Until, Waiting
 from socialmind.experiments.sweeps.store import RUNS, Store
 from socialmind.experiments.sweeps.task import OVERTIME, Done, RunJob, Task, from_stream
@@ -31,6 +31,7 @@ from socialmind.work.workers import Alone, Stopped, Workers, hired, workers_here
 if TYPE_CHECKING:
     import pandas as pd
 
+    from socialmind.interventions.shock import Shock
     from socialmind.model import Model
 
 Progress = Callable[[int, int], None]
@@ -81,6 +82,7 @@ def sweep(
     at_most: int = 0,
     timeout: float | None = None,
     compiled: bool = True,
+    shocks: Sequence[Shock] = (),
     workers: int | None = None,
     cluster: str | None = None,
     out: str | Path | None = None,
@@ -116,6 +118,7 @@ def sweep(
         at_most: replicates at a point, with `until`.
         timeout: seconds that a run may take.
         compiled: False runs the rules in plain Python, with the same result.
+        shocks: what is done to the society of every run on its way; functions at the top of a file.
         workers: processes; one for each processor by default. With 1 all is done here.
         cluster: the address of a Dask scheduler, whose workers do the runs then.
         out: folder to make, or an empty one; by default the next number under ``sweeps/``.
@@ -132,16 +135,17 @@ def sweep(
     model_class = model if isinstance(model, type) else load_model(model)
     wanted = Until.read(until) if isinstance(until, str) else until
     replicates = Replicates(tuple(seeds), common, wanted, at_most)
+    to_come = checked_shocks(shocks)
     if cluster is None:
         workers_here(workers)
     capsule, notes = begun(
         model_class, design, ticks, replicates, fixed or {}, every, agents, measures or {},
-        timeout, compiled, out,
+        timeout, compiled, to_come, out,
     )  # fmt: skip
     if on_begin is not None:
         on_begin(notes)
     with capsule.locked():
-        prepared = taken_up(capsule, model_class, measures)
+        prepared = taken_up(capsule, model_class, measures, shocks=to_come)
         _Sweep(capsule, prepared).go(workers, cluster, on_progress)
     return capsule.folder
 
@@ -172,7 +176,7 @@ def resume_sweep(
         The sweep's folder.
 
     Raises:
-        SocialmindError: no sweep's folder, in use, or its model was changed since.
+        SocialmindError: no sweep's folder, in use, or its model or a copy was changed since.
         SweepInterrupted: Ctrl-C; what was done is safe.
     """
     capsule = SweepCapsule(folder)

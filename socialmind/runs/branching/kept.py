@@ -20,7 +20,7 @@ from socialmind.sources.trust import programs_in, remember, require
 
 if TYPE_CHECKING:
     from socialmind.model import Model
-    from socialmind.runs.capsule import Capsule
+    from socialmind.runs.sources import Made
 
 FOLDER = "interventions"
 Records = list[dict[str, Any]]
@@ -97,11 +97,11 @@ def _kept_change(
     return {"tick": change.tick, "parameters": checked, "schemes": schemes}, files
 
 
-def interventions_of(capsule: Capsule, trust: bool = False) -> tuple[Intervention, ...]:
-    """Return the interventions of a run, from the copies that it keeps.
+def interventions_of(capsule: Made, trust: bool = False) -> tuple[Intervention, ...]:
+    """Return the interventions of a run or a sweep, from the copies that it keeps.
 
     Args:
-        capsule: the run.
+        capsule: the run, or the sweep.
         trust: run programs that this user has neither named nor run before.
 
     Raises:
@@ -113,7 +113,7 @@ def interventions_of(capsule: Capsule, trust: bool = False) -> tuple[Interventio
     )
 
 
-def _shock_of(capsule: Capsule, record: Mapping[str, Any], trust: bool) -> Shock:
+def _shock_of(capsule: Made, record: Mapping[str, Any], trust: bool) -> Shock:
     file = within(capsule.folder, record["file"])
     home = file.parents[1]
     changed = difference_of_copies(record["sources"], home.parent)
@@ -124,7 +124,7 @@ def _shock_of(capsule: Capsule, record: Mapping[str, Any], trust: bool) -> Shock
     return Shock(record["tick"], loaded(file, record["function"], home / "modules"))
 
 
-def _change_of(capsule: Capsule, record: Mapping[str, Any]) -> Change:
+def _change_of(capsule: Made, record: Mapping[str, Any]) -> Change:
     schemes: dict[str, CognitiveScheme | Path] = {}
     for name, one in record["schemes"].items():
         path = within(capsule.folder, one["file"])
