@@ -111,7 +111,11 @@ class ProcessExecutor(futures.Executor):
                 continue
             call.begun = True
             if not hand.alive():
-                hand.begin(self._context, self._folder)
+                try:
+                    hand.begin(self._context, self._folder)
+                except Exception as error:  # such as: no process may be started from here
+                    call.future.set_exception(error)
+                    continue
             hand.calls.append(call)
             try:
                 hand.pipe.send_bytes(call.content)
@@ -172,8 +176,9 @@ class _Hand:
     def begin(self, context: Any, folder: str) -> None:
         self.end()
         self.pipe, theirs = context.Pipe()
-        self.process = context.Process(target=_serve, args=(theirs, folder))
-        self.process.start()
+        process = context.Process(target=_serve, args=(theirs, folder))
+        process.start()
+        self.process = process
         theirs.close()
 
     def end(self) -> None:

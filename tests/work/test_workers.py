@@ -1,6 +1,8 @@
 """Workers: results in the order of the jobs or as they come, jobs without end, lost workers."""
 
 import itertools
+import subprocess
+import sys
 import threading
 import time
 from types import SimpleNamespace
@@ -192,3 +194,16 @@ def test_a_cluster_whose_scheduler_has_ended_is_said_to_be_gone():
         SocialmindError, match=r"tcp://10\.0\.0\.5:8786: the Dask scheduler answers"
     ):
         cluster._check()
+
+
+def test_a_script_without_a_main_guard_ends_with_an_error_and_does_not_hang(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(
+        "from socialmind.work.side_by_side import side_by_side\n"
+        "print(list(side_by_side(abs, [(-1,), (-2,)], 2)))\n"
+    )
+    ended = subprocess.run(
+        [sys.executable, script], capture_output=True, text=True, timeout=120, check=False
+    )
+    assert ended.returncode != 0
+    assert "bootstrapping phase" in ended.stderr
