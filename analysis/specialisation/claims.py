@@ -11,16 +11,17 @@ check does not hold, in another run or with other seeds, the page says so in the
 |---|---|
 | `at least X MEASURE SOCIETY CONDITION` | the mean is X or more |
 | `at most X MEASURE SOCIETY CONDITION` | the mean is X or less |
-| `worst at least X MEASURE SOCIETY CONDITION` | that of the worst attempt is X or more |
-| `worst at most X …` | that of the worst attempt is X or less |
+| `worst at least X MEASURE SOCIETY CONDITION` | that of the attempt with the least is X or more |
+| `worst at most X …` | it is X or less |
 | `more MEASURE SOCIETY CONDITION` | all of the interval is more than in the programmed society |
 | `less MEASURE SOCIETY CONDITION` | all of it is less |
 | `untold MEASURE SOCIETY CONDITION` | the interval of the difference holds 0 |
 
 Numbers are `MEASURE SOCIETY CONDITION`, a mean with its interval; `worst …` and `best …`, those of
-an attempt; `difference …`, from the programmed society; `attempts SOCIETY`. The condition `farmers`
-stands for the societies of farmers and artisans, `kinds` with the society `calm` or `turned` for
-programmed robots less learned ones of one society.
+the attempts with the least and the most; `difference …`, from the programmed society; `attempts
+SOCIETY`. The condition `farmers` stands for the societies of farmers and artisans, which are
+compared with the learned one; `kinds`, with a condition in the place of the society, for programmed
+robots less learned ones of one society.
 """
 
 from __future__ import annotations
@@ -114,11 +115,7 @@ def holds(check: str, tables: Mapping[str, pd.DataFrame]) -> bool:
         return {"more": low > 0, "less": high < 0, "untold": low <= 0 <= high}[match["way"]]
     row = _row(tables, _MEANS, measure, society, condition)
     least, bound = match["side"] == "least", float(match["bound"])
-    if not match["worst"]:
-        value = float(row["mean"])
-    else:
-        # The worst attempt is the one that is farthest on the side that the claim rules out.
-        value = float(row["least"] if least else row["most"])
+    value = float(row["least" if match["worst"] else "mean"])
     return value >= bound if least else value <= bound
 
 

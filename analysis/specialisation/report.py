@@ -34,6 +34,14 @@ if TYPE_CHECKING:
 
 BOTH = ("society", "condition")
 SCHEME = "scheme.yaml"
+COMPARED = {
+    "society": "society",
+    "measure": "measure",
+    "difference": "difference",
+    "difference_low": "low",
+    "difference_high": "high",
+}
+"""Columns of differences, and what they are called."""
 
 
 @dataclass(frozen=True)
@@ -95,9 +103,7 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
         "mixed-kinds-differences": between_kinds(kinds, list(plots.KINDS)),
         "farmers": villagers.drop(columns="attempt"),
         "farmers-means": means(villagers, ["society"], of_villagers),
-        "farmers-differences": against.rename(
-            columns={"difference_low": "low", "difference_high": "high"}
-        ),
+        "farmers-differences": against[list(COMPARED)].rename(columns=COMPARED),
         "farmers-course": farmers_over_time(village.course),
     }
 

@@ -29,9 +29,9 @@ def test_a_picture_shows_the_last_tick(socialmind, sought):
     text = path.read_text()
     assert "tick 30<" in text
     assert "Ahead" not in text
-    # 90 mm, in points.
+    # 85 mm, in points.
     assert float(re.search(r'<svg[^>]* width="([\d.]+)pt"', text)[1]) == pytest.approx(
-        255.1, abs=0.1
+        240.9, abs=0.1
     )
 
 

@@ -16,7 +16,7 @@ from socialmind.economy import (
     signal_demand,
 )
 
-stocks = st.floats(0.0, 1e6)
+stocks = st.floats(0.0, 1e6, allow_subnormal=False)
 prices = st.floats(0.01, 1e4)
 
 
