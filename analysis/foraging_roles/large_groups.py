@@ -25,12 +25,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from scipy.stats import binomtest, spearmanr
+from scipy.stats import spearmanr
 
 from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError
 from socialmind.experiments.measures.crossed import crossed_interval
-from socialmind.experiments.measures.intervals import Interval, interval_of
+from socialmind.experiments.measures.intervals import interval_of, share_interval
 from socialmind.mind import MindDescription, Programmed
 from socialmind.mind.minds import Minds
 
@@ -372,8 +372,7 @@ def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
     if len(values) > 1:
         found = crossed_interval(values)
     elif np.isin(values, (0, 1)).all():  # where all are alike a bootstrap has no width
-        ends = binomtest(int(values.sum()), values.size).proportion_ci(method="wilson")
-        found = Interval(values.mean(), ends.low, ends.high)
+        found = share_interval(values[0])
     else:
         found = interval_of(values[0])
     return f"{found.mean:{form}} ({found.low:{form}} to {found.high:{form}})"

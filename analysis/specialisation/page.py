@@ -295,7 +295,8 @@ def _definitions() -> list[str]:
             "it brings an A, and else in A, whatever its mind says of its role. Intervals are of "
             "95 %. Where a lesson has several attempts they are over attempts and worlds: both are "
             "drawn anew, each on its own (Owen, 2007); else they are over worlds, by the "
-            "bias-corrected and accelerated bootstrap (Efron, 1987). Societies are compared in the "
+            "bias-corrected and accelerated bootstrap (Efron, 1987), those of shares by Wilson’s "
+            "formula (1927). Societies are compared in the "
             "same worlds. An interval that holds 0 does not show that there is no difference: it "
             "says how large one could be. Nothing is corrected for the number of comparisons."
         ),

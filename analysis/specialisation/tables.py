@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 
 from socialmind.experiments.measures.crossed import crossed_interval
-from socialmind.experiments.measures.intervals import Interval, interval_of
+from socialmind.experiments.measures.intervals import Interval, interval_of, share_interval
 
 from .societies import REFERENCE
 
@@ -121,12 +121,17 @@ def square(part: pd.DataFrame, measure: str) -> np.ndarray:
 def interval(values: np.ndarray) -> Interval:
     """Return the mean and its interval: over attempts and worlds, or worlds where one attempt is.
 
+    Shares of worlds have Wilson's interval, which has a width where all worlds are alike.
+
     Args:
         values: (attempts, worlds).
     """
     if values.size == 0:
         return Interval(math.nan, math.nan, math.nan)
-    return interval_of(values[0]) if len(values) == 1 else crossed_interval(values)
+    if len(values) > 1:
+        return crossed_interval(values)
+    alike = np.isin(values, (0, 1)).all() and values.size > 1
+    return share_interval(values[0]) if alike else interval_of(values[0])
 
 
 def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd.DataFrame:

@@ -80,7 +80,12 @@ class FolderManifest:
 
     @classmethod
     def _check_kind(cls, content: Mapping[str, Any], folder: Path) -> None:
-        """Refuse the manifest of another kind of folder."""
+        """Refuse the manifest of another kind of folder; a run's does not say that it is one."""
+        told = next((one.default for one in fields(cls) if one.name == "kind"), None)
+        if content.get("kind") != told:
+            kind = content.get("kind")
+            other = "`socialmind run --resume` goes on with a run" if kind is None else shown(kind)
+            raise SocialmindError(f"{folder}: not a {cls.WHAT}'s folder; {other}")
 
     @classmethod
     def _check(cls, content: Mapping[str, Any], path: Path) -> None:

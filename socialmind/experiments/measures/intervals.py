@@ -94,6 +94,28 @@ def interval_of(
     return Interval(mean, low, high)
 
 
+def share_interval(values: ArrayLike, level: float = LEVEL) -> Interval:
+    """Return the share of a sample for which something holds, with its score interval.
+
+    It has a width also where it holds of all or of none, which a bootstrap has not (Wilson, 1927,
+    Journal of the American Statistical Association 22: 209–212).
+
+    Args:
+        values: (n,), each 0 or 1, at least one.
+        level: above 0 and below 1.
+
+    >>> found = share_interval([1] * 20)
+    >>> found.mean, round(found.low, 2), found.high
+    (1.0, 0.84, 1.0)
+    """
+    sample = np.asarray(values, np.float64)
+    n, share = sample.size, float(sample.mean())
+    z = _NORMAL.inv_cdf((1 + level) / 2)
+    middle = (share + z * z / (2 * n)) / (1 + z * z / n)
+    half = z * math.sqrt(share * (1 - share) / n + (z / (2 * n)) ** 2) / (1 + z * z / n)
+    return Interval(share, max(middle - half, 0.0), min(middle + half, 1.0))
+
+
 def _combined(
     means: NDArray[np.float64], combine: Callable[..., float] | None
 ) -> NDArray[np.float64]:

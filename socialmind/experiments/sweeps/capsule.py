@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
-from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs import record as kinds
 from socialmind.runs.record import within
@@ -97,13 +95,6 @@ class SweepManifest(folders.FolderManifest):
     format: int = folders.FORMAT
 
     WHAT: ClassVar[str] = KIND
-
-    @classmethod
-    def _check_kind(cls, content: Mapping[str, Any], folder: Path) -> None:
-        if content.get("kind") != KIND:
-            raise SocialmindError(
-                f"{folder}: not a sweep's folder; `socialmind run --resume` goes on with a run"
-            )
 
 
 class SweepCapsule(folders.ManifestFolder[SweepManifest]):

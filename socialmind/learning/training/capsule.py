@@ -5,12 +5,10 @@ How far an attempt came is the word of its own checkpoint.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
-from socialmind.errors import SocialmindError
 from socialmind.runs import folders
 from socialmind.runs import record as kinds
 from socialmind.runs.record import within
@@ -78,13 +76,6 @@ class TrainingManifest(folders.FolderManifest):
     format: int = folders.FORMAT
 
     WHAT: ClassVar[str] = KIND
-
-    @classmethod
-    def _check_kind(cls, content: Mapping[str, Any], folder: Path) -> None:
-        if content.get("kind") != KIND:
-            raise SocialmindError(
-                f"{folder}: not a training's folder; `socialmind run --resume` goes on with a run"
-            )
 
 
 class TrainingCapsule(folders.ManifestFolder[TrainingManifest]):
