@@ -13,12 +13,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
-from typing import Any
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import html
-from socialmind.experiments.studies import Study, Way, catalogue_of_studies, topics
-from socialmind.sources.loading import load_file
+from socialmind.experiments.studies import Study, Way, catalogue_of_studies, declared_in, topics
 
 THESIS_FILE = "thesis.py"
 TIMES_FILE = "times.csv"
@@ -189,16 +187,8 @@ def results_in(folder: Path) -> tuple[Result, ...]:
     Raises:
         ModelError: the file cannot be loaded, or does not hold results.
     """
-    path = folder / THESIS_FILE
-    found: Any = getattr(load_file(path), "results", None)
-    if not isinstance(found, tuple) or not all(isinstance(one, Result) for one in found):
-        raise ModelError(
-            f"{type(found).__name__} as `results`" if found is not None else "no `results`",
-            "the thesis's results of the topic",
-            "write `results = (Result(…), …)`",
-            path,
-        )
-    return found
+    what = "the thesis's results of the topic"
+    return declared_in(folder / THESIS_FILE, "results", Result, what)
 
 
 def place_of(name: str) -> tuple[bool, int, int]:

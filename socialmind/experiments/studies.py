@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from socialmind.errors import ModelError, SocialmindError, nearest
 from socialmind.sources.folders import PACKAGE, STUDIES_FILE, shipped
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 Make = Callable[[Path], Sequence[Path]]
 """Makes a study in a folder, which it makes where it is missing, and returns the files written."""
+
+One = TypeVar("One")
 
 
 class Way(StrEnum):
@@ -114,13 +116,27 @@ def studies_in(folder: Path) -> tuple[Study, ...]:
     Raises:
         ModelError: the file cannot be loaded, or does not hold studies.
     """
-    path = folder / STUDIES_FILE
-    found: Any = getattr(load_file(path), "studies", None)
-    if not isinstance(found, tuple) or not all(isinstance(one, Study) for one in found):
+    return declared_in(folder / STUDIES_FILE, "studies", Study, "the studies of the topic")
+
+
+def declared_in(path: Path, name: str, kind: type[One], what: str) -> tuple[One, ...]:
+    """Return what a topic's file declares, a tuple of one kind of things.
+
+    Args:
+        path: the file.
+        name: of the tuple in it.
+        kind: of its members.
+        what: they are, in words.
+
+    Raises:
+        ModelError: the file cannot be loaded, or does not hold them.
+    """
+    found: Any = getattr(load_file(path), name, None)
+    if not isinstance(found, tuple) or not all(isinstance(one, kind) for one in found):
         raise ModelError(
-            f"{type(found).__name__} as `studies`" if found is not None else "no `studies`",
-            "the studies of the topic",
-            "write `studies = (Study(…), …)`",
+            f"{type(found).__name__} as `{name}`" if found is not None else f"no `{name}`",
+            what,
+            f"write `{name} = ({kind.__name__}(…), …)`",
             path,
         )
     return found
