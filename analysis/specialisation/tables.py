@@ -118,20 +118,19 @@ def square(part: pd.DataFrame, measure: str) -> np.ndarray:
     return table.to_numpy(float)
 
 
-def interval(values: np.ndarray) -> Interval:
+def interval(values: np.ndarray, share: bool = False) -> Interval:
     """Return the mean and its interval: over attempts and worlds, or worlds where one attempt is.
-
-    Shares of worlds have Wilson's interval, which has a width where all worlds are alike.
 
     Args:
         values: (attempts, worlds).
+        share: whether it is the share of worlds in which something is so, which has an interval
+            with a width where it is so in all.
     """
     if values.size == 0:
         return Interval(math.nan, math.nan, math.nan)
     if len(values) > 1:
         return crossed_interval(values)
-    alike = np.isin(values, (0, 1)).all() and values.size > 1
-    return share_interval(values[0]) if alike else interval_of(values[0])
+    return share_interval(values[0]) if share else interval_of(values[0])
 
 
 def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd.DataFrame:
@@ -155,7 +154,7 @@ def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd
     for key, part in frame.groupby(list(by), sort=False):
         for name in measures:
             values = square(part, name)
-            found = interval(values)
+            found = interval(values, share=name == "within")
             each = values.mean(axis=1) if values.size else np.array([math.nan])
             rows.append(
                 {
