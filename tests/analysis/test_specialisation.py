@@ -215,13 +215,19 @@ def runs_of(society, values, condition="calm"):
 
 def test_means_are_over_attempts_and_worlds():
     table = runs_of("a", [[1, 2, 3], [3, 4, 5], [8, 9, 10]])
-    row = tables.means(table, ["society"], ["within"]).iloc[0]
+    row = tables.means(table, ["society"], ["changes"]).iloc[0]
     assert (row["mean"], row["least"], row["most"]) == (5, 2, 9)
     assert (row["attempts"], row["worlds"]) == (3, 3)
     assert row["low"] < 2.5
     assert row["high"] > 8
-    one = tables.means(table[table["attempt"] == 1], ["society"], ["within"]).iloc[0]
+    one = tables.means(table[table["attempt"] == 1], ["society"], ["changes"]).iloc[0]
     assert one["high"] - one["low"] < 3
+
+
+def test_a_share_of_worlds_has_a_width_where_all_are_alike():
+    row = tables.means(runs_of("a", [[1] * 20]), ["society"], ["within"]).iloc[0]
+    assert (row["mean"], row["high"]) == (1, 1)
+    assert row["low"] == pytest.approx(0.839, abs=1e-3)
 
 
 def test_differences_are_in_equal_worlds():
