@@ -27,6 +27,8 @@ MANIFEST = "manifest.json"
 FORMAT = 1
 RUNNING, INTERRUPTED, FAILED, FINISHED = "running", "interrupted", "failed", "finished"
 STATUS = one_of(RUNNING, INTERRUPTED, FAILED, FINISHED)
+GOES_ON = {"run": "run", "training": "learn", "sweep": "sweep"}
+"""The command that goes on with what a folder is of."""
 MOST_TAKEN = 1000
 """How often another program may take a number before something else must be wrong."""
 
@@ -83,9 +85,10 @@ class FolderManifest:
         """Refuse the manifest of another kind of folder; a run's does not say that it is one."""
         told = next((one.default for one in fields(cls) if one.name == "kind"), None)
         if content.get("kind") != told:
-            kind = content.get("kind")
-            other = "`socialmind run --resume` goes on with a run" if kind is None else shown(kind)
-            raise SocialmindError(f"{folder}: not a {cls.WHAT}'s folder; {other}")
+            kind = content.get("kind") or "run"
+            command = GOES_ON.get(str(kind))
+            remedy = f"; `socialmind {command} --resume` goes on with a {kind}" if command else ""
+            raise SocialmindError(f"{folder}: not a {cls.WHAT}'s folder{remedy}")
 
     @classmethod
     def _check(cls, content: Mapping[str, Any], path: Path) -> None:

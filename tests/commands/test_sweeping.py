@@ -132,5 +132,7 @@ def test_what_does_not_go_together_is_refused(refused, swept, grazers, done):
         "run", "--from-sweep", swept, "--number", 0, "--seed", 3
     )
     assert "no run 4; its runs are 0 … 3" in refused("run", "--from-sweep", swept, "--number", 4)
-    assert "not a sweep's folder" in refused("sweep", "--resume", done)
+    on = "`socialmind {} --resume` goes on with a {}"
+    assert f"not a sweep's folder; {on.format('run', 'run')}" in refused("sweep", "--resume", done)
+    assert f"not a run's folder; {on.format('sweep', 'sweep')}" in refused("run", "--resume", swept)
     assert "which model?" in refused("sweep")
