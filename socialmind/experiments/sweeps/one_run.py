@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 TIMED_OUT = "timed_out"
 PIECE_SECONDS = 0.1
 """After about so long of ticks a run looks whether it is to stop, or has had its time."""
+BRIEF_SECONDS = 0.001
+"""Pieces shorter than this are done without a copy of the state, which would take as long."""
 
 Columns = dict[str, Any]
 
@@ -117,6 +119,7 @@ class OneRun:
         self._stop = stop
         self._piece = 1
         self._until = 0.0
+        self._careful = False
 
     def done(self, run: int, seed: int, values: Sequence[Any]) -> Outcome:
         """Do a run, and return what it came to, whatever went wrong.
@@ -124,9 +127,13 @@ class OneRun:
         Raises:
             Stopped: it is to be dropped.
         """
-        common, outcome = self._common, Outcome(run)
-        self._until = time.perf_counter() + (common.timeout or 0.0)
-        stage, model = "setup", None
+        self._until = time.perf_counter() + (self._common.timeout or 0.0)
+        return self._done(run, seed, values, careful=False)
+
+    def _done(self, run: int, seed: int, values: Sequence[Any], careful: bool) -> Outcome:
+        """Do a run; one that fails where no copies were kept is repeated, to find the line."""
+        common, outcome, stage, model = self._common, Outcome(run), "setup", None
+        self._careful = careful
         try:
             model = common.begin(seed, values)
             stage = "run"
@@ -145,6 +152,8 @@ class OneRun:
         except MemoryError:
             outcome = Outcome(run, FAILED, f"{stage}: not enough memory")
         except Exception as error:
+            if stage == "run" and model is not None and not model.engine.careful:
+                return self._done(run, seed, values, careful=True)
             outcome = Outcome(
                 run, FAILED, f"{stage}: {in_one_line(error, common.model_class, model)}"
             )
@@ -190,6 +199,7 @@ class OneRun:
             begin = time.perf_counter()
             model.advance(count)
             now = time.perf_counter()
+            model.engine.careful = self._careful or now - begin > BRIEF_SECONDS
             if self._stop():
                 raise Stopped
             if self._common.timeout is not None and now > self._until:

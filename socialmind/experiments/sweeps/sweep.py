@@ -16,9 +16,10 @@ from socialmind.experiments.sweeps.capsule import SweepCapsule
 from socialmind.experiments.sweeps.columns import ERROR, POINT, REPLICATE, RUN, SEED, STATUS, TICKS
 from socialmind.experiments.sweeps.one_run import TIMED_OUT
 from socialmind.experiments.sweeps.preparing import Prepared, begun, checked_shocks, taken_up
+from socialmind.experiments.sweeps.recording import from_stream
 from socialmind.experiments.sweeps.replicates import Replicates, Until, Waiting
 from socialmind.experiments.sweeps.store import RUNS, Store
-from socialmind.experiments.sweeps.task import OVERTIME, Done, RunJob, Task, from_stream
+from socialmind.experiments.sweeps.task import OVERTIME, Done, RunJob, Task
 from socialmind.runs import folders
 from socialmind.runs.folders import FAILED, FINISHED, INTERRUPTED, RUNNING
 from socialmind.runs.loop import NO_ROOM
