@@ -290,7 +290,7 @@ def _say(lines: Sequence[str]) -> None:
 @contextmanager
 def _told(quiet: bool, kind: str = "sweep") -> Iterator[Told | None]:
     """Show how far a sweep has come, and say how to go on with one that is stopped."""
-    from socialmind.experiments.sweeps.sweep import SweepInterrupted
+    from socialmind.experiments.sweeps.leading import SweepInterrupted
 
     try:
         with progress_bar(quiet, kind, "runs") as on_progress:

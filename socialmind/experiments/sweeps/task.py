@@ -15,7 +15,7 @@ from typing import Any
 from socialmind.errors import IdleWarning
 from socialmind.experiments.sweeps.columns import ERROR, RUN, STATUS, TICKS, Names
 from socialmind.experiments.sweeps.one_run import Common, OneRun, Outcome
-from socialmind.experiments.sweeps.recording import recorded
+from socialmind.experiments.sweeps.tables.recording import recorded
 from socialmind.work.workers import LOOK_SECONDS, Stop, never
 
 OVERTIME = 75

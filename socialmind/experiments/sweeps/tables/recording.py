@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from coglogo_py.border.errors import shown
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.columns import RUN
 from socialmind.experiments.sweeps.one_run import Columns, Outcome
-from socialmind.experiments.sweeps.store import together
+from socialmind.experiments.sweeps.tables.pieces import together
 from socialmind.runs.folders import FAILED
 from socialmind.runs.tables.columns import EXPECTED
 from socialmind.runs.tables.growing import arrow_table
