@@ -12,7 +12,7 @@ from typing import Any
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.capsule import SweepCapsule
-from socialmind.experiments.sweeps.columns import ERROR, RUN, STATUS, TICKS
+from socialmind.experiments.sweeps.columns import ERROR, RUN, STATUS, TICKS, of_ticks
 from socialmind.experiments.sweeps.one_run import TIMED_OUT
 from socialmind.experiments.sweeps.preparing import Prepared
 from socialmind.experiments.sweeps.replicates import Waiting
@@ -252,7 +252,8 @@ class Lead:
         self._window.write()
         tables = {}
         for name in (SERIES, AGENTS, RUNS):
-            first = self._first() if name == RUNS else [RUN, "tick", *self._prepared.series]
+            ticked = [of_ticks(one, name) for one in self._prepared.series]
+            first = self._first() if name == RUNS else [RUN, "tick", *ticked]
             content = self._store.merge(name, first)
             if content is not None:
                 tables[name] = {

@@ -142,6 +142,7 @@ class OneRun:
             stage = "measure"
             for name, one in common.measures.items():
                 outcome.measured[name] = one.value(seen)
+            stage = "record"
             outcome.final = {name: plain(value) for name, value in seen.rows[-1].items()}
             if common.keeps_series:
                 outcome.series = {"tick": np.array(seen.ticks, np.int64), **_columns(seen.rows)}
@@ -151,7 +152,9 @@ class OneRun:
             outcome = Outcome(run, TIMED_OUT, f"took longer than {common.timeout:g} s")
         except MemoryError:
             outcome = Outcome(run, FAILED, f"{stage}: not enough memory")
-        except Exception as error:
+        except (Exception, SystemExit, KeyboardInterrupt) as error:
+            if isinstance(error, KeyboardInterrupt) and self._stop():
+                raise  # the user's, who presses Ctrl-C once more
             if stage == "run" and model is not None and not model.engine.careful:
                 return self._done(run, seed, values, careful=True)
             outcome = Outcome(
@@ -210,7 +213,7 @@ class OneRun:
                 self._piece = max(1, count // 2)
 
 
-def in_one_line(error: Exception, model_class: type[Model], model: Model | None) -> str:
+def in_one_line(error: BaseException, model_class: type[Model], model: Model | None) -> str:
     """Return what went wrong in one line, with the place in the model's files.
 
     Args:
@@ -218,14 +221,15 @@ def in_one_line(error: Exception, model_class: type[Model], model: Model | None)
         model_class: the model.
         model: the society; None where it was still being made.
     """
-    if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
-        return str(error)
     doing = "its beginning" if model is None else f"the run at tick {model.tick}"
-    try:
-        path = Path(inspect.getfile(model_class))
-    except (TypeError, OSError):  # a class that was typed in
-        return f"{doing} stopped with {type(error).__name__}: {error}"
-    return str(failure_in_model(error, path, doing))
+    if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
+        said = str(error)
+    else:
+        try:
+            said = str(failure_in_model(error, Path(inspect.getfile(model_class)), doing))
+        except (TypeError, OSError):  # a class that was typed in
+            said = f"{doing} stopped with {type(error).__name__}: {error}"
+    return " ".join(said.split())
 
 
 def _row(model: Model, model_class: type[Model]) -> Mapping[str, Any]:

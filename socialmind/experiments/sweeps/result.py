@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.capsule import SweepCapsule, SweepManifest
-from socialmind.experiments.sweeps.columns import POINT, RUN, Names
+from socialmind.experiments.sweeps.columns import POINT, RUN, Names, of_ticks
 from socialmind.experiments.sweeps.replicates import Replicates
 from socialmind.experiments.sweeps.tables.pieces import runs_in, sorted_by_run, together
 from socialmind.experiments.sweeps.tables.rows import RunRows
@@ -116,7 +116,7 @@ class Sweep:
                 pieces.append(arrow_table([columns], RUNS))
         if not pieces:
             raise self._lacks(name, " so far")
-        first = [RUN, "tick", *self.manifest.series_columns]
+        first = [RUN, "tick", *(of_ticks(one, name) for one in self.manifest.series_columns)]
         if name == RUNS:
             names = Names(tuple(self.varied), tuple(self.manifest.measures))
             first = names.first(self.manifest.series_columns)
@@ -126,9 +126,11 @@ class Sweep:
     def _rows(self) -> RunRows:
         """What the design says of runs."""
         design = self.design.drop(columns=POINT)
-        columns = [design[name].tolist() for name in design]
+        columns = [design[name].tolist() for name in design.columns]
         points = list(zip(*columns, strict=True)) if columns else [()] * len(self.design)
-        return RunRows(list(design), points, Replicates.of_record(self.manifest.replicates))
+        return RunRows(
+            design.columns.tolist(), points, Replicates.of_record(self.manifest.replicates)
+        )
 
     def _lacks(self, name: str, so_far: str = "") -> SocialmindError:
         keeping = {SERIES: "; --every K keeps one", AGENTS: "; --agents last keeps one"}

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from coglogo_py.border.errors import shown
 from socialmind.catalogue import load_model
+from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.beginning import begun
 from socialmind.experiments.sweeps.capsule import SweepCapsule
 from socialmind.experiments.sweeps.leading import Lead, Progress
@@ -91,6 +93,12 @@ def sweep(
     """
     model_class = model if isinstance(model, type) else load_model(model)
     wanted = Until.read(until) if isinstance(until, str) else until
+    if not isinstance(seeds, Iterable):
+        raise SocialmindError(f"seeds: found {shown(seeds)}; expected several, as range(20)")
+    if measures is not None and not isinstance(measures, Mapping):
+        raise SocialmindError(
+            f"measures: found {shown(measures)}; expected measures by their names"
+        )
     replicates = Replicates(tuple(seeds), common, wanted, at_most)
     to_come = checked_shocks(shocks)
     if cluster is None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from coglogo_py.border.errors import shown
 from socialmind.errors import SocialmindError
-from socialmind.experiments.sweeps.columns import RUN
+from socialmind.experiments.sweeps.columns import RUN, of_ticks
 from socialmind.experiments.sweeps.one_run import Columns, Outcome
 from socialmind.experiments.sweeps.tables.pieces import together
 from socialmind.runs.folders import FAILED
@@ -80,12 +80,11 @@ def _records(outcome: Outcome) -> dict[str, list[Columns]]:
     Raises:
         SocialmindError: the end of the series, or columns, are such as no table can hold.
     """
-    for name, one in outcome.final.items():
-        fits = isinstance(one, bool | float | str) or one is None
-        if not fits and not (isinstance(one, int) and -(2**63) <= one < 2**63):
-            raise SocialmindError(
-                f"series(): column {name}: found {shown(one)}; expected {EXPECTED}"
-            )
+    for where, values in (("series(): column", outcome.final), ("measure", outcome.measured)):
+        for name, one in values.items():
+            fits = isinstance(one, bool | float | str) or one is None
+            if not fits and not (isinstance(one, int) and -(2**63) <= one < 2**63):
+                raise SocialmindError(f"{where} {name}: found {shown(one)}; expected {EXPECTED}")
     series = [] if outcome.series is None else [outcome.series]
     return {
         SERIES: [_numbered(outcome.run, one, SERIES) for one in series],
@@ -105,7 +104,7 @@ def _numbered(run: int, record: Columns, table: str) -> Columns:
         raise SocialmindError(
             f"{CALLED[table]}: column {odd} has {len(others[odd])} values, others {len(tick)}"
         )
-    named = {f"{table}.{n}" if n == RUN else n: one for n, one in others.items()}
+    named = {of_ticks(name, table): one for name, one in others.items()}
     return {RUN: np.full(len(tick), run, np.int64), "tick": tick, **named}
 
 
