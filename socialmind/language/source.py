@@ -10,11 +10,12 @@ import textwrap
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from types import CodeType
+from types import CodeType, FunctionType
 from typing import Any
 
 from socialmind.errors import ModelError
 from socialmind.language.syntax import compiled, parsed
+from socialmind.language.text import cells_in, text_of
 
 _ABSENT = object()
 
@@ -155,32 +156,40 @@ def rule_source(function: Any) -> RuleSource:
             "move it there, and pass what it needs as parameters",
             *place,
         )
-    try:
-        whole, _ = inspect.findsource(function)
-        lines, start = inspect.getsourcelines(function)
-        tree = parsed(textwrap.dedent("".join(lines))).body[0]
-    except (OSError, TypeError, SyntaxError):
+    whole = text_of(function)
+    if whole is None:
         raise ModelError(
-            f"the rule {function.__name__!r} without a source",
-            "a function written in a file or a notebook cell",
-            "save the model in a file, and load it again after changes",
+            f"the rule {function.__name__!r}, whose text Python did not keep",
+            "a function of a file, of `python -c`, or of a cell of Jupyter, marimo or IPython",
+            "save the model in a file and run that, or paste it into `ipython`",
             *place,
-        ) from None
-    ast.increment_lineno(tree, start - 1)
+        )
+    try:
+        lines = inspect.getblock(whole.splitlines(keepends=True)[code.co_firstlineno - 1 :])
+        tree = parsed(textwrap.dedent("".join(lines))).body[0]
+    except (SyntaxError, IndexError):
+        raise _changed(function) from None
+    ast.increment_lineno(tree, code.co_firstlineno - 1)
     if isinstance(tree, ast.AsyncFunctionDef):
         raise ModelError("an async rule", "a plain function", "write `def`", file, tree.lineno)
     if not isinstance(tree, ast.FunctionDef):
         raise ModelError(f"{function!r}", "a plain function", "write `def`", *place)
-    if not _is_as_loaded("".join(whole), code):
-        raise ModelError(
-            f"another text where the rule {function.__name__!r} stood",
-            "the file as it was loaded",
-            "it has changed since: load the model again, or start Python again",
-            *place,
-        )
+    if not _is_as_loaded(whole, code):
+        raise _changed(function)
     names = Names(function.__globals__)
     state = (code, function.__defaults__)
     return RuleSource(function, function.__name__, file, tree.lineno, tree, names, state)
+
+
+def _changed(function: FunctionType) -> ModelError:
+    code = function.__code__
+    return ModelError(
+        f"another text where the rule {function.__name__!r} stood",
+        "the file as it was loaded",
+        "it has changed since: load the model again, or start Python again",
+        code.co_filename,
+        code.co_firstlineno,
+    )
 
 
 def _is_as_loaded(text: str, code: CodeType) -> bool:
@@ -195,7 +204,8 @@ def _functions(text: str, file: str) -> tuple[CodeType, ...]:
     The whole file is compiled: what a call compiles to depends on the file's imports as well.
     """
     try:
-        waiting = [compiled(parsed(text), file)]
+        tree = parsed(text)
+        waiting = [compiled(one, file) for one in (tree, *cells_in(tree))]
     except (SyntaxError, ValueError):
         return ()
     found = []

@@ -17,6 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from coglogo_py.border.places import place as place_called
 from socialmind.agents.agent_columns import as_before
 from socialmind.agents.group_columns import group_instances, has_groups
 from socialmind.errors import SocialmindError, written_at
@@ -281,4 +282,4 @@ class _Timer:
 def _source_of(model: Model, name: str) -> str:
     """The method that gives a table's rows, with the file and line where it is written."""
     file, line = written_at(getattr(type(model), name, None))
-    return f"{name}()" if file is None else f"{file}:{line}: {name}()"
+    return f"{name}()" if file is None else f"{place_called(file, line)}: {name}()"

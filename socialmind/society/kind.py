@@ -20,6 +20,7 @@ from socialmind.society.founding.blueprint import Blueprint
 from socialmind.society.founding.making import begin_networks
 from socialmind.society.messages import with_mailboxes
 from socialmind.sources.provenance import note_definition
+from socialmind.sources.typed_in import MAIN, is_typed_in, note_place
 from socialmind.work.packing import is_private, reference
 
 if TYPE_CHECKING:
@@ -48,6 +49,8 @@ class ModelKind(ABCMeta):
         Raises:
             ModelError: a part of a wrong kind or under a name that is taken, with file and line.
         """
+        if cls.__module__ == MAIN:
+            note_place(cls)
         hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
         note_definition(cls.__module__)
         found = declaration_of(cls, model)
@@ -111,7 +114,7 @@ class ModelKind(ABCMeta):
 
 
 def _reduced(kind: ModelKind) -> Any:
-    return reference(kind) if is_private(kind) else kind.__qualname__
+    return reference(kind) if is_private(kind) or is_typed_in(kind) else kind.__qualname__
 
 
 copyreg.pickle(ModelKind, _reduced)
