@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copyreg
-import inspect
 import re
 import sys
 from abc import ABCMeta
@@ -19,6 +18,7 @@ from socialmind.society.declaration import declaration_of
 from socialmind.society.founding.blueprint import Blueprint
 from socialmind.society.founding.making import begin_networks
 from socialmind.society.messages import with_mailboxes
+from socialmind.sources.folders import file_of_class
 from socialmind.sources.provenance import note_definition
 from socialmind.sources.typed_in import MAIN, is_typed_in, note_place
 from socialmind.work.packing import is_private, reference
@@ -109,8 +109,9 @@ class ModelKind(ABCMeta):
         return made
 
     def folder(cls) -> Path:
-        """Return the folder in which a model's class stands."""
-        return Path(inspect.getfile(cls)).parent
+        """Return the folder of a model's class; for one that was typed in, the working folder."""
+        file = file_of_class(cls)
+        return Path.cwd() if file is None else file.parent
 
 
 def _reduced(kind: ModelKind) -> Any:

@@ -52,6 +52,11 @@ class Cells:
     texts: dict[str, str] = field(repr=False)
     called: dict[str, str]
 
+    @property
+    def modules(self) -> list[str]:
+        """The modules that the imports name."""
+        return [line.split()[1] for line in self.imports]
+
     def as_file(self) -> str | None:
         """Return a Python file that defines the same; None where a value cannot be written."""
         imports, values = [*self.imports], []
@@ -195,6 +200,9 @@ def _import_of(name: str, value: Any) -> str | None:
         return None
     if module.startswith("_socialmind_"):
         return None  # of a file that was loaded by its path, which packing knows
+    package = module.partition(".")[0]
+    if getattr(sys.modules.get(package), qualified, None) is value:
+        module = package  # as users import it
     return f"from {module} import {qualified}" + (f" as {name}" if name != qualified else "")
 
 

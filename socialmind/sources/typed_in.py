@@ -17,8 +17,8 @@ from types import FunctionType
 from typing import Any
 
 from socialmind.errors import ModelError
+from socialmind.language.source import COMMAND, command, text_of
 from socialmind.language.syntax import parsed
-from socialmind.language.text import COMMAND, command, text_of
 
 MAIN = "__main__"
 PLACE = "_typed_at"
@@ -88,7 +88,8 @@ def definition_of(something: Any) -> Definition:
         ModelError: Python does not keep what was typed.
     """
     for file, text in _places_of(something):
-        for node in ast.walk(_tree(text)):
+        nodes: Iterator[Any] = ast.walk(_tree(text))
+        for node in nodes:
             if _defines(node, something):
                 first = min([node.lineno, *(one.lineno for one in node.decorator_list)])
                 lines = text.splitlines(keepends=True)[first - 1 : node.end_lineno]
