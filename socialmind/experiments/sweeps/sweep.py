@@ -25,6 +25,7 @@ from socialmind.runs.loop import NO_ROOM
 from socialmind.runs.tables.growing import arrow_table
 from socialmind.runs.tables.names import AGENTS, SERIES
 from socialmind.work.processes import LostProcessError
+from socialmind.work.progress import progress_bar
 from socialmind.work.signals import deferred_signals
 from socialmind.work.workers import Alone, Stopped, Workers, hired, workers_here
 
@@ -88,6 +89,7 @@ def sweep(
     out: str | Path | None = None,
     on_begin: Callable[[Sequence[str]], None] | None = None,
     on_progress: Progress | None = None,
+    progress: bool | None = None,
 ) -> Path:
     """Run a model at every point of a design, with replicates, into one folder.
 
@@ -124,6 +126,8 @@ def sweep(
         out: folder to make, or an empty one; by default the next number under ``sweeps/``.
         on_begin: called with what is said of the sweep before its first run, line by line.
         on_progress: called with the runs done and their number.
+        progress: whether a bar is drawn; by default in notebooks and on terminals, unless
+            `on_progress` is given.
 
     Returns:
         The sweep's folder.
@@ -144,9 +148,10 @@ def sweep(
     )  # fmt: skip
     if on_begin is not None:
         on_begin(notes)
-    with capsule.locked():
+    kind = f"sweep {model_class.name}"
+    with capsule.locked(), progress_bar(progress, "runs", kind, on_progress) as tell:
         prepared = taken_up(capsule, model_class, measures, shocks=to_come)
-        _Sweep(capsule, prepared).go(workers, cluster, on_progress)
+        _Sweep(capsule, prepared).go(workers, cluster, tell)
     return capsule.folder
 
 
@@ -159,6 +164,7 @@ def resume_sweep(
     measures: Mapping[str, Any] | None = None,
     on_progress: Progress | None = None,
     trust: bool = False,
+    progress: bool | None = None,
 ) -> Path:
     """Go on with a sweep that was stopped: only the runs that are missing are done.
 
@@ -171,6 +177,7 @@ def resume_sweep(
         measures: those that are functions of Python and stand in no file.
         on_progress: as for `sweep`.
         trust: run programs that this user has neither named nor run before.
+        progress: as for `sweep`.
 
     Returns:
         The sweep's folder.
@@ -180,13 +187,13 @@ def resume_sweep(
         SweepInterrupted: Ctrl-C; what was done is safe.
     """
     capsule = SweepCapsule(folder)
-    with capsule.locked():
+    with capsule.locked(), progress_bar(progress, "runs", "sweep", on_progress) as tell:
         if capsule.manifest.status == FINISHED and not retry:
             Store(capsule.folder).clear()
             return capsule.folder
         prepared = taken_up(capsule, model_class, measures, trust)
         capsule.update(platforms=folders.with_this_machine(capsule.manifest.platforms))
-        _Sweep(capsule, prepared, retry).go(workers, cluster, on_progress)
+        _Sweep(capsule, prepared, retry).go(workers, cluster, tell)
     return capsule.folder
 
 
