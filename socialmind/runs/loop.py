@@ -8,7 +8,6 @@ and sees whether the user wants to stop. What is computed never depends on where
 from __future__ import annotations
 
 import errno
-import inspect
 import os
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -27,6 +26,7 @@ from socialmind.runs import continuing, folders, sources
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.tables.growing import EventTable, GrowingTable
 from socialmind.runs.tables.names import AGENTS, EVENTS, GROUPS, LINKS, SERIES, TABLES
+from socialmind.sources.folders import file_of_class
 from socialmind.sources.loading import failure_in_model
 from socialmind.work.signals import deferred_signals
 
@@ -56,7 +56,7 @@ class Interrupted(KeyboardInterrupt):
     """
 
     def __init__(self, folder: Path, tick: int, signal_number: int) -> None:
-        super().__init__(f"stopped at tick {tick}")
+        super().__init__(f"stopped at tick {tick:,}; resume({str(folder)!r}) goes on")
         self.folder = folder
         self.tick = tick
         self.signal_number = signal_number
@@ -139,7 +139,7 @@ class Execution:
 
     def _failure(self, error: Exception) -> SocialmindError:
         """An error of the model's own Python, with its place there."""
-        path = Path(inspect.getfile(type(self._model)))
+        path = file_of_class(type(self._model))
         return failure_in_model(error, path, f"the run at tick {self._model.tick}")
 
     def _loop(

@@ -21,6 +21,8 @@ from socialmind.language.source import COMMAND, command, text_of
 from socialmind.language.syntax import parsed
 
 MAIN = "__main__"
+CELLS = "__cells__"
+"""The name that a module has which was made of what was typed in, elsewhere."""
 PLACE = "_typed_at"
 """The attribute of a class that says in which cell it was made."""
 

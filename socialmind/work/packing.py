@@ -20,10 +20,8 @@ from socialmind.errors import ModelError
 from socialmind.sources.cells import cells_of
 from socialmind.sources.folders import catalogue, digest
 from socialmind.sources.loading import PRIVATE, is_alone, load_file, modules_of
-from socialmind.sources.typed_in import is_typed_in
+from socialmind.sources.typed_in import CELLS, is_typed_in
 
-CELLS = "__cells__"
-"""The name under which a module of what was typed in keeps that as bytes."""
 _waiting = threading.local()
 """What is being packed: a value that it reads may hold it again."""
 

@@ -13,7 +13,10 @@ from typing import Any
 
 Told = Callable[[int, int], None]
 """Is given what is done, and how much there is."""
-BAR = "{desc}{n_fmt} of {total_fmt}{unit} |{bar}| {percentage:.0f} %, {rate_fmt}, {remaining} left"
+BAR = (
+    "{desc}{n_fmt} of {total_fmt}{unit} |{bar}| {percentage:.0f} %, {rate_noinv_fmt}, "
+    "{remaining} left"
+)
 WORDS = "{desc}"
 WAIT = 0.5
 """Seconds that work may take before a bar is drawn."""

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +14,7 @@ from socialmind.experiments.sweeps.measures.of_runs import AMeasure, Recorded, o
 from socialmind.experiments.sweeps.points.settings import Settings
 from socialmind.interventions.following import after_those_at, next_after
 from socialmind.runs.folders import FAILED, FINISHED
+from socialmind.sources.folders import file_of_class
 from socialmind.sources.loading import failure_in_model
 from socialmind.work.workers import Stopped, never
 
@@ -211,11 +210,7 @@ def in_one_line(error: Exception, model_class: type[Model], model: Model | None)
     if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
         return str(error)
     doing = "its beginning" if model is None else f"the run at tick {model.tick}"
-    try:
-        path = Path(inspect.getfile(model_class))
-    except (TypeError, OSError):  # a class that was typed in
-        return f"{doing} stopped with {type(error).__name__}: {error}"
-    return str(failure_in_model(error, path, doing))
+    return str(failure_in_model(error, file_of_class(model_class), doing))
 
 
 def _row(model: Model, model_class: type[Model]) -> Mapping[str, Any]:

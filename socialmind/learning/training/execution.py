@@ -52,7 +52,10 @@ class TrainingInterrupted(KeyboardInterrupt):
     def __init__(
         self, folder: Path, attempt: int, lesson: str, generation: int, signal_number: int
     ) -> None:
-        super().__init__(f"stopped in attempt {attempt}, {lesson}, generation {generation}")
+        super().__init__(
+            f"stopped in attempt {attempt}, {lesson}, generation {generation:,}; "
+            f"resume({str(folder)!r}) goes on"
+        )
         self.folder = folder
         self.attempt = attempt
         self.lesson = lesson
