@@ -56,12 +56,13 @@ class Names(Mapping[str, Any]):
         now = self._namespace.get
         for name, value in self._read.items():  # of each society that is made, so no generator
             other = now(name, _ABSENT)
-            if other is not value and not _same(value, other):
+            if other is not value and not same(value, other):
                 return True
         return False
 
 
-def _same(one: Any, other: Any) -> bool:
+def same(one: Any, other: Any) -> bool:
+    """Return whether two values mean the same to a rule."""
     # 1 == 1.0 == True, yet rules tell them apart.
     return one is other or (isinstance(one, _PLAIN) and repr(one) == repr(other))
 
@@ -198,7 +199,7 @@ def _changed(function: FunctionType) -> ModelError:
 
 def _is_as_loaded(text: str, code: CodeType) -> bool:
     """Say whether a function was loaded from a file of this text, which may have changed since."""
-    return any(_does(one) == _does(code) for one in _functions(text, code.co_filename))
+    return any(does(one) == does(code) for one in _functions(text, code.co_filename))
 
 
 @lru_cache(maxsize=16)
@@ -209,7 +210,11 @@ def _functions(text: str, file: str) -> tuple[CodeType, ...]:
     """
     try:
         tree = parsed(text)
-        waiting = [compiled(one, file) for one in (tree, *cells_in(tree))]
+        parts = [tree, *cells_in(tree)]
+        if not os.path.isfile(file):  # noqa: PTH113
+            # IPython compiles a cell statement by statement, past its imports.
+            parts += [ast.Module([node], []) for node in tree.body]
+        waiting = [compiled(one, file) for one in parts]
     except (SyntaxError, ValueError):
         return ()
     found = []
@@ -220,11 +225,10 @@ def _functions(text: str, file: str) -> tuple[CodeType, ...]:
     return tuple(found)
 
 
-def _does(code: CodeType) -> tuple[Any, ...]:
+def does(code: CodeType) -> tuple[Any, ...]:
     """Return what a code object does and where it stands."""
     constants = [
-        _does(one) if isinstance(one, CodeType) else (type(one), repr(one))
-        for one in code.co_consts
+        does(one) if isinstance(one, CodeType) else (type(one), repr(one)) for one in code.co_consts
     ]
     return (
         code.co_name,

@@ -18,6 +18,7 @@ from socialmind.society.declaration import declaration_of
 from socialmind.society.founding.blueprint import Blueprint
 from socialmind.society.founding.making import begin_networks
 from socialmind.society.messages import with_mailboxes
+from socialmind.sources.cells import refuse_outdated, taken_by
 from socialmind.sources.folders import file_of_class
 from socialmind.sources.provenance import note_definition
 from socialmind.sources.typed_in import MAIN, is_typed_in, note_place
@@ -36,6 +37,8 @@ class ModelKind(ABCMeta):
 
     def __call__(cls, *arguments: Any, **settings: Any) -> Any:
         """Return a society, finished."""
+        if cls.__module__ == MAIN:
+            refuse_outdated(cls)
         made = super().__call__(*arguments, **settings)
         made._made = True
         return made
@@ -51,6 +54,7 @@ class ModelKind(ABCMeta):
         """
         if cls.__module__ == MAIN:
             note_place(cls)
+            cls._took = taken_by(cls)
         hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
         note_definition(cls.__module__)
         found = declaration_of(cls, model)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import linecache
+import pickle
 import symtable
 import sys
 from collections.abc import Iterator
@@ -17,9 +18,13 @@ from types import FunctionType, ModuleType
 from typing import Any
 
 from coglogo_py.border import places
+from socialmind.errors import ModelError
+from socialmind.language.source import does, same
 from socialmind.language.syntax import compiled, parsed
 from socialmind.sources.typed_in import (
     MAIN,
+    PLACE,
+    TOOK,
     Definition,
     definition_of,
     is_typed_in,
@@ -102,6 +107,66 @@ def cells_of(something: Any) -> Cells:
     return _Gathering(something).gathered()
 
 
+def taken_by(something: Any) -> dict[str, Any]:
+    """Return what a class or function took when it was made, and keeps whatever the names become.
+
+    That is the values of names in its own lines and in those of the classes and functions that
+    these name; not what functions read when they are called.
+    """
+    namespace = vars(sys.modules[MAIN])
+    found: dict[str, Any] = {}
+    waiting = [something]
+    while waiting:
+        try:
+            names, _ = needs(definition_of(waiting.pop()).text)
+        except ModelError:
+            continue
+        for name in names:
+            if name in namespace and name not in found:
+                value = found[name] = namespace[name]
+                if isinstance(value, type | FunctionType) and is_typed_in(value):
+                    waiting.append(value)
+    return found
+
+
+def refuse_outdated(cls: Any) -> None:
+    """Refuse a class that was typed in and took what has been written anew since.
+
+    Raises:
+        ModelError: says what, and which cell to run.
+    """
+    namespace = vars(sys.modules[MAIN])
+    for name, value in getattr(cls, TOOK, {}).items():
+        now = namespace.get(name, value)
+        if not _is_same(now, value):
+            plain = getattr(now, "__code__", None)
+            file = plain.co_filename if plain else getattr(now, PLACE, None)
+            raise ModelError(
+                f"{name}, which was written anew since the class {cls.__name__} was made",
+                f"the {name} that {cls.__name__} was made with",
+                f"run the cell of class {cls.__name__} again, after those that it stands on",
+                file,
+                plain.co_firstlineno if plain else None,
+            )
+
+
+def _is_same(now: Any, value: Any) -> bool:
+    """Return whether running a cell once more has changed nothing."""
+    if now is value or same(now, value):
+        return True
+    if type(now) is not type(value):
+        return False
+    try:
+        if isinstance(now, FunctionType):
+            alike = does(now.__code__) == does(value.__code__)
+            return alike and same(now.__defaults__, value.__defaults__)
+        if isinstance(now, type):
+            return definition_of(now).text == definition_of(value).text
+        return pickle.dumps(now) == pickle.dumps(value)
+    except Exception:  # what cannot be compared is another
+        return False
+
+
 class _Gathering:
     """What a definition needs, found from name to name.
 
@@ -110,7 +175,7 @@ class _Gathering:
     """
 
     def __init__(self, something: Any) -> None:
-        self._namespace = vars(sys.modules[MAIN])
+        self._namespace = getattr(something, TOOK, {}) | vars(sys.modules[MAIN])
         self._seen: set[str] = {something.__name__}
         self._definitions: list[Definition] = []
         self._imports: list[str] = []

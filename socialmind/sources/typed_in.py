@@ -25,6 +25,8 @@ CELLS = "__cells__"
 """The name that a module has which was made of what was typed in, elsewhere."""
 PLACE = "_typed_at"
 """The attribute of a class that says in which cell it was made."""
+TOOK = "_took"
+"""The attribute of a class that holds what it took by name when it was made."""
 
 
 @dataclass(frozen=True)
