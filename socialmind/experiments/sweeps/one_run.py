@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +14,7 @@ from socialmind.experiments.sweeps.measures.of_runs import AMeasure, Recorded, o
 from socialmind.experiments.sweeps.points.settings import Settings
 from socialmind.interventions.following import after_those_at, next_after
 from socialmind.runs.folders import FAILED, FINISHED
+from socialmind.sources.folders import file_of_class
 from socialmind.sources.loading import failure_in_model
 from socialmind.work.workers import Stopped, never
 
@@ -225,10 +224,7 @@ def in_one_line(error: BaseException, model_class: type[Model], model: Model | N
     if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
         said = str(error)
     else:
-        try:
-            said = str(failure_in_model(error, Path(inspect.getfile(model_class)), doing))
-        except (TypeError, OSError):  # a class that was typed in
-            said = f"{doing} stopped with {type(error).__name__}: {error}"
+        said = str(failure_in_model(error, file_of_class(model_class), doing))
     return " ".join(said.split())
 
 

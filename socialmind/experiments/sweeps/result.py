@@ -84,6 +84,11 @@ class Sweep:
         """
         return self._table(AGENTS)
 
+    def _repr_html_(self) -> str:
+        from socialmind.experiments.sweeps.shown import as_html
+
+        return as_html(self)
+
     def _table(self, name: str) -> pd.DataFrame:
         import pandas as pd
 

@@ -17,6 +17,7 @@ from socialmind.experiments.sweeps.replicates import Replicates, Until
 from socialmind.experiments.sweeps.tables.store import Store
 from socialmind.runs import folders
 from socialmind.runs.folders import FINISHED
+from socialmind.work.progress import progress_bar
 from socialmind.work.workers import workers_here
 
 if TYPE_CHECKING:
@@ -47,6 +48,7 @@ def sweep(
     out: str | Path | None = None,
     on_begin: Callable[[Sequence[str]], None] | None = None,
     on_progress: Progress | None = None,
+    progress: bool | None = None,
 ) -> Path:
     """Run a model at every point of a design, with replicates, into one folder.
 
@@ -83,6 +85,8 @@ def sweep(
         out: folder to make, or an empty one; by default the next number under ``sweeps/``.
         on_begin: called with what is said of the sweep before its first run, line by line.
         on_progress: called with the runs done and their number.
+        progress: whether a bar is drawn; by default in notebooks and on terminals, unless
+            `on_progress` is given.
 
     Returns:
         The sweep's folder.
@@ -109,9 +113,10 @@ def sweep(
     )  # fmt: skip
     if on_begin is not None:
         on_begin(notes)
-    with capsule.locked():
+    kind = f"sweep {model_class.name}"
+    with capsule.locked(), progress_bar(progress, "runs", kind, on_progress) as tell:
         prepared = taken_up(capsule, model_class, measures, shocks=to_come)
-        Lead(capsule, prepared).go(workers, cluster, on_progress)
+        Lead(capsule, prepared).go(workers, cluster, tell)
     return capsule.folder
 
 
@@ -124,6 +129,7 @@ def resume_sweep(
     measures: Mapping[str, Any] | None = None,
     on_progress: Progress | None = None,
     trust: bool = False,
+    progress: bool | None = None,
 ) -> Path:
     """Go on with a sweep that was stopped: only the runs that are missing are done.
 
@@ -136,6 +142,7 @@ def resume_sweep(
         measures: those that are functions of Python and stand in no file.
         on_progress: as for `sweep`.
         trust: run programs that this user has neither named nor run before.
+        progress: as for `sweep`.
 
     Returns:
         The sweep's folder.
@@ -145,7 +152,7 @@ def resume_sweep(
         SweepInterrupted: Ctrl-C; what was done is safe.
     """
     capsule = SweepCapsule(folder)
-    with capsule.locked():
+    with capsule.locked(), progress_bar(progress, "runs", "sweep", on_progress) as tell:
         store = Store(capsule.folder)
         if capsule.manifest.status == FINISHED:
             store.clear()  # whoever did so before may have been killed half-way
@@ -154,5 +161,5 @@ def resume_sweep(
         store.note_running(())
         prepared = taken_up(capsule, model_class, measures, trust)
         capsule.update(platforms=folders.with_this_machine(capsule.manifest.platforms))
-        Lead(capsule, prepared, retry).go(workers, cluster, on_progress)
+        Lead(capsule, prepared, retry).go(workers, cluster, tell)
     return capsule.folder
