@@ -203,7 +203,7 @@ def _first_society(
             model = common.begin(replicates.seed_of(replicates.run_of(point, 0)), values)
             row = model.series()
             break
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             failures.append(in_one_line(error, common.model_class, model))
     else:
         raise SocialmindError(failures[0])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+import warnings
 from collections import Counter, deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
@@ -18,7 +19,7 @@ from socialmind.experiments.sweeps.preparing import Prepared
 from socialmind.experiments.sweeps.replicates import Waiting
 from socialmind.experiments.sweeps.tables.store import RUNS, Store
 from socialmind.experiments.sweeps.tables.window import Window
-from socialmind.experiments.sweeps.task import OVERTIME, Done, RunJob, Task
+from socialmind.experiments.sweeps.task import OVERTIME, Done, RunJob, Task, ignore_idleness
 from socialmind.runs.folders import FAILED, FINISHED, INTERRUPTED, RUNNING
 from socialmind.runs.loop import NO_ROOM
 from socialmind.runs.tables.names import AGENTS, SERIES
@@ -194,7 +195,9 @@ class Lead:
 
         task = Task(self._prepared.common, self._prepared.names, stop)
         tell()
-        with self._hired(workers, cluster) as some:
+        # Around all jobs, not each: Python then tells a model's own warnings once.
+        with warnings.catch_warnings(), self._hired(workers, cluster) as some:
+            ignore_idleness()
             for _, done in some.finished(task, jobs, stop, instead):
                 if done is not None:
                     self._take(done)

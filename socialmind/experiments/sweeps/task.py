@@ -80,6 +80,8 @@ class RunWorker:
         self._common = task.common
         self._warm = False
         self._watch = None
+        if parent_process() is not None:
+            ignore_idleness()
         if task.common.timeout is not None and task.stop is never and parent_process() is not None:
             self._watch = _Watch()
 
@@ -91,12 +93,10 @@ class RunWorker:
         if self._watch is not None and not self._warm:
             self._warm_up(job[0])
         begin, outcomes = time.perf_counter(), []
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", IdleWarning)  # said in the tables, where it is recorded
-            for run, seed, values in job:
-                if self._watch is not None:
-                    self._watch.begin((self._common.timeout or 0.0) + PATIENCE)
-                outcomes.append(self._runs.done(run, seed, values))
+        for run, seed, values in job:
+            if self._watch is not None:
+                self._watch.begin((self._common.timeout or 0.0) + PATIENCE)
+            outcomes.append(self._runs.done(run, seed, values))
         if self._watch is not None:
             self._watch.end()
         outcomes, tables = recorded(outcomes)
@@ -121,6 +121,11 @@ class RunWorker:
             TICKS: outcome.ticks,
         }
         return {**own, **ends, **outcome.measured}
+
+
+def ignore_idleness() -> None:
+    """Warn of no idle agents: tables say so, where it is recorded."""
+    warnings.simplefilter("ignore", IdleWarning)
 
 
 class _Watch:

@@ -1,6 +1,7 @@
 """Sweeps of models and tables that behave oddly: each says so in its place, and others go on."""
 
 import shutil
+import warnings
 
 import numpy as np
 import pandas as pd
@@ -13,6 +14,7 @@ from socialmind.experiments.sweeps.tables.store import Store
 ODD = '''"""A model that does one odd thing."""
 
 import sys
+import warnings
 
 from socialmind import Agent, Model, Population, each, parameter
 
@@ -33,7 +35,7 @@ class Odd(Model):
     """Somebody grows older."""
 
     how: str = parameter("well", choices=(
-        "well", "interrupt", "exit", "changing", "text", "lines", "huge", "taken",
+        "well", "interrupt", "exit", "changing", "text", "lines", "huge", "taken", "warns", "no",
     ))
     deadly: bool = parameter(False)
     breaks: bool = parameter(False)
@@ -44,6 +46,10 @@ class Odd(Model):
 
     def series(self):
         how, tick = self.how, self.tick
+        if how == "no":
+            sys.exit(4)
+        if how == "warns":
+            warnings.warn("have a care")
         if how == "interrupt" and tick > 1:
             raise KeyboardInterrupt
         if how == "exit" and tick > 1:
@@ -82,6 +88,20 @@ def test_what_one_run_does_others_do_not_suffer_from(odd, tmp_path, together, mo
         "record: series(): column a: found 1180591620717411303424; expected"
     )
     assert found.series["run"].unique().tolist() == [0, 6]
+
+
+def test_a_warning_of_the_model_is_told_once(odd, tmp_path, monkeypatch):
+    monkeypatch.setattr("socialmind.experiments.sweeps.leading.JOB_SECONDS", 0.0)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("default")
+        sweep(odd, {"how": ["warns"] * 5}, out=tmp_path / "s", **OPTIONS)
+    own = [one for one in told if "have a care" in str(one.message)]
+    assert len(own) <= 2  # of the first society, and of all runs
+
+
+def test_a_model_that_leaves_the_program_is_refused(odd, tmp_path):
+    with pytest.raises(SocialmindError, match=r"stopped with SystemExit: 4"):
+        sweep(odd, {"how": ["no"]}, out=tmp_path / "s", **OPTIONS)
 
 
 def test_a_column_may_be_a_number_in_one_run_and_a_text_in_another(odd, tmp_path):

@@ -24,7 +24,10 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 KEPT_GROUPS = 16
-"""So many pieces of parts are held in memory while they are sorted."""
+"""The rows of so many whole row groups are held in memory while they are sorted."""
+
+MOST_PIECES = 256
+"""So many pieces at most wait for a row group to be full."""
 
 
 def merged(
@@ -82,6 +85,8 @@ def _in_groups(pieces: Iterable[pa.Table], schema: pa.Schema) -> Iterator[pa.Tab
     for rows in pieces:
         waiting.append(rows)
         count += rows.num_rows
+        if len(waiting) > MOST_PIECES:  # small ones take much more memory than their rows
+            waiting = [pa.concat_tables(waiting).combine_chunks()]
         while count >= ROW_GROUP:
             together = pa.concat_tables(waiting)
             yield together.slice(0, ROW_GROUP).combine_chunks()
@@ -161,6 +166,7 @@ class _Groups:
     def __init__(self, parts: Mapping[int, Path], schema: pa.Schema) -> None:
         self._parts, self._schema = parts, schema
         self._kept: OrderedDict[tuple[int, int], pa.Table] = OrderedDict()
+        self._count = 0
 
     def rows(self, part: int, begin: int, end: int) -> pa.Table:
         """Return some rows of a part, in the schema of all."""
@@ -180,7 +186,9 @@ class _Groups:
         if (part, group) not in self._kept:
             rows = group_of(self._parts[part], group)
             self._kept[part, group] = cast(rows, self._schema)
-            while len(self._kept) > KEPT_GROUPS:
-                self._kept.popitem(last=False)
+            self._count += rows.num_rows
+            while self._count > KEPT_GROUPS * ROW_GROUP and len(self._kept) > 1:
+                _, oldest = self._kept.popitem(last=False)
+                self._count -= oldest.num_rows
         self._kept.move_to_end((part, group))
         return self._kept[part, group]

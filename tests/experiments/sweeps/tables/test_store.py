@@ -55,6 +55,7 @@ def test_long_tables_go_through_few_pieces_in_memory(tmp_path, monkeypatch):
     monkeypatch.setattr(merging, "ROW_GROUP", 8)
     monkeypatch.setattr(store, "ROW_GROUP", 8)
     monkeypatch.setattr(merging, "KEPT_GROUPS", 2)
+    monkeypatch.setattr(merging, "MOST_PIECES", 3)
     windows = [list(range(n, 120, 3)) for n in range(3)]
     merged(tmp_path, windows)
     found = pq.read_table(tmp_path / "series.parquet").to_pydict()
