@@ -18,6 +18,7 @@ OPTIONS = {
     "ticks": 40, "seeds": range(4), "every": 5, "compiled": False, "agents": "last",
     "measures": {"unequal": "gini(agents.money)"},
 }  # fmt: skip
+MANY = {**OPTIONS, "seeds": range(12)}
 
 LED = '''
 """Begins a sweep or goes on with it, and tells how many runs are done."""
@@ -80,12 +81,13 @@ class Led:
         model: the model's.
         out: the sweep's.
         rng: says when what is killed.
+        options: of the sweep.
     """
 
-    def __init__(self, folder, model, out, rng):
+    def __init__(self, folder, model, out, rng, options):
         self.script, self.model, self.out, self.rng = folder / "led.py", model, out, rng
         self.script.write_text(LED)
-        (folder / "options.txt").write_text(repr((POINTS, OPTIONS)))
+        (folder / "options.txt").write_text(repr((POINTS, options)))
         self.done, self.said, self.kills = 0, "", 0
 
     def go(self, kills=(), cluster="", merge=0):
@@ -96,9 +98,9 @@ class Led:
             cluster: the address of workers; else so many processes as chance says.
             merge: the piece of the sorted tables at which it ends itself; 0 for none.
         """
-        words = [sys.executable, self.script, self.model, self.out, self.rng.choice([1, 2, 3])]
-        words += [cluster, merge]
-        kills, at = list(kills), self.rng.randint(2, 25)
+        kills, at = list(kills), self.rng.randint(2, 15)
+        workers = self.rng.choice([2, 3] if len(kills) > 1 else [1, 2, 3])
+        words = [sys.executable, self.script, self.model, self.out, workers, cluster, merge]
         with subprocess.Popen(
             [str(one) for one in words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
         ) as process:
@@ -173,9 +175,9 @@ def undisturbed(gifts, tmp_path_factory):
     return sweep(gifts, POINTS, workers=1, out=out, **OPTIONS)
 
 
-def killed(folder, gifts, rng, rounds, merges):
+def killed(folder, gifts, rng, rounds, merges, options=OPTIONS):
     """Kill a sweep in many rounds, in every other a worker before, and then while it merges."""
-    led = Led(folder, gifts, folder / "killed, ünd wö", rng)
+    led = Led(folder, gifts, folder / "killed, ünd wö", rng, options)
     for number in range(rounds):
         code = led.go([kill_a_worker(rng), kill] if number % 2 == 0 else [kill])
         assert code == -signal.SIGKILL, led.said
@@ -192,10 +194,11 @@ def test_killed_at_random_moments_it_ends_equal(gifts, undisturbed, contents, tm
 
 
 @pytest.mark.study
-def test_killed_twenty_times_it_ends_equal(gifts, undisturbed, contents, tmp_path):
-    led = killed(tmp_path, gifts, random.Random(20), 11, 5)
+def test_killed_twenty_times_it_ends_equal(gifts, contents, tmp_path):
+    whole = sweep(gifts, POINTS, workers=1, out=tmp_path / "whole", **MANY)
+    led = killed(tmp_path, gifts, random.Random(20), 11, 5, MANY)
     assert led.kills >= 20
-    assert contents(led.out) == contents(undisturbed)
+    assert contents(led.out) == contents(whole)
 
 
 @pytest.mark.study
@@ -204,7 +207,7 @@ def test_killed_on_a_cluster_whose_scheduler_dies_too_it_ends_equal(
 ):
     pytest.importorskip("distributed")
     rng, deaths = random.Random(7), 0
-    led = Led(tmp_path, gifts, tmp_path / "out", rng)
+    led = Led(tmp_path, gifts, tmp_path / "out", rng, OPTIONS)
     for number in range(4):
         port = 28_700 + number
         with cluster_at(tmp_path, port) as cluster:
