@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.documents.odd.entities import written
 from socialmind.errors import SocialmindError
-from socialmind.runs.folders import FINISHED, MANIFEST
+from socialmind.runs.folders import FINISHED, MANIFEST, kind_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -46,15 +46,7 @@ def methods(folder: Path, trust: bool = False) -> str:
     Raises:
         SocialmindError: the folder holds neither.
     """
-    path = folder / MANIFEST
-    if not path.is_file():
-        found = "holds no manifest.json" if folder.is_dir() else "no such folder"
-        raise SocialmindError(f"{folder}: {found}; expected the folder of a run or a sweep")
-    try:
-        kind = json.loads(path.read_text("utf-8")).get("kind")
-    except (ValueError, AttributeError):
-        kind = None  # reading it as a run's says what is wrong
-    return _of_sweep(folder) if kind == "sweep" else _of_run(folder, trust)
+    return _of_sweep(folder, trust) if kind_of(folder) == "sweep" else _of_run(folder, trust)
 
 
 def _of_run(folder: Path, trust: bool) -> str:
