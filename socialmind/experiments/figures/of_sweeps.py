@@ -270,7 +270,9 @@ class _Drawing:
     def _said(self, found: Estimates, extra: str = "", per: str = "point") -> str:
         runs = sorted(set(found.table["runs"]))
         many = f"{runs[0]}" if len(runs) == 1 else f"{runs[0]} to {runs[-1]}"
-        if not found.has_intervals:
+        if not self.design.crossed:
+            told = f"{found.summary.statistic}s of {many} runs a point"
+        elif not found.has_intervals:
             told = f"one run a {per}: no intervals"
         else:
             told = f"{found.summary.said}; {many} runs a {'point' if per == 'tick' else per}"
@@ -360,11 +362,10 @@ def _two_views(
     if as_lines:
         draw_response(panels[1], found, first.name, second.name, labels)
         panels[1].legend(
-            title=labels.axis(second.name), ncols=min(len(second.values), 3), fontsize=7,
-            title_fontsize=7, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2,
+            title=rf"$\bf{{b}}$   {labels.axis(second.name)}", ncols=min(len(second.values), 3), fontsize=7,
+            title_fontsize=8, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2,
             alignment="left", columnspacing=1.2, handlelength=2.6,
         )  # fmt: skip
-        panels[1].set_title(r"$\bf{b}$", x=-0.12)
     elif found.has_intervals:
         half = found.table.assign(middle=(found.table["high"] - found.table["low"]) / 2)
         half = half.assign(low=math.nan, high=math.nan)
@@ -446,7 +447,7 @@ def effects_figure(found: Effects, labels: Labels, width: float) -> Figure:
         labels: names and units.
         width: in mm.
     """
-    figure = paper.figure(width, 24 + 4.6 * len(found.table))
+    figure = paper.figure(width, 28 + 4.6 * max(3, len(found.table)))
     names = None
     if len(found.by) > 1:
         names = [_changes(row, found, labels) for _, row in found.table.iterrows()]

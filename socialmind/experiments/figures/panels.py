@@ -32,6 +32,8 @@ from socialmind.experiments.figures.palette import SURFACE, lines
 TICK = "tick"
 LETTER = 1.45
 """Width of a letter of 7.5 points, in mm, about."""
+DIGIT = 1.5
+"""Width of a digit of 7 points, in mm, about."""
 APART = 1.6
 """Points between the intervals of two lines at one place."""
 FEW = 8
@@ -70,8 +72,11 @@ def draw_response(
             at, rows["middle"], yerr=_reach(rows), color=look.colour, marker=look.marker,
             markersize=3.2, linestyle=look.dashes if along.numeric else "none", linewidth=1.0,
             elinewidth=0.9, capsize=1.6, capthick=0.9, label=None if by is None else value_name(value),
-            transform=axes.transData + _moved(axes, away),
+            transform=_moved(axes, away),
         )  # fmt: skip
+        for name in ("low", "middle", "high"):
+            axes.update_datalim(np.column_stack([at, rows[name].fillna(rows["middle"])]))
+    axes.autoscale_view()
     _fit(axes, found.table, along)
     axes.set_xlabel(wrapped(labels.axis(x), axes))
     axes.set_ylabel(wrapped(labels.axis(found.of), axes, "height"))
@@ -149,6 +154,7 @@ def draw_surface(
     )  # fmt: skip
     axes.set_xticks(np.arange(len(across.values)) + 0.5, [value_name(v) for v in across.values])
     axes.set_yticks(np.arange(len(up.values)) + 0.5, [value_name(v) for v in up.values])
+    _turn_if_crowded(axes, across)
     axes.tick_params(length=0)
     for side in axes.spines.values():
         side.set_visible(False)
@@ -230,7 +236,7 @@ def draw_effects(
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="y", color=paper.PALE, linewidth=0.3)
     axes.xaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
-    axes.set_xlabel(wrapped(labels.axis(found.of, "difference of "), axes))
+    axes.set_xlabel(wrapped(labels.axis(found.of, "difference of "), axes, room=0.5))
     if names is None:
         axes.set_ylabel(wrapped(", ".join(labels.axis(one) for one in found.by), axes, "height"))
     return axes
@@ -268,8 +274,15 @@ def varying(table: pd.DataFrame, name: str) -> Varying:
     return Varying(name, tuple(sorted(values) if numeric else values), numeric)
 
 
-def wrapped(text: str, axes: Axes, side: str = "width") -> str:
-    """Return a label in as many lines as the side of its panel asks for."""
+def wrapped(text: str, axes: Axes, side: str = "width", room: float = 0.72) -> str:
+    """Return a label in as many lines as the side of its panel asks for.
+
+    Args:
+        text: the label; where it is too long, its unit gets a line of its own.
+        axes: the panel.
+        side: `width` or `height`.
+        room: share of the panel's part of the figure that the label may take.
+    """
     place = axes.get_subplotspec()
     inches = getattr(axes.figure, f"get_fig{side}")()
     share = 1.0
@@ -278,7 +291,19 @@ def wrapped(text: str, axes: Axes, side: str = "width") -> str:
         count = grid.ncols if side == "width" else grid.nrows
         span = place.colspan if side == "width" else place.rowspan
         share = len(span) / count
-    return fill(text, max(12, int(0.72 * share * inches * 25.4 / LETTER)))
+    letters = max(12, int(room * share * inches * 25.4 / LETTER))
+    name, bracket, unit = text.rpartition(" (")
+    if len(text) <= letters or not bracket:
+        return _evenly(text, letters)
+    return f"{_evenly(name, letters)}\n{_evenly(f'({unit}', letters)}"
+
+
+def _evenly(text: str, letters: int) -> str:
+    """Return a text in as few lines as it needs, about as long as each other."""
+    count = len(fill(text, letters).splitlines())
+    while letters > 12 and len(fill(text, letters - 1).splitlines()) == count:
+        letters -= 1
+    return fill(text, letters)
 
 
 def _reach(rows: pd.DataFrame) -> Any:
@@ -288,17 +313,15 @@ def _reach(rows: pd.DataFrame) -> Any:
 
 
 def _moved(axes: Axes, points: float) -> Any:
-    return ScaledTranslation(points / 72.0, 0.0, axes.figure.dpi_scale_trans)
+    return axes.transData + ScaledTranslation(points / 72.0, 0.0, axes.figure.dpi_scale_trans)
 
 
 def _fit(axes: Axes, table: pd.DataFrame, along: Varying) -> None:
     """Put the places of values along the axis below; names with air at both ends."""
     if not along.numeric:
-        names = [value_name(value) for value in along.values]
-        long = max(map(len, names)) * len(names) > 40
-        axes.set_xticks(range(len(names)), names, rotation=30 if long else 0,
-                        ha="right" if long else "center")  # fmt: skip
-        axes.set_xlim(-0.5, len(names) - 0.5)
+        axes.set_xticks(range(len(along.values)), [value_name(value) for value in along.values])
+        _turn_if_crowded(axes, along)
+        axes.set_xlim(-0.5, len(along.values) - 0.5)
         return
     if along.logarithmic:
         axes.set_xscale("log")
@@ -306,6 +329,14 @@ def _fit(axes: Axes, table: pd.DataFrame, along: Varying) -> None:
     if len(along.values) <= FEW:
         axes.xaxis.set_major_locator(FixedLocator(list(along.values)))
         axes.set_xticks(list(along.values), [value_name(value) for value in along.values])
+
+
+def _turn_if_crowded(axes: Axes, along: Varying) -> None:
+    """Turn the names of values where they would meet."""
+    longest = max(len(value_name(value)) for value in along.values)
+    room = axes.figure.get_figwidth() * 25.4 * _share(axes) * 0.68 / len(along.values)
+    if (longest + 1) * DIGIT > room:
+        axes.tick_params(axis="x", labelrotation=90 if longest <= 6 else 30)
 
 
 def _at(table: pd.DataFrame, column: str, x: str, a: Any, y: str, b: Any) -> float:
@@ -319,7 +350,7 @@ def _number_cells(axes: Axes, cells: dict[str, Any], low: float, high: float) ->
     known = np.abs(middle[np.isfinite(middle)])
     if not known.size:
         return
-    digits = max(0, 1 - math.floor(math.log10(known.max()))) if known.max() > 0 else 1
+    digits = _digits(cells)
     width = axes.figure.get_figwidth() * 25.4 * _share(axes) * 0.68 / middle.shape[1]
     height = axes.figure.get_figheight() * 25.4 * _share(axes, rows=True) * 0.7 / middle.shape[0]
 
@@ -330,7 +361,7 @@ def _number_cells(axes: Axes, cells: dict[str, Any], low: float, high: float) ->
     bounds = np.array([[f"{said(a)}–{said(b)}" if math.isfinite(a) else ""
                         for a, b in zip(*rows, strict=True)]
                        for rows in zip(cells["low"], cells["high"], strict=True)])  # fmt: skip
-    room = width / 1.32  # letters of 7 points
+    room = width / DIGIT
     if max(map(len, alone.flat)) > room or height < 3.5:
         return
     both = max(map(len, bounds.flat)) <= room and height > 7.0
@@ -344,6 +375,15 @@ def _number_cells(axes: Axes, cells: dict[str, Any], low: float, high: float) ->
         told = f"{text}\n{bounds[row, column]}" if both and bounds[row, column] else text
         axes.text(column + 0.5, row + 0.5, told, ha="center", va="center", color=ink, fontsize=7,
                   linespacing=1.15)  # fmt: skip
+
+
+def _digits(cells: dict[str, Any]) -> int:
+    """Return the digits behind the point: as many as intervals leave meaning to."""
+    half = (cells["high"] - cells["low"]) / 2
+    half = half[np.isfinite(half) & (half > 0)]
+    known = np.abs(cells["middle"][np.isfinite(cells["middle"])])
+    scale = float(np.median(half)) if half.size else float(np.median(known)) / 10
+    return min(4, max(0, math.ceil(-math.log10(scale)))) if scale > 0 else 1
 
 
 def _share(axes: Axes, rows: bool = False) -> float:
