@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from socialmind.documents.odd.entities import written
 from socialmind.errors import SocialmindError
 from socialmind.runs.folders import FINISHED, MANIFEST, kind_of
+from socialmind.sources.folders import catalogue
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -103,17 +104,27 @@ def _of_run(folder: Path, trust: bool) -> str:
     return " ".join(part for part in parts if part)
 
 
-def _of_sweep(folder: Path) -> str:
+def _of_sweep(folder: Path, trust: bool) -> str:
     import pandas as pd
+
+    from socialmind.experiments.sweeps.capsule import SweepCapsule
+    from socialmind.runs.sources import recorded_class
 
     content = json.loads((folder / MANIFEST).read_text("utf-8"))
     design = folder / "design.parquet"
     points = pd.read_parquet(design) if design.is_file() else None
-    return paragraph_of_sweep(content, points, folder)
+    try:
+        model_class: type[Model] | None = recorded_class(SweepCapsule(folder), trust=trust)
+    except SocialmindError:
+        model_class = None  # the paragraph then lacks units and defaults
+    return paragraph_of_sweep(content, points, folder, model_class)
 
 
 def paragraph_of_sweep(
-    content: Mapping[str, Any], points: pd.DataFrame | None, folder: Path
+    content: Mapping[str, Any],
+    points: pd.DataFrame | None,
+    folder: Path,
+    model_class: type[Model] | None = None,
 ) -> str:
     """Return the paragraph of methods of a sweep.
 
@@ -121,28 +132,16 @@ def paragraph_of_sweep(
         content: of its manifest.
         points: the design, a row a point, where it is at hand.
         folder: the sweep's, for the commands.
+        model_class: its model, whose declaration has units and defaults; None for neither.
     """
-    model, replicates = content["model"], content["replicates"]
-    parts = [_opening(model, content.get("versions", {}), content.get("platforms", ()), None)]
-    parts.append(_design(content["design"], content["columns"], content["points"], points))
-    parts.append(_replicates(replicates))
-    counts = content.get("counts", {})
-    done = counts.get("finished", 0)
-    others = [f"{number:,} {status.replace('_', ' ')}" for status, number in counts.items()
-              if status not in ("finished", "pending") and number]  # fmt: skip
-    lacking = f" ({_listed(others)})" if others else ""
-    were = "run of {} was" if done == 1 else "runs of {} were"
-    parts.append(f"{done:,} {were.format(_number(content['ticks']))} finished{lacking}.")
-    if content.get("status", FINISHED) != FINISHED:
-        parts.append(f"The sweep is {content['status']}: further runs may come.")
-    if content.get("timeout"):
-        parts.append(f"Each had {content['timeout']:g} s at most.")
-    if content.get("fixed"):
-        fixed = [f"{one} = {written(value)}" for one, value in content["fixed"].items()]
-        parts.append(f"In all of them {_listed(fixed)}; all other parameters had their defaults.")
-    else:
-        which = "All other" if content["columns"] else "All"
-        parts.append(f"{which} parameters had their defaults.")
+    model = content["model"]
+    parts = [_opening(model, content.get("versions", {}), content.get("platforms", ()), model_class)]
+    declared = {} if model_class is None else dict(model_class.parameters)
+    units = {name: one.unit for name, one in declared.items()}
+    parts.append(_design(content["design"], content["columns"], content["points"], points, units))
+    parts.append(_replicates(content["replicates"]))
+    parts += _how_it_went(content)
+    parts.append(_constant(content, declared))
     parts += _minds_used(content.get("schemes", {}), content.get("minds", {}))
     parts.append(_interventions(content.get("interventions", ())))
     if content.get("measures"):
@@ -151,21 +150,117 @@ def paragraph_of_sweep(
     if content.get("measures") or content.get("keeps_series"):
         parts.append(f"Its series was recorded every {_ticks(content['every'])}.")
     parts.append(_luck())
+    place = shlex.quote(str(folder))
     parts.append(
         f"The design, the seeds and every result are in {folder}; any run of it is repeated by "
-        f"`socialmind run --from-sweep {shlex.quote(str(folder))} --number N`."
+        f"`socialmind run --from-sweep {place} --number N`"
     )
+    again = _sweep_command(content, points)
+    parts[-1] += f", all of them by `{again}`." if again else "."
     return " ".join(part for part in parts if part)
 
 
+def _how_it_went(content: Mapping[str, Any]) -> list[str]:
+    """Return the sentences of how many runs finished, and what became of the others."""
+    counts = content.get("counts", {})
+    done = counts.get("finished", 0)
+    others = [
+        f"{number:,} {status.replace('_', ' ')}"
+        for status, number in counts.items()
+        if status not in ("finished", "pending") and number
+    ]
+    were = "run of {} was" if done == 1 else "runs of {} were"
+    lacking = f" ({_listed(others)})" if others else ""
+    parts = [f"{done:,} {were.format(_number(content['ticks']))} finished{lacking}."]
+    if content.get("status", FINISHED) != FINISHED:
+        parts.append(f"The sweep is {content['status']}: further runs may come.")
+    if content.get("timeout"):
+        parts.append(f"Each had {content['timeout']:g} s at most.")
+    return parts
+
+
+def _constant(content: Mapping[str, Any], declared: Mapping[str, Any]) -> str:
+    """Return the sentence of what did not vary: what was set, and defaults where they are known."""
+    fixed = content.get("fixed", {})
+    told = [
+        _valued(one, value, declared[one].unit if one in declared else "")
+        for one, value in fixed.items()
+    ]
+    usual = [
+        _valued(name, one.default, one.unit)
+        for name, one in declared.items()
+        if name not in content["columns"] and name not in fixed
+    ]
+    if declared and not usual:
+        return f"In all of them {_listed(told)}." if told else ""
+    listed = f": {_listed(usual)}" if usual else ""
+    if told:
+        return f"In all of them {_listed(told)}; all other parameters had their defaults{listed}."
+    which = "All other" if content["columns"] else "All"
+    return f"{which} parameters had their defaults{listed}."
+
+
+def _sweep_command(content: Mapping[str, Any], points: pd.DataFrame | None) -> str:
+    """Return the command that makes a sweep again; empty where options cannot say it all."""
+    replicates, measures = content["replicates"], content.get("measures", {})
+    plain = not content.get("interventions") and content.get("agents_every") is None
+    plain = plain and all("expression" in one for one in measures.values())
+    design = _design_options(content, points)
+    if not plain or design is None:
+        return ""
+    path = content["model"]["path"]
+    known = path is None or content["model"]["name"] in catalogue()
+    command = ["socialmind", "sweep", content["model"]["name"] if known else path]
+    command += design
+    for name, value in content.get("fixed", {}).items():
+        command += ["--set", f"{name}={_plain(value)}"]
+    seeds = list(replicates["seeds"])
+    whole = seeds == list(range(seeds[0], seeds[0] + len(seeds)))
+    said = f"{seeds[0]}:{seeds[-1] + 1}" if whole else ",".join(map(str, seeds))
+    command += ["--seeds", said, *(["--common"] if replicates.get("common") else [])]
+    if replicates.get("until"):
+        command += ["--until", replicates["until"], "--at-most", str(replicates["most"])]
+    every = content["every"] if content.get("keeps_series", True) else 0
+    command += ["--ticks", str(content["ticks"]), "--every", str(every)]
+    for name, one in measures.items():
+        command += ["--measure", f"{name}={one['expression']}"]
+    return shlex.join(command)
+
+
+def _design_options(
+    content: Mapping[str, Any], points: pd.DataFrame | None
+) -> list[str] | None:
+    """Return a design as options of `socialmind sweep`; None where these cannot say it."""
+    made, columns = content["design"], content["columns"]
+    name = made.get("name")
+    if name == "none":
+        return []
+    options = []
+    if name == "grid" and points is not None and set(columns) <= set(points):
+        for one in columns:
+            values = dict.fromkeys(points[one].tolist())
+            options += ["--grid", f"{one}={','.join(map(_plain, values))}"]
+        return options
+    if "ranges" in made and made.get("seed") == 0:
+        options = ["--sample", f"{name}:{made['size']}"]
+        for one, (low, high) in made["ranges"].items():
+            options += ["--ranges", f"{one}={_plain(low)}:{_plain(high)}"]
+        return options
+    return None
+
+
 def _design(
-    made: Mapping[str, Any], columns: Sequence[str], count: int, points: pd.DataFrame | None
+    made: Mapping[str, Any],
+    columns: Sequence[str],
+    count: int,
+    points: pd.DataFrame | None,
+    units: Mapping[str, str],
 ) -> str:
     """Return the sentence of what varied, and by which design."""
     if not columns:
         return "Nothing was varied."
     name = str(made.get("name", "table"))
-    varied = _listed([_varied(one, points) for one in columns])
+    varied = _listed([_varied(one, points, units.get(one, "")) for one in columns])
     said = [f"{one} {made[one]}" for one in ("size", "seed") if one in made]
     number = f"{count:,} point{'s' if count != 1 else ''}"
     return (
@@ -312,6 +407,13 @@ def _valued(name: str, value: Any, unit: str = "") -> str:
 
 
 def _plain(value: Any) -> str:
+    """Return a value as options have it.
+
+    >>> _plain(True), _plain(50.0), _plain(0.1)
+    ('true', '50', '0.1')
+    """
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        return str(int(value))
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
@@ -328,14 +430,16 @@ def _minds_used(
     return told
 
 
-def _varied(name: str, points: pd.DataFrame | None) -> str:
-    """Return the name of what varies, with its values or its range."""
+def _varied(name: str, points: pd.DataFrame | None, unit: str = "") -> str:
+    """Return the name of what varies, with its values or its range, and its unit."""
     if points is None or name not in points:
         return name
     values = list(dict.fromkeys(points[name].tolist()))
     if len(values) <= FEW:
-        return f"{name} ({', '.join(written(one) for one in values)})"
-    return f"{name} ({written(min(values))} … {written(max(values))})"
+        told = ", ".join(written(one) for one in values)
+    else:
+        told = f"{written(min(values))} … {written(max(values))}"
+    return f"{name} ({told}{f' {unit}' if unit else ''})"
 
 
 def _seeds(seeds: Sequence[int]) -> str:

@@ -8,7 +8,7 @@ from socialmind.drawing import style as paper
 from socialmind.errors import SocialmindError
 from socialmind.experiments.comparing.sweeps import COMPARED, SweepsCompared
 from socialmind.experiments.figures.design import Varying
-from socialmind.experiments.figures.estimates import Effects, Estimates
+from socialmind.experiments.figures.estimates import Effects
 from socialmind.experiments.figures.labels import Labels, value_name
 from socialmind.experiments.figures.of_sweeps import MOST_EFFECTS, put_caption
 from socialmind.experiments.figures.palette import MOST_LINES
@@ -66,20 +66,15 @@ def _curves(found: SweepsCompared, outcome: str, labels: Labels, width: float) -
     by = COMPARED if columns else None
     for place, value in enumerate(values):
         above, below = panels[0][place], panels[1][place]
-        means, apart = found.means(outcome), found.differences(outcome)
+        means, apart = found.means(outcome), found.differences(outcome, not columns)
         if beside is not None:
             means, apart = means.only({beside.name: value}), apart.only({beside.name: value})
             above.set_title(f"{labels.name(beside.name)} {value_name(value)}", fontsize=7)
         draw_response(above, means, x, by, labels, sweeps if by else None).set_xlabel("")
         below.axhline(0.0, color=paper.INK, linewidth=0.6)
-        if columns:
-            draw_response(below, apart, x, by, labels, sweeps)
-        else:
-            places = {name: number for number, name in enumerate(found.sweeps)}
-            apart = Estimates(apart.table.replace({COMPARED: places}), apart.by, outcome,
-                              apart.summary)  # fmt: skip
-            draw_response(below, apart, x, None, labels).set_xlabel("")
-            below.set_xticks(range(len(found.sweeps)), found.sweeps)
+        draw_response(below, apart, x, by, labels, sweeps if by else None)
+        if not columns:
+            below.set_xlabel("")
         unit = labels.units.get(outcome, "")
         below.set_ylabel(f"difference ({unit})" if unit else "difference")
         if place:

@@ -65,10 +65,15 @@ class SweepsCompared:
         ]
         return Estimates(own, (*self.by, COMPARED), outcome, Summary("mean", self.level))
 
-    def differences(self, outcome: str) -> Estimates:
-        """Return how far the other sweeps are from the first, likewise."""
-        own = self.table[(self.table["outcome"] == outcome)]
-        own = own[own[COMPARED] != self.sweeps[0]].drop(columns=["low", "high"])
+    def differences(self, outcome: str, reference: bool = False) -> Estimates:
+        """Return how far the other sweeps are from the first, likewise.
+
+        Args:
+            outcome: one that is compared.
+            reference: whether the first is there as well, which is no way from itself.
+        """
+        own = self.table[(self.table["outcome"] == outcome)].drop(columns=["low", "high"])
+        own = own if reference else own[own[COMPARED] != self.sweeps[0]]
         renamed = {"difference": "middle", "difference_low": "low", "difference_high": "high"}
         own = own.rename(columns=renamed)[[*self.by, COMPARED, "runs", "middle", "low", "high"]]
         return Estimates(own, (*self.by, COMPARED), outcome, Summary("mean", self.level))
