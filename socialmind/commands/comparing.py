@@ -28,7 +28,8 @@ ROWS = 40
 
 def compare(
     folders: Annotated[
-        list[Path], typer.Argument(metavar="DIR...", help="Folders of runs, or of sweeps.", show_default=False)
+        list[Path],
+        typer.Argument(metavar="DIR...", help="Of runs, or of sweeps.", show_default=False),
     ],
     against: Annotated[
         list[Path] | None,
@@ -36,7 +37,10 @@ def compare(
     ] = None,
     column: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="Column of the series, or measure of sweeps (all that hold numbers)."),
+        typer.Option(
+            metavar="NAME",
+            help="Column of the series, measure of sweeps (all).",
+        ),
     ] = None,
     unit: Annotated[
         list[str] | None,
@@ -48,7 +52,7 @@ def compare(
     trust: options.Trust = False,
     quiet: options.Quiet = False,
 ) -> None:
-    """Draw runs or sweeps side by side, with their differences from the first, or from a group of runs."""
+    """Draw runs or sweeps side by side, with differences from the first, or a group of runs."""
     os.environ["MPLBACKEND"] = "Agg"
     from socialmind.runs.folders import kind_of
     from socialmind.society.settings import pair

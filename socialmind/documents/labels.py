@@ -111,9 +111,7 @@ def _short(name: str, doc: str) -> str:
     return doc if doc and len(doc) <= LONGEST else name.replace("_", " ")
 
 
-def _of_measure(
-    name: str, text: str, every: int, recorded: Mapping[str, str]
-) -> tuple[str, str]:
+def _of_measure(name: str, text: str, every: int, recorded: Mapping[str, str]) -> tuple[str, str]:
     """Return what a measure is called, and its unit."""
     match = _LATE.fullmatch(text.replace(" ", ""))
     if match is not None:

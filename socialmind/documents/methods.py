@@ -135,7 +135,9 @@ def paragraph_of_sweep(
         model_class: its model, whose declaration has units and defaults; None for neither.
     """
     model = content["model"]
-    parts = [_opening(model, content.get("versions", {}), content.get("platforms", ()), model_class)]
+    parts = [
+        _opening(model, content.get("versions", {}), content.get("platforms", ()), model_class)
+    ]
     declared = {} if model_class is None else dict(model_class.parameters)
     units = {name: one.unit for name, one in declared.items()}
     parts.append(_design(content["design"], content["columns"], content["points"], points, units))
@@ -227,9 +229,7 @@ def _sweep_command(content: Mapping[str, Any], points: pd.DataFrame | None) -> s
     return shlex.join(command)
 
 
-def _design_options(
-    content: Mapping[str, Any], points: pd.DataFrame | None
-) -> list[str] | None:
+def _design_options(content: Mapping[str, Any], points: pd.DataFrame | None) -> list[str] | None:
     """Return a design as options of `socialmind sweep`; None where these cannot say it."""
     made, columns = content["design"], content["columns"]
     name = made.get("name")

@@ -10,12 +10,10 @@ from socialmind.experiments.comparing.sweeps import COMPARED, SweepsCompared
 from socialmind.experiments.figures.design import Varying
 from socialmind.experiments.figures.estimates import Effects
 from socialmind.experiments.figures.labels import Labels, value_name
-from socialmind.experiments.figures.of_sweeps import MOST_EFFECTS, put_caption
+from socialmind.experiments.figures.layouts import NARROWEST_PANEL, put_caption
+from socialmind.experiments.figures.of_sweeps import MOST_EFFECTS
 from socialmind.experiments.figures.palette import MOST_LINES
 from socialmind.experiments.figures.panels import draw_effects, draw_response, draw_scatter
-
-NARROWEST_PANEL = 40.0
-"""Width of a column of panels, in mm."""
 
 
 def comparison_figure(found: SweepsCompared, outcome: str, labels: Labels, width: float) -> Figure:

@@ -147,8 +147,8 @@ def _refuse_other_columns(first: str, by: Sequence[str], name: str, other: Seque
     if set(by) != set(other):
         said = [", ".join(one) or "nothing" for one in (by, other)]
         raise SocialmindError(
-            f"{first} varies {said[0]}, {name} {said[1]}: their points do not meet; expected sweeps "
-            "over the same columns"
+            f"{first} varies {said[0]}, {name} {said[1]}: their points do not meet; expected "
+            "sweeps over the same columns"
         )
 
 
@@ -222,7 +222,7 @@ def _rows(
     return rows
 
 
-def _of_point(runs: pd.DataFrame, by: Sequence[str], point: Mapping[str, Any]) -> pd.DataFrame:
+def _of_point(runs: pd.DataFrame, by: Sequence[str], point: Mapping[Any, Any]) -> pd.DataFrame:
     if not by:
         return runs
     return runs[np.logical_and.reduce([runs[one] == point[one] for one in by])]

@@ -134,7 +134,9 @@ def estimates(
     values = numbers_of(runs, of)
     for name in by:
         if name not in runs.columns:
-            raise SocialmindError(f"no column {name!r} of what varies; {nearest(name, runs)}")
+            raise SocialmindError(
+                f"no column {name!r} of what varies; {nearest(name, map(str, runs))}"
+            )
     known = np.isfinite(values)
     own = runs.loc[known, list(by)].assign(**{"": values[known]})
     rows = []
@@ -255,7 +257,9 @@ def numbers_of(runs: pd.DataFrame, of: str) -> NDArray[np.float64]:
         SocialmindError: no such column, or it holds no numbers.
     """
     if of not in runs.columns:
-        raise SocialmindError(f"no measure or end of a series called {of!r}; {nearest(of, runs)}")
+        raise SocialmindError(
+            f"no measure or end of a series called {of!r}; {nearest(of, map(str, runs))}"
+        )
     column = runs[of]
     if not pd.api.types.is_numeric_dtype(column) and column.notna().any():
         raise SocialmindError(f"{of} holds {column.dropna().iloc[0]!r}; expected numbers")

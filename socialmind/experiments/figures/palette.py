@@ -53,6 +53,4 @@ def lines(count: int, ordered: bool) -> list[Line]:
         ]
     else:
         colours = list(UNORDERED[:count])
-    return [
-        Line(*one) for one in zip(colours, MARKERS[:count], DASHES[:count], strict=True)
-    ]
+    return [Line(*one) for one in zip(colours, MARKERS[:count], DASHES[:count], strict=True)]

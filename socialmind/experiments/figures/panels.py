@@ -13,10 +13,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from textwrap import fill
 from typing import Any
 
-import matplotlib as mpl
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -24,16 +22,13 @@ from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
 
 from socialmind.drawing import style as paper
+from socialmind.experiments.figures.axis_text import number_cells, turn_if_crowded, wrapped
 from socialmind.experiments.figures.design import Varying
 from socialmind.experiments.figures.estimates import Effects, Estimates
 from socialmind.experiments.figures.labels import Labels, value_name
 from socialmind.experiments.figures.palette import SURFACE, lines
 
 TICK = "tick"
-LETTER = 1.45
-"""Width of a letter of 7.5 points, in mm, about."""
-DIGIT = 1.5
-"""Width of a digit of 7 points, in mm, about."""
 APART = 1.6
 """Points between the intervals of two lines at one place."""
 FEW = 8
@@ -71,8 +66,8 @@ def draw_response(
         axes.errorbar(
             at, rows["middle"], yerr=_reach(rows), color=look.colour, marker=look.marker,
             markersize=3.2, linestyle=look.dashes if along.numeric else "none", linewidth=1.0,
-            elinewidth=0.9, capsize=1.6, capthick=0.9, label=None if by is None else value_name(value),
-            transform=_moved(axes, away),
+            elinewidth=0.9, capsize=1.6, capthick=0.9,
+            label=None if by is None else value_name(value), transform=_moved(axes, away),
         )  # fmt: skip
         for name in ("low", "middle", "high"):
             axes.update_datalim(np.column_stack([at, rows[name].fillna(rows["middle"])]))
@@ -154,11 +149,11 @@ def draw_surface(
     )  # fmt: skip
     axes.set_xticks(np.arange(len(across.values)) + 0.5, [value_name(v) for v in across.values])
     axes.set_yticks(np.arange(len(up.values)) + 0.5, [value_name(v) for v in up.values])
-    _turn_if_crowded(axes, across)
+    turn_if_crowded(axes, across)
     axes.tick_params(length=0)
     for side in axes.spines.values():
         side.set_visible(False)
-    _number_cells(axes, cells, low, high)
+    number_cells(axes, cells, low, high)
     if bar:
         beside = axes.figure.colorbar(mesh, ax=axes, pad=0.02, aspect=25)
         beside.outline.set_visible(False)
@@ -246,7 +241,8 @@ def smooth(x: np.ndarray[Any, Any], y: np.ndarray[Any, Any]) -> tuple[Any, Any]:
     """Return a smooth line through points: its x and y.
 
     Args:
-        x, y: (n,), in any order; those without a number are left out.
+        x: (n,), in any order.
+        y: (n,); where there is no number, the point is left out.
 
     >>> at, line = smooth(np.array([1.0, 2.0, 1.0]), np.array([1.0, 5.0, 3.0]))
     >>> at.tolist(), line.tolist()
@@ -274,38 +270,6 @@ def varying(table: pd.DataFrame, name: str) -> Varying:
     return Varying(name, tuple(sorted(values) if numeric else values), numeric)
 
 
-def wrapped(text: str, axes: Axes, side: str = "width", room: float = 0.72) -> str:
-    """Return a label in as many lines as the side of its panel asks for.
-
-    Args:
-        text: the label; where it is too long, its unit gets a line of its own.
-        axes: the panel.
-        side: `width` or `height`.
-        room: share of the panel's part of the figure that the label may take.
-    """
-    place = axes.get_subplotspec()
-    inches = getattr(axes.figure, f"get_fig{side}")()
-    share = 1.0
-    if place is not None:
-        grid = place.get_gridspec()
-        count = grid.ncols if side == "width" else grid.nrows
-        span = place.colspan if side == "width" else place.rowspan
-        share = len(span) / count
-    letters = max(12, int(room * share * inches * 25.4 / LETTER))
-    name, bracket, unit = text.rpartition(" (")
-    if len(text) <= letters or not bracket:
-        return _evenly(text, letters)
-    return f"{_evenly(name, letters)}\n{_evenly(f'({unit}', letters)}"
-
-
-def _evenly(text: str, letters: int) -> str:
-    """Return a text in as few lines as it needs, about as long as each other."""
-    count = len(fill(text, letters).splitlines())
-    while letters > 12 and len(fill(text, letters - 1).splitlines()) == count:
-        letters -= 1
-    return fill(text, letters)
-
-
 def _reach(rows: pd.DataFrame) -> Any:
     """Return how far intervals reach below and above, for bars; 0 where there is none."""
     ends = [rows["middle"] - rows["low"], rows["high"] - rows["middle"]]
@@ -320,7 +284,7 @@ def _fit(axes: Axes, table: pd.DataFrame, along: Varying) -> None:
     """Put the places of values along the axis below; names with air at both ends."""
     if not along.numeric:
         axes.set_xticks(range(len(along.values)), [value_name(value) for value in along.values])
-        _turn_if_crowded(axes, along)
+        turn_if_crowded(axes, along)
         axes.set_xlim(-0.5, len(along.values) - 0.5)
         return
     if along.logarithmic:
@@ -331,64 +295,6 @@ def _fit(axes: Axes, table: pd.DataFrame, along: Varying) -> None:
         axes.set_xticks(list(along.values), [value_name(value) for value in along.values])
 
 
-def _turn_if_crowded(axes: Axes, along: Varying) -> None:
-    """Turn the names of values where they would meet."""
-    longest = max(len(value_name(value)) for value in along.values)
-    room = axes.figure.get_figwidth() * 25.4 * _share(axes) * 0.68 / len(along.values)
-    if (longest + 1) * DIGIT > room:
-        axes.tick_params(axis="x", labelrotation=90 if longest <= 6 else 30)
-
-
 def _at(table: pd.DataFrame, column: str, x: str, a: Any, y: str, b: Any) -> float:
     found = table.loc[(table[x] == a) & (table[y] == b), column]
     return float(found.iloc[0]) if len(found) else math.nan
-
-
-def _number_cells(axes: Axes, cells: dict[str, Any], low: float, high: float) -> None:
-    """Write the numbers into the cells, as much of them as the narrowest has room for."""
-    middle = cells["middle"]
-    known = np.abs(middle[np.isfinite(middle)])
-    if not known.size:
-        return
-    digits = _digits(cells)
-    width = axes.figure.get_figwidth() * 25.4 * _share(axes) * 0.68 / middle.shape[1]
-    height = axes.figure.get_figheight() * 25.4 * _share(axes, rows=True) * 0.7 / middle.shape[0]
-
-    def said(number: float) -> str:
-        return f"{number:,.{digits}f}".replace("-", "−") if math.isfinite(number) else ""
-
-    alone = np.vectorize(said)(middle)
-    bounds = np.array([[f"{said(a)}–{said(b)}" if math.isfinite(a) else ""
-                        for a, b in zip(*rows, strict=True)]
-                       for rows in zip(cells["low"], cells["high"], strict=True)])  # fmt: skip
-    room = width / DIGIT
-    if max(map(len, alone.flat)) > room or height < 3.5:
-        return
-    both = max(map(len, bounds.flat)) <= room and height > 7.0
-    scale = mpl.colormaps[SURFACE]
-    for (row, column), text in np.ndenumerate(alone):
-        if not text:
-            continue
-        share = 0.5 if high == low else (middle[row, column] - low) / (high - low)
-        red, green, blue, _ = scale(float(np.clip(share, 0, 1)))
-        ink = "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else paper.INK
-        told = f"{text}\n{bounds[row, column]}" if both and bounds[row, column] else text
-        axes.text(column + 0.5, row + 0.5, told, ha="center", va="center", color=ink, fontsize=7,
-                  linespacing=1.15)  # fmt: skip
-
-
-def _digits(cells: dict[str, Any]) -> int:
-    """Return the digits behind the point: as many as intervals leave meaning to."""
-    half = (cells["high"] - cells["low"]) / 2
-    half = half[np.isfinite(half) & (half > 0)]
-    known = np.abs(cells["middle"][np.isfinite(cells["middle"])])
-    scale = float(np.median(half)) if half.size else float(np.median(known)) / 10
-    return min(4, max(0, math.ceil(-math.log10(scale)))) if scale > 0 else 1
-
-
-def _share(axes: Axes, rows: bool = False) -> float:
-    place = axes.get_subplotspec()
-    if place is None:
-        return 1.0
-    grid = place.get_gridspec()
-    return len(place.rowspan) / grid.nrows if rows else len(place.colspan) / grid.ncols
