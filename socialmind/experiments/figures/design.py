@@ -130,8 +130,8 @@ def baseline_of(
             )
     usual = [name for name in names if name in defaults and name not in given]
     alike = rows[[all(_is(row[one], defaults[one]) for one in usual) for _, row in rows.iterrows()]]
-    chosen = (rows if alike.empty else alike).iloc[0]
-    return {name: design.points[name].loc[chosen.name] for name in names}
+    chosen = rows if alike.empty else alike
+    return {name: chosen[name].tolist()[0] for name in names}
 
 
 def _is(value: Any, other: Any) -> bool:

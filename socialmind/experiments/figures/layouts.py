@@ -103,8 +103,8 @@ def _two_views(
         draw_response(panels[1], found, first.name, second.name, labels)
         panels[1].legend(
             title=rf"$\bf{{b}}$   {labels.axis(second.name)}", title_fontsize=8, fontsize=7,
-            ncols=min(len(second.values), 3), loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2,
-            alignment="left", columnspacing=1.2, handlelength=2.6,
+            ncols=min(len(second.values), 3), loc="lower left", bbox_to_anchor=(0.0, 1.0),
+            borderaxespad=0.2, alignment="left", columnspacing=1.2, handlelength=2.6,
         )  # fmt: skip
     elif found.has_intervals:
         half = found.table.assign(middle=(found.table["high"] - found.table["low"]) / 2)
@@ -145,7 +145,9 @@ def partial_figure(
     _inner_labels(list(panels.flat[: len(columns)]), figure)
     splined = any(one.numeric and len(one.values) >= 10 for one in columns)
     lines = "smoothing splines" if splined else "means at each value"
-    if splined and not any(len(axes.lines[0].get_xdata()) for axes in figure.axes if axes.lines):
+    if splined and not any(
+        np.size(axes.lines[0].get_xdata()) for axes in figure.axes if axes.lines
+    ):
         lines = 'none, for want of scipy (pip install "socialmind[analysis]")'
     return figure, f"; a dot a point, whatever the other parameters are; lines: {lines}"
 
