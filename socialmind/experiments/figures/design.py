@@ -109,8 +109,8 @@ def baseline_of(
         defaults: those of the model, as far as they are known.
 
     Returns:
-        Its value of each column that varies: the first point that has what is given, and of these
-        the one with the model's defaults, if there is one. None where one point is all.
+        Its value of each column that varies: the first point that has what is given, and else
+        the model's defaults, as far as the design has them. None where one point is all.
 
     Raises:
         SocialmindError: an unknown column, or no such point.
@@ -128,10 +128,11 @@ def baseline_of(
             raise SocialmindError(
                 f"baseline: no point with {told(given)}; values of {name}: {there}"
             )
-    usual = [name for name in names if name in defaults and name not in given]
-    alike = rows[[all(_is(row[one], defaults[one]) for one in usual) for _, row in rows.iterrows()]]
-    chosen = rows if alike.empty else alike
-    return {name: chosen[name].tolist()[0] for name in names}
+    for name in names:
+        if name in defaults and name not in given:
+            usual = rows[[_is(one, defaults[name]) for one in rows[name]]]
+            rows = rows if usual.empty else usual
+    return {name: rows[name].tolist()[0] for name in names}
 
 
 def _is(value: Any, other: Any) -> bool:

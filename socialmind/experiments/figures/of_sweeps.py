@@ -95,6 +95,8 @@ def draw_sweep(
         SocialmindError: no such outcome or baseline, nothing numeric, no finished run.
     """
     wanted, labels = wanted or Wanted(), labels or Labels()
+    if not (sweep.runs[STATUS] == FINISHED).any():
+        raise SocialmindError(f"{sweep.folder}: no run is finished; nothing to draw yet")
     outcomes, notes = outcomes_of(sweep, wanted.of)
     return _Drawing(sweep, wanted, labels, defaults or {}).drawn(outcomes, notes)
 
@@ -129,10 +131,11 @@ def outcomes_of(sweep: Sweep, asked: Sequence[str] = ()) -> tuple[list[str], lis
     measures = [one for one in known if one in manifest.measures]
     if measures:
         return measures, []
-    chosen = known[:MOST_OUTCOMES]
-    left = known[MOST_OUTCOMES:]
-    said = [f"of {len(known)} ends of series {len(chosen)} are drawn; --of {left[0]} draws others"]
-    return chosen, said if left else []
+    chosen, left = known[:MOST_OUTCOMES], known[MOST_OUTCOMES:]
+    if not left:
+        return chosen, []
+    said = f"of {len(known)} ends of series {len(chosen)} are drawn; --of {left[0]} draws another"
+    return chosen, [said]
 
 
 class _Drawing:
@@ -148,8 +151,6 @@ class _Drawing:
         self.design = design_of(sweep.design, varied)
         runs = sweep.runs
         self.finished = runs[runs[STATUS] == FINISHED]
-        if self.finished.empty:
-            raise SocialmindError(f"{sweep.folder}: no run is finished; nothing to draw yet")
         self.lacking = _lacking(sweep)
         self.out = Drawn()
 
@@ -203,7 +204,10 @@ class _Drawing:
             changed = sum((rows[name] != baseline[name]).astype(int) for name in by)
             rows = rows[changed == 1]
             shown = "; points that differ from it in one thing"
-        if rows.empty or len(rows) > 2 * MOST_EFFECTS:
+        if rows.empty:
+            self.out.notes.append(f"{of}: no point beside the baseline has a value: no effects")
+            return
+        if len(rows) > 2 * MOST_EFFECTS:
             self.out.notes.append(
                 f"{of}: {len(found.table)} points beside the baseline, too many rows for effects"
             )
@@ -259,19 +263,18 @@ class _Drawing:
         figure = bands_figure(found, kept, self.labels, self.wanted.width)
         left = any(len(o.values) > len(v) for o, v in zip(columns, shown, strict=True))
         extra = "; some of the values" if left else ""
-        self._keep(f"series-{column}", figure, self._said(found, extra, "tick"))
+        self._keep(f"series-{column}", figure, self._said(found, extra, of_runs=False))
 
-    def _said(self, found: Estimates, extra: str = "", per: str = "point") -> str:
+    def _said(self, found: Estimates, extra: str = "", of_runs: bool = True) -> str:
         runs = sorted(set(found.table["runs"]))
         many = f"{runs[0]}" if len(runs) == 1 else f"{runs[0]} to {runs[-1]}"
         if not self.design.crossed:
             told = f"{found.summary.statistic}s of {many} runs a point"
         elif not found.has_intervals:
-            told = f"one run a {per}: no intervals"
+            told = "one run a point: no intervals"
         else:
-            told = f"{found.summary.said}; {many} runs a {'point' if per == 'tick' else per}"
-        without = found.without if per == "point" else 0
-        return self._line(f"{told}{extra}", without)
+            told = f"{found.summary.said}; {many} runs a point"
+        return self._line(f"{told}{extra}", found.without if of_runs else 0)
 
     def _line(self, told: str, without: int = 0) -> str:
         parts = [told, *([f"{without} runs without a value"] if without else []), *self.lacking]
