@@ -85,7 +85,7 @@ def plot(
         given = [
             str(one.opts[0])
             for one in context.command.params
-            if one.name not in OF_ALL and context.params[str(one.name)] not in (None, [], False)
+            if one.name not in OF_ALL and context.params[str(one.name)]
         ]
         if given:
             raise SocialmindError(

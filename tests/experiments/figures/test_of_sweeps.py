@@ -87,7 +87,7 @@ def test_three_call_for_small_multiples_with_one_scale(swept):
     assert xlabels(figure) == {"what comes in\n(litres a tick)"}
     bands = found.figures["series-level"]
     assert [axes.get_title(loc="left") for axes in bands.axes] == [
-        "leak 0\nrule keep", "leak 0.5\nrule keep", "leak 0\nrule share", "leak 0.5\nrule share",
+        "rule keep\nleak 0", "rule keep\nleak 0.5", "rule share\nleak 0", "rule share\nleak 0.5",
     ]  # fmt: skip
 
 
