@@ -66,7 +66,9 @@ def test_two_numbers_call_for_a_map_and_curves_with_intervals(swept):
 
 
 def test_many_values_of_two_numbers_call_for_two_maps(swept):
-    design = designs.grid({"inflow": [n / 2 for n in range(1, 8)], "leak": [n / 10 for n in range(7)]})
+    design = designs.grid(
+        {"inflow": [n / 2 for n in range(1, 8)], "leak": [n / 10 for n in range(7)]}
+    )
     sweep = swept(design, seeds=range(2), every=0, measures={"late": "last(level)"})
     found = drawn(sweep)
     assert list(found.figures) == ["response-late", "effects-late"]
@@ -79,7 +81,9 @@ def test_many_values_of_two_numbers_call_for_two_maps(swept):
 
 
 def test_three_call_for_small_multiples_with_one_scale(swept):
-    design = designs.grid({"inflow": [1.0, 2.0, 3.0], "leak": [0.0, 0.5], "rule": ["keep", "share"]})
+    design = designs.grid(
+        {"inflow": [1.0, 2.0, 3.0], "leak": [0.0, 0.5], "rule": ["keep", "share"]}
+    )
     found = drawn(swept(design))
     figure = found.figures["response-late"]
     assert [axes.get_title(loc="left") for axes in figure.axes] == ["rule keep", "rule share"]
@@ -142,7 +146,9 @@ def test_ends_of_series_are_drawn_without_measures(swept):
 
 def test_what_cannot_be_drawn_is_said(swept):
     sweep = swept({"inflow": INFLOW})
-    with pytest.raises(SocialmindError, match=r"called 'lat' that holds numbers; did you .* 'late'"):
+    with pytest.raises(
+        SocialmindError, match=r"called 'lat' that holds numbers; did you .* 'late'"
+    ):
         drawn(sweep, of=("lat",))
     with pytest.raises(SocialmindError, match="called 'state' that holds numbers"):
         drawn(sweep, of=("state",))
