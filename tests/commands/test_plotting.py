@@ -27,9 +27,9 @@ def test_a_sweep_is_drawn_into_its_folder(socialmind, swept):
 
 def test_options_choose_what_is_drawn_and_where(socialmind, swept, tmp_path):
     result = socialmind(
-        "plot", swept, "--of", "end", "--statistic", "median", "--interval", 0.8, "--width", "double",
-        "--format", "svg", "--out", "drawn", "--label", "end=the last tick", "--unit", "end=ticks",
-        "--no-captions", "--baseline", "n_grazers=5",
+        "plot", swept, "--of", "end", "--statistic", "median", "--interval", 0.8, "--width",
+        "double", "--format", "svg", "--out", "drawn", "--label", "end=the last tick",
+        "--unit", "end=ticks", "--no-captions", "--baseline", "n_grazers=5",
     )  # fmt: skip
     assert result.exit_code == 0, result.output
     text = (tmp_path / "drawn" / "response-end.svg").read_text()

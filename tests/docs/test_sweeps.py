@@ -4,8 +4,6 @@ import re
 import shlex
 from pathlib import Path
 
-import pandas as pd
-
 from coglogo_py.changing.words import words_of
 from socialmind.catalogue import load_model
 from socialmind.experiments import Sweep, designs

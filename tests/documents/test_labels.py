@@ -5,18 +5,20 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.documents.labels import labels_of_sweep, units_recorded, word_name
 
+MEASURES = {
+    "settled": {"expression": "mean(artisans[-20:])"},
+    "spread": {"expression": "std(wheat)"},
+    "unequal": {"expression": "gini(agents.wheat)"},
+    "share": {"expression": "last(artisans) / 25"},
+    "own": {"file": "mine.py:own", "sha256": "0"},
+}
+
 
 class Manifest:
     every = 500
     columns = ("tool_price", "demand_intensity", "influence.WheatNeed.GrowWheat", "wheat")
     series_columns = ("wheat", "artisans")
-    measures = {
-        "settled": {"expression": "mean(artisans[-20:])"},
-        "spread": {"expression": "std(wheat)"},
-        "unequal": {"expression": "gini(agents.wheat)"},
-        "share": {"expression": "last(artisans) / 25"},
-        "own": {"file": "mine.py:own", "sha256": "0"},
-    }
+    measures = MEASURES
 
 
 def test_names_and_units_come_from_declarations_and_the_author_s_words():

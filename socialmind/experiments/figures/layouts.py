@@ -28,6 +28,8 @@ from socialmind.experiments.figures.panels import (
 
 NARROWEST_PANEL = 40.0
 """Width of a panel among several, in mm."""
+IN_A_ROW, ROW = 3, 11.5
+"""Lines in a row of a panel's own key, and the height of a row, in points."""
 LINE = 1.36
 """Width of a letter of 7 points, in mm, about."""
 
@@ -101,11 +103,13 @@ def _two_views(
     paper.panel_title(panels[0], "a", "")
     if as_lines:
         draw_response(panels[1], found, first.name, second.name, labels)
+        rows = -(-len(second.values) // IN_A_ROW)
         panels[1].legend(
-            title=rf"$\bf{{b}}$   {labels.axis(second.name)}", title_fontsize=8, fontsize=7,
-            ncols=min(len(second.values), 3), loc="lower left", bbox_to_anchor=(0.0, 1.0),
-            borderaxespad=0.2, alignment="left", columnspacing=1.2, handlelength=2.6,
-        )  # fmt: skip
+            ncols=IN_A_ROW, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2,
+            columnspacing=1.2, handlelength=2.6,
+        ).set_in_layout(False)  # fmt: skip  # wider than the panel, it would narrow all panels
+        title = rf"$\bf{{b}}$   {labels.axis(second.name)}"
+        panels[1].set_title(title, pad=5 + ROW * rows)
     elif found.has_intervals:
         half = found.table.assign(middle=(found.table["high"] - found.table["low"]) / 2)
         half = half.assign(low=math.nan, high=math.nan)

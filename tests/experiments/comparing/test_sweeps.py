@@ -16,13 +16,11 @@ LABELS = Labels({"sold": "sold"}, {"sold": "loaves", "price": "euros"})
 
 
 class Manifest:
-    ticks = 10
-    measures = {"sold": {"expression": "last(sold)"}}
-    series_columns = ["stock"]
+    series_columns = ("stock",)
 
     def __init__(self, columns, counts=None, ticks=10):
         self.columns, self.counts, self.ticks = columns, counts or {}, ticks
-        self.model = {"name": "bakery"}
+        self.model, self.measures = {"name": "bakery"}, {"sold": {"expression": "last(sold)"}}
 
 
 class Stored:

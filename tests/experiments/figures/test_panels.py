@@ -1,6 +1,7 @@
 """Panels: what is drawn where, with which numbers, intervals and words."""
 
 import io
+import itertools
 
 import matplotlib as mpl
 import numpy as np
@@ -193,7 +194,7 @@ def test_colours_of_lines_stay_apart_for_the_colour_blind(matrix):
 
 def test_ordered_colours_get_lighter_also_in_grey():
     steps = [luminance(to_rgb(one.colour)) for one in palette.lines(6, True)]
-    assert all(b - a > 0.02 for a, b in zip(steps, steps[1:], strict=False)), steps
+    assert all(b - a > 0.02 for a, b in itertools.pairwise(steps)), steps
     scale = [luminance(mpl.colormaps[palette.SURFACE](v)[:3]) for v in np.linspace(0, 1, 20)]
     assert scale == sorted(scale)
 
