@@ -94,7 +94,7 @@ def draw(settled: Estimates, labels: Labels) -> Figure:
     with paper.style():
         figure = response_figure(settled, design_of(points, list(GRID)), labels, paper.PAGE)
         runs = int(settled.table["runs"].min())
-        put_caption(figure, f"Means of {runs} runs a point, 95 % intervals of the mean.")
+        put_caption(figure, f"Means of {runs} runs a point, 95 % bootstrap intervals.")
     return figure
 
 

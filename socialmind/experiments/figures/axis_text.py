@@ -92,7 +92,8 @@ def _digits(cells: dict[str, Any]) -> int:
     half = half[np.isfinite(half) & (half > 0)]
     known = np.abs(cells["middle"][np.isfinite(cells["middle"])])
     scale = float(np.median(half)) if half.size else float(np.median(known)) / 10
-    return min(4, max(0, math.ceil(-math.log10(scale)))) if scale > 0 else 1
+    # Half a unit of the last digit is to be little beside the interval.
+    return min(4, max(0, math.ceil(-math.log10(scale / 3)))) if scale > 0 else 1
 
 
 def _room(axes: Axes, side: str = "width") -> float:

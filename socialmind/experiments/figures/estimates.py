@@ -66,11 +66,11 @@ class Summary:
         """What a caption says of it.
 
         >>> Summary().said, Summary("median", 0.8).said
-        ('means, 95 % intervals of the mean', 'medians, quantiles that hold 80 % of the runs')
+        ('means, 95 % bootstrap intervals', 'medians, quantiles that hold 80 % of the runs')
         """
         share = f"{100 * self.level:g} %"
         if self.statistic == MEAN:
-            return f"means, {share} intervals of the mean"
+            return f"means, {share} bootstrap intervals"
         return f"medians, quantiles that hold {share} of the runs"
 
 

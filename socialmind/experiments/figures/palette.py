@@ -21,7 +21,7 @@ MARKERS = ("o", "s", "^", "D", "v", "P")
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 2)))
 MOST_LINES = len(MARKERS)
 """So many lines of a panel are told apart."""
-LIGHTEST = 0.86
+LIGHTEST = 0.8
 """Where on the scale the last of ordered colours is: further on it is too pale for a line."""
 
 

@@ -25,7 +25,7 @@ def test_means_have_the_interval_of_the_bootstrap():
     assert (first["low"], first["high"]) == (expected.low, expected.high)
     assert second["middle"] == 7.0 and math.isnan(second["low"]) and math.isnan(second["high"])
     assert found.has_intervals
-    assert found.summary.said == "means, 95 % intervals of the mean"
+    assert found.summary.said == "means, 95 % bootstrap intervals"
 
 
 def test_medians_have_the_quantiles_of_the_runs():
