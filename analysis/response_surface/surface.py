@@ -10,10 +10,9 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from socialmind.catalogue import load_model
-from socialmind.documents.labels import labels_of_sweep
 from socialmind.documents.methods import methods
 from socialmind.drawing import style as paper
-from socialmind.experiments import Sweep, designs, sweep
+from socialmind.experiments import Sweep, designs, resume_sweep, sweep
 from socialmind.experiments.figures.design import design_of
 from socialmind.experiments.figures.estimates import Estimates, estimates
 from socialmind.experiments.figures.labels import Labels
@@ -27,9 +26,9 @@ PRICE, INTENSITY = "tool_price", "demand_intensity"
 GRID = {PRICE: [50.0, 100.0, 167.0, 250.0, 400.0], INTENSITY: [0.25, 0.5, 1.01, 2.0, 4.0]}
 """Both ways from the model's defaults, 167 and 1.01."""
 SEEDS, TICKS, EVERY = 20, 300_000, 2_500
-QUICK_SEEDS, QUICK_TICKS = 3, 20_000
+QUICK_SEEDS, QUICK_TICKS, QUICK_EVERY = 5, 96_000, 800
 WINDOW = 20
-"""Records of a mean: the last 50,000 ticks; `before` is the mean of the 50,000 before them."""
+"""Records of a mean: the last sixth of a run; `before` is the mean of the sixth before."""
 MEASURES = {
     "settled": f"mean(artisans[-{WINDOW}:])",
     "before": f"mean(artisans[-{2 * WINDOW}:-{WINDOW}])",
@@ -38,52 +37,63 @@ SWEEP = "response_surface_sweep"
 
 
 def write_surface(way: Way, out: Path) -> list[Path]:
-    """Write the figure, its numbers, and a page on them.
+    """Write the figure, its numbers, the runs, the paragraph of methods, and a page.
 
     Args:
-        way: whether the runs are made, fewer and shorter ones, or those that are kept.
-        out: the folder; the sweep is made in it, too.
+        way: whether the runs are made, fewer and shorter ones, or taken from those that are kept.
+        out: the folder; the sweep stands in it, too, and is gone on with where it was stopped.
 
     Returns:
         The files.
     """
     out.mkdir(parents=True, exist_ok=True)
     if way is Way.KEPT:
-        runs, told = pd.read_csv(KEPT / "runs.csv"), (KEPT / "methods.txt").read_text("utf-8")
-        labels = labels_here(EVERY)
+        runs = pd.read_csv(KEPT / f"{NAME}-runs.csv")
+        told = (KEPT / f"{NAME}-methods.txt").read_text("utf-8")
     else:
         folder = swept(way, out)
-        found = Sweep(folder)
-        runs, told = found.runs, methods(folder)
-        labels = labels_of_sweep(found.manifest, load_model("farmer_artisan"))
-    runs = runs[[PRICE, INTENSITY, "replicate", "seed", *MEASURES]]
+        runs, told = Sweep(folder).runs, methods(folder).replace(str(folder), folder.name)
+    runs = runs[["ticks", PRICE, INTENSITY, "replicate", "seed", *MEASURES]]
     settled = estimates(runs, [PRICE, INTENSITY], "settled")
-    written = paper.save({NAME: draw(settled, labels)}, out)
+    ticks = int(runs["ticks"].max())
+    written = paper.save({NAME: draw(settled, labels_here(ticks // 6))}, out)
     tables = {f"{NAME}.csv": settled.table, f"{NAME}-runs.csv": runs}
     for name, table in tables.items():
         table.to_csv(out / name, index=False, float_format="%.6g")
     (out / f"{NAME}-methods.txt").write_text(told.strip() + "\n", "utf-8")
-    page = write_page(NAME, "Artisans by price and demand", [way.said(NAME, "response_surface")],
-                      lines(runs, settled), out)  # fmt: skip
+    seeds = runs["seed"].nunique()
+    made = (
+        f"{len(runs)} runs: {len(settled.table)} points, {seeds} seeds, {ticks:,} ticks. The study "
+        f"is {len(settled.table)} points, {SEEDS} seeds, {TICKS:,} ticks; `--quick` makes "
+        f"{QUICK_SEEDS} seeds and {QUICK_TICKS:,} ticks."
+    )
+    page = write_page(NAME, "Artisans by price and demand", [made], lines(runs, settled), out)
     return [*written, *(out / name for name in tables), out / f"{NAME}-methods.txt", page]
 
 
 def swept(way: Way, out: Path) -> Path:
-    """Sweep the grid, with the same seeds at all points."""
+    """Sweep the grid, with the same seeds at all points, or go on with a sweep of it."""
     quick = way is Way.QUICK
+    folder = out / (f"{SWEEP}_quick" if quick else SWEEP)
+    if folder.is_dir():
+        return resume_sweep(folder)
     return sweep(
         "farmer_artisan", designs.grid(GRID), QUICK_TICKS if quick else TICKS,
         range(QUICK_SEEDS if quick else SEEDS), common=True, measures=MEASURES,
-        every=QUICK_TICKS * EVERY // TICKS if quick else EVERY, out=out / SWEEP,
+        every=QUICK_EVERY if quick else EVERY, out=folder,
     )  # fmt: skip
 
 
-def labels_here(every: int) -> Labels:
-    """Return the labels of the figure, without a sweep's folder."""
+def labels_here(window: int) -> Labels:
+    """Return the labels of the figure.
+
+    Args:
+        window: ticks of the mean.
+    """
     declared = load_model("farmer_artisan").parameters
     return Labels(
         {PRICE: declared[PRICE].doc,
-         "settled": f"artisans, mean of the last {WINDOW * every:,} ticks"},
+         "settled": f"artisans, mean of the last {window:,} ticks"},
         {**{one: declared[one].unit for one in GRID}, "settled": "agents"},
     )  # fmt: skip
 
