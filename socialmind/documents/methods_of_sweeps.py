@@ -116,13 +116,11 @@ def _constant(content: Mapping[str, Any], declared: Mapping[str, Any]) -> str:
     ]
     if declared and not usual:
         return f"In all of them {listed(told)}." if told else ""
-    all_of_them = f": {listed(usual)}" if usual else ""
+    which_are = f": {listed(usual)}" if usual else ""
     if told:
-        return (
-            f"In all of them {listed(told)}; all other parameters had their defaults{all_of_them}."
-        )
+        return f"In all of them {listed(told)}; all other parameters had their defaults{which_are}."
     which = "All other" if content["columns"] else "All"
-    return f"{which} parameters had their defaults{all_of_them}."
+    return f"{which} parameters had their defaults{which_are}."
 
 
 def _sweep_command(content: Mapping[str, Any], points: pd.DataFrame | None) -> str:
