@@ -34,6 +34,7 @@ from socialmind.commands.console.terminal import (
     write_plainly,
 )
 from socialmind.commands.learning import learn
+from socialmind.commands.plotting import plot
 from socialmind.commands.rendering import render
 from socialmind.commands.scoring import score
 from socialmind.commands.sweeping import sweep
@@ -132,7 +133,7 @@ def list_(
 
 
 for one in (
-    running.run, sweep, branch, compare, learn, score, running.plot, render, running.replay,
+    running.run, sweep, branch, compare, learn, score, plot, render, running.replay,
 ):  # fmt: skip
     command(one)
 

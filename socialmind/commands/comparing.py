@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,14 +18,18 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from socialmind.experiments.comparing.futures import Futures
+    from socialmind.experiments.comparing.sweeps import SweepsCompared
 
 NAME = "comparison"
 """What the files are called that are written."""
+ROWS = 40
+"""Rows of differences that are printed; the table has all."""
 
 
 def compare(
     folders: Annotated[
-        list[Path], typer.Argument(metavar="DIR...", help="Folders of runs.", show_default=False)
+        list[Path],
+        typer.Argument(metavar="DIR...", help="Of runs, or of sweeps.", show_default=False),
     ],
     against: Annotated[
         list[Path] | None,
@@ -32,7 +37,10 @@ def compare(
     ] = None,
     column: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="Column of the series (all that hold numbers)."),
+        typer.Option(
+            metavar="NAME",
+            help="Column of the series, measure of sweeps (all).",
+        ),
     ] = None,
     unit: Annotated[
         list[str] | None,
@@ -41,13 +49,26 @@ def compare(
     out: Annotated[
         Path, typer.Option(metavar="DIR", help="Folder for the table and the figure.")
     ] = Path("comparison"),
+    trust: options.Trust = False,
     quiet: options.Quiet = False,
 ) -> None:
-    """Draw runs side by side, with their differences from the first, or from a group of runs."""
+    """Draw runs or sweeps side by side, with differences from the first, or a group of runs."""
     os.environ["MPLBACKEND"] = "Agg"
+    from socialmind.runs.folders import kind_of
+    from socialmind.society.settings import pair
+
+    kinds = {kind_of(one) for one in [*folders, *(against or ())]}
+    if "sweep" in kinds:
+        if len(kinds) > 1 or against:
+            raise SocialmindError(
+                "sweeps are compared with sweeps, the first the reference; leave out "
+                f"{'--against' if against else 'runs'}"
+            )
+        _compare_sweeps(folders, column or (), dict(pair(one) for one in unit or ()), out, quiet,
+                        trust)  # fmt: skip
+        return
     from socialmind.experiments.comparing.figure import figure_of
     from socialmind.experiments.comparing.futures import futures, named
-    from socialmind.society.settings import pair
 
     if len(folders) + len(against or ()) < 2:
         raise SocialmindError("one run alone; give another to compare it with")
@@ -60,17 +81,68 @@ def compare(
         typer.echo(path)
 
 
+def _compare_sweeps(
+    folders: Sequence[Path],
+    outcomes: Sequence[str],
+    units: Mapping[str, str],
+    out: Path,
+    quiet: bool,
+    trust: bool,
+) -> None:
+    """Write the table and the figures of sweeps side by side."""
+    from socialmind.commands.plotting import model_of
+    from socialmind.documents.labels import labels_of_sweep
+    from socialmind.drawing import style as paper
+    from socialmind.experiments.comparing.sweep_figures import comparison_figure
+    from socialmind.experiments.comparing.sweeps import compare_sweeps, named
+    from socialmind.work.files import replace_file
+
+    sweeps = named(folders)
+    found = compare_sweeps(sweeps, outcomes)
+    first = next(iter(sweeps.values()))
+    labels = labels_of_sweep(first.manifest, model_of(first, trust)).also({}, units)
+    width = paper.PAGE if len(found.design.columns) > 1 else paper.COLUMN
+    figures = {
+        f"{NAME}-{one}": comparison_figure(found, one, labels, width) for one in found.outcomes
+    }
+    written = paper.save(figures, out, ("pdf", "png", "svg"))
+    table = out / f"{NAME}.csv"
+    replace_file(table, found.table.to_csv(index=False).encode())
+    for note in found.notes:
+        typer.echo(f"note: {note}", err=True)
+    if not quiet:
+        typer.echo("\n".join(differences(found)))
+    for path in (table, *written):
+        typer.echo(path)
+
+
+def differences(found: SweepsCompared) -> list[str]:
+    """Return how far sweeps are apart as lines, the first points of many."""
+    from socialmind.experiments.figures.labels import value_name
+
+    rows = [("outcome", "sweep", *found.by, "mean", "difference", "95 % interval")]
+    table = found.table[found.table["sweep"] != found.sweeps[0]]
+    for one in table.head(ROWS).to_dict("records"):
+        low, high = one["difference_low"], one["difference_high"]
+        bounds = f"{low:.6g} … {high:.6g}" if math.isfinite(low) else ""
+        values = [value_name(one[name]) for name in found.by]
+        rows.append((one["outcome"], one["sweep"], *values, f"{one['mean']:.6g}",
+                     f"{one['difference']:+.6g}", bounds))  # fmt: skip
+    right = [2 + len(found.by), 3 + len(found.by)]
+    more = [f"… {len(table) - ROWS} more in {NAME}.csv"] if len(table) > ROWS else []
+    head = f"differences {found.paired} from {found.sweeps[0]}:"
+    return [head, *aligned(rows, right=right), *more]
+
+
 def write(found: Futures, figure: Figure, out: Path) -> list[Path]:
     """Write the table as CSV and the figure as PDF, PNG and SVG; gives the files."""
     from socialmind.drawing import style as paper
     from socialmind.work.files import replace_file
 
-    written = paper.save({NAME: figure}, out)
-    table, vector = out / f"{NAME}.csv", out / f"{NAME}.svg"
-    with paper.style():
-        paper.write_figure(figure, vector, metadata={"Date": None})
+    written = paper.save({NAME: figure}, out, ("pdf", "png", "svg"))
+    table = out / f"{NAME}.csv"
     replace_file(table, found.table.to_csv(index=False).encode())
-    return [table, *written, vector]
+    return [table, *written]
 
 
 def last_rows(found: Futures) -> list[str]:

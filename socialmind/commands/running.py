@@ -1,4 +1,4 @@
-"""`socialmind run`, `plot` and `replay`: running and drawing, with progress and warnings."""
+"""`socialmind run` and `replay`: running, with progress and warnings."""
 
 from __future__ import annotations
 
@@ -129,12 +129,6 @@ def run(
     if figures:
         draw(folder, trust)
     typer.echo(folder)
-
-
-def plot(folder: options.Folder, trust: options.Trust = False) -> None:
-    """Draw a run's figures, as PDF and PNG, under figures/ in its folder."""
-    for path in draw(folder, trust):
-        typer.echo(path)
 
 
 def replay(

@@ -69,6 +69,7 @@ STYLE: Mapping[Any, object] = {
     "axes.axisbelow": True,
     "pdf.fonttype": 42,
     "svg.fonttype": "none",
+    "svg.hashsalt": "socialmind",
 }
 
 
@@ -122,12 +123,23 @@ def grid(count: int, width: float, height: float) -> tuple[Figure, list[Axes]]:
     return made, panels[:count]
 
 
-def save(figures: Mapping[str, Figure], folder: Path) -> list[Path]:
-    """Write each figure as PDF and as PNG (300 dots an inch).
+FORMS: Mapping[str, Mapping[str, Any]] = {
+    "pdf": {"metadata": {"CreationDate": None}},
+    "svg": {"metadata": {"Date": None}},
+    "png": {},
+}
+"""Forms of figures. Without its date a PDF or SVG of the same data is the same file."""
+
+
+def save(
+    figures: Mapping[str, Figure], folder: Path, forms: Sequence[str] = ("pdf", "png")
+) -> list[Path]:
+    """Write each figure in some forms: PDF and PNG (300 dots an inch) by default.
 
     Args:
         figures: figures by name.
         folder: made where it is missing.
+        forms: of `FORMS`.
 
     Returns:
         The files written.
@@ -136,11 +148,9 @@ def save(figures: Mapping[str, Figure], folder: Path) -> list[Path]:
     written = []
     with style():
         for name, drawn in figures.items():
-            for suffix in (".pdf", ".png"):
-                path = folder / f"{name}{suffix}"
-                # Without its date a PDF of the same data is the same file.
-                metadata = {"CreationDate": None} if suffix == ".pdf" else None
-                write_figure(drawn, path, dpi=300, metadata=metadata)
+            for form in forms:
+                path = folder / f"{name}.{form}"
+                write_figure(drawn, path, dpi=300, **FORMS[form])
                 written.append(path)
     return written
 

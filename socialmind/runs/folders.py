@@ -159,6 +159,23 @@ class ManifestFolder(Generic[M]):
             yield
 
 
+def kind_of(folder: Path) -> str:
+    """Return what a folder is of: `run`, `sweep`, `training`, as its manifest says.
+
+    Raises:
+        SocialmindError: it holds no manifest.
+    """
+    path = folder / MANIFEST
+    if not path.is_file():
+        found = f"holds no {MANIFEST}" if folder.is_dir() else "no such folder"
+        raise SocialmindError(f"{folder}: {found}; expected the folder of a run or a sweep")
+    try:
+        kind = json.loads(path.read_text("utf-8")).get("kind")
+    except (ValueError, AttributeError):
+        kind = None  # reading it as a run's says what is wrong
+    return str(kind or "run")
+
+
 def make_folder(out: Path | None, home: str, name: str, files: Mapping[str, bytes]) -> Path:
     """Make a folder of files, at a given path or under the next free number.
 

@@ -151,7 +151,30 @@ def test_a_sweep_s_own_folder_is_told_with_shocks_and_measures(walk, plague, tmp
     alone = sweep(walk, None, 1, every=0, compiled=False, workers=1, out=tmp_path / "one")
     assert "Nothing was varied. At each point 1 replicate was run" in methods(alone)
     assert "1 run of 1 tick was finished. All other parameters had" not in methods(alone)
-    assert "1 run of 1 tick was finished. All parameters had their defaults." in methods(alone)
+    told = (
+        "1 run of 1 tick was finished. All parameters had their defaults: stride = 2 steps, limit"
+    )
+    assert told in methods(alone)
+    again = f"socialmind sweep {walk} --seeds 0:1 --ticks 1 --every 0"
+    assert methods(alone).endswith(f"--number N`, all of them by `{again}`.")
+
+
+def test_a_sweep_without_programs_is_told_with_units_and_the_command_that_makes_it(walk, tmp_path):
+    grid = designs.grid({"limit": [0.5, 2.0], "stride": [1, 3]})
+    folder = sweep(walk, grid, 20, range(4, 7), common=True, every=5, compiled=False, workers=1,
+                   measures={"late": "mean(tick[-2:])"}, out=tmp_path / "s")  # fmt: skip
+    text = methods(folder)
+    assert "limit (0.5, 2 km) and stride (1, 3 steps), by a full factorial design" in text
+    assert (
+        "12 runs of 20 ticks were finished. All other parameters had their defaults: fast" in text
+    )
+    assert (
+        f"`socialmind sweep {walk} --grid limit=0.5,2 --grid stride=1,3 --seeds 4:7 --common "
+        "--ticks 20 --every 5 --measure 'late=mean(tick[-2:])'`" in text
+    )
+    sampled = sweep(walk, designs.halton({"limit": (0.5, 2.0)}, 3), 2, every=1, compiled=False,
+                    workers=1, out=tmp_path / "h")  # fmt: skip
+    assert f"socialmind sweep {walk} --sample halton:3 --ranges limit=0.5:2 --s" in methods(sampled)
 
 
 def test_shocks_and_changes_of_a_run_are_told(walk, plague, tmp_path):

@@ -42,6 +42,11 @@ class Sweep:
         self._capsule = SweepCapsule(folder)
 
     @property
+    def capsule(self) -> SweepCapsule:
+        """The sweep's folder on disk."""
+        return self._capsule
+
+    @property
     def folder(self) -> Path:
         """The sweep's folder."""
         return self._capsule.folder

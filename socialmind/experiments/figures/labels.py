@@ -1,0 +1,54 @@
+"""What columns are called on axes, and in what unit they are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Labels:
+    """What a reader of a figure calls the columns of a table.
+
+    Attributes:
+        names: by column; others are called as they are, with spaces for `_`.
+        units: by column.
+
+    >>> labels = Labels({"settled": "artisans"}, {"settled": "agents"})
+    >>> labels.axis("settled"), labels.axis("tool_price")
+    ('artisans (agents)', 'tool price')
+    """
+
+    names: Mapping[str, str] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)
+
+    def name(self, column: str) -> str:
+        """Return what a column is called."""
+        return self.names.get(column) or column.replace("_", " ")
+
+    def axis(self, column: str, prefix: str = "") -> str:
+        """Return what stands at an axis: the name, and the unit in brackets."""
+        unit = self.units.get(column, "")
+        name = f"{prefix}{self.name(column)}"
+        # A unit that repeats the name says nothing more.
+        return f"{name} ({unit})" if unit and unit != name else name
+
+    def also(self, names: Mapping[str, str], units: Mapping[str, str]) -> Labels:
+        """Return these labels with others in front of them."""
+        return Labels({**self.names, **names}, {**self.units, **units})
+
+
+def value_name(value: Any) -> str:
+    """Return a value of what varies as a figure writes it: a file by its name.
+
+    >>> value_name(0.5), value_name(True), value_name("schemes/bold.yaml")
+    ('0.5', 'true', 'bold')
+    """
+    if isinstance(value, str):
+        path = Path(value)
+        return path.stem if path.suffix in (".yaml", ".yml", ".cogscheme") else path.name or value
+    if isinstance(value, bool) or type(value).__name__ in ("bool", "bool_"):
+        return str(bool(value)).lower()
+    return f"{value:,.6g}" if abs(value) >= 10_000 else f"{value:.6g}"

@@ -1,0 +1,61 @@
+"""What columns of sweeps are called at axes, and their units."""
+
+import pytest
+
+from socialmind.catalogue import load_model
+from socialmind.documents.labels import labels_of_sweep, units_recorded, word_name
+
+MEASURES = {
+    "settled": {"expression": "mean(artisans[-20:])"},
+    "spread": {"expression": "std(wheat)"},
+    "unequal": {"expression": "gini(agents.wheat)"},
+    "share": {"expression": "last(artisans) / 25"},
+    "own": {"file": "mine.py:own", "sha256": "0"},
+}
+
+
+class Manifest:
+    every = 500
+    columns = ("tool_price", "demand_intensity", "influence.WheatNeed.GrowWheat", "wheat")
+    series_columns = ("wheat", "artisans")
+    measures = MEASURES
+
+
+def test_names_and_units_come_from_declarations_and_the_author_s_words():
+    labels = labels_of_sweep(Manifest, load_model("farmer_artisan"))
+    assert labels.axis("tool_price") == "price of a tool (wheat a tool)"
+    # Its meaning, "weight of one signal of demand", is longer than an axis has room for.
+    assert labels.axis("demand_intensity") == "demand intensity (demand a signal)"
+    assert labels.axis("settled") == "artisans, mean of the last 10,000 ticks (agents)"
+    assert labels.axis("spread") == "wheat, standard deviation of the run (wheat)"
+    assert labels.axis("unequal") == "Gini coefficient of wheat (0 … 1)"
+    assert labels.axis("share") == "share" and labels.axis("own") == "own"
+    assert labels.axis("artisans") == "artisans (agents)"
+    # What varies is called wheat; the end of the series of that name has its own column.
+    assert labels.axis("series.wheat") == "wheat"
+
+
+def test_without_the_model_names_alone_are_known():
+    labels = labels_of_sweep(Manifest, None)
+    assert labels.axis("tool_price") == "tool price"
+    assert labels.axis("settled") == "artisans, mean of the last 10,000 ticks"
+
+
+def test_units_of_the_series_are_those_of_its_own_table():
+    units = units_recorded(load_model("farmer_artisan"))
+    assert units["artisans"] == "agents" and units["specialisation"] == "0 … 1"
+
+
+@pytest.mark.parametrize(
+    ("word", "name"),
+    [
+        ("influence.WheatNeed.GrowWheat", "influence of WheatNeed on GrowWheat"),
+        ("reinforcement.Farmer.Sell", "reinforcement of Sell by Farmer"),
+        ("bulls.influence.a.b.Go", "influence of a.b on Go (bulls)"),
+        ("at_birth.ToolStock", "ToolStock at birth"),
+        ("decision_maker.bias", "decision maker: bias"),
+        ("humans.scheme", "humans scheme"),
+    ],
+)
+def test_words_of_schemes_read_as_words(word, name):
+    assert word_name(word) == name
