@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 COLLECT = load_file(model_folder("collect") / "figures.py")
 VARIABLE = "Count"
-TASKS = {"Collect": paper.BLUE, "GoToValid+Avoid": paper.RED}
+TASKS = {"Collect": (paper.BLUE, "-"), "GoToValid+Avoid": (paper.RED, (0, (4, 1.2)))}
+"""Skills, with the colours and dashes of their lines."""
 BEFORE = 60
 """Ticks before an object is delivered, in which it is shown on its way."""
 AFTER = 3
@@ -147,8 +148,10 @@ def over_time(memory: Memory) -> Figure:
     upper.set_ylim(-0.04, min(1.4, 1.6 * max(0.2, float(memory.value.max(initial=0.0)))))
     upper.set_ylabel(f"variable {VARIABLE} (0 … 1)")
     upper.legend(loc="upper right", ncols=2)
-    for name, colour in TASKS.items():
-        lower.step(time, memory.influence[name], where="post", color=colour, label=name)
+    for name, (colour, dashes) in TASKS.items():
+        lower.step(
+            time, memory.influence[name], where="post", color=colour, linestyle=dashes, label=name
+        )
     lower.set_ylim(-0.04, 1.4)
     lower.set_yticks([0.0, 0.5, 1.0])
     lower.set_ylabel("influence (0 … 1)")

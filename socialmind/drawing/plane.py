@@ -8,7 +8,7 @@ rings are around a robot that emits a signal.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import cycle
 from typing import Any
 
@@ -319,6 +319,28 @@ def key_of(scene: Scene, look: Look = PAPER, robots: bool = True) -> list[Line2D
             Line2D([], [], label="obstacles", color=look.obstacle,
                    markeredgecolor=look.obstacle_edge, **square)
         )  # fmt: skip
+    return marks
+
+
+def sensed_key(scenes: Sequence[Scene], look: Look = PAPER) -> list[Line2D]:
+    """Return marks for a legend: what the lines and rings around robots are.
+
+    Args:
+        scenes: what is drawn; of what none of them has nothing is told.
+        look: in which colours.
+    """
+    robots = [one for scene in scenes for one in scene.robots]
+    ring: dict[str, Any] = {"marker": "o", "markersize": 5.5, "markerfacecolor": "none"}
+    marks = []
+    if any(len(one.rays) for one in robots):
+        marks.append(Line2D([], [], color=look.ray, linewidth=0.8, label="range finders"))
+    if any(len(one.lines) for one in robots):
+        line = Line2D([], [], color=look.line, linewidth=0.9, label="sensed targets")
+        line.set_linestyle(look.line_style)
+        marks.append(line)
+    if any(one.emits for one in robots):
+        marks.append(Line2D([], [], color=look.path, linestyle="none", label="emits a signal",
+                            **ring))  # fmt: skip
     return marks
 
 
