@@ -203,7 +203,8 @@ class Page:
         across, down = self._size
         for row, handles in enumerate(several):
             legend = self.figure.legend(
-                handles=handles, ncols=self._columns, loc="upper left", borderpad=0.0, borderaxespad=0.0,
+                handles=handles, ncols=self._columns, loc="upper left",
+                borderpad=0.0, borderaxespad=0.0,
                 bbox_to_anchor=(GAP / across, (self._foot - row * KEY_LINE) / down),
                 columnspacing=1.2, handletextpad=0.5, handlelength=1.6, labelspacing=0.3,
                 labelcolor=self._look.ink,
