@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 
 COLLECT = load_file(model_folder("collect") / "figures.py")
 VARIABLE = "Count"
-TASKS = {"Collect": (paper.BLUE, "-"), "GoToValid+Avoid": (paper.RED, (0, (4, 1.2)))}
-"""Skills, with the colours and dashes of their lines."""
+TASKS = {"Collect": paper.BLUE, "GoToValid+Avoid": paper.RED}
 BEFORE = 60
 """Ticks before an object is delivered, in which it is shown on its way."""
 AFTER = 3
@@ -148,9 +147,14 @@ def over_time(memory: Memory) -> Figure:
     upper.set_ylim(-0.04, min(1.4, 1.6 * max(0.2, float(memory.value.max(initial=0.0)))))
     upper.set_ylabel(f"variable {VARIABLE} (0 … 1)")
     upper.legend(loc="upper right", ncols=2)
-    for name, (colour, dashes) in TASKS.items():
+    for name, colour in TASKS.items():
         lower.step(
-            time, memory.influence[name], where="post", color=colour, linestyle=dashes, label=name
+            time,
+            memory.influence[name],
+            where="post",
+            color=colour,
+            linestyle=paper.DASHES.get(colour, "-"),
+            label=name,
         )
     lower.set_ylim(-0.04, 1.4)
     lower.set_yticks([0.0, 0.5, 1.0])

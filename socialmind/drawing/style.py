@@ -43,8 +43,9 @@ BLUE_TO_RED = (
 )  # fmt: skip
 """A diverging scale through pale purple: equal steps in OKLab, the two ends equally light."""
 
-FELL_SHORT: Mapping[str, Any] = {"color": RED, "linestyle": (0, (4, 1.2)), "zorder": 2.2}
-"""Of the curve of an attempt: in print without colours red is as dark as blue."""
+DASHES: Mapping[str, Any] = {RED: (0, (4, 1.2)), PURPLE: (0, (1, 1)), GREY: (0, (4, 1.2, 1, 1.2))}
+"""Dashes of lines by colour, where only a legend names them: in print without colours these are as
+dark as blue. Lines of other colours are solid."""
 
 STYLE: Mapping[Any, object] = {
     "font.size": 7.5,
@@ -229,8 +230,9 @@ def attempts(
     longest = max(map(len, lines))
     for values, short in zip(lines, chain(failed, repeat(False)), strict=False):
         places = range(1, len(values) + 1)
-        look: dict[str, Any] = FELL_SHORT if short else {"color": PALE, "zorder": 2.0}
-        axes.plot(places, values, linewidth=width, **look)
+        colour, order = (RED, 2.2) if short else (PALE, 2.0)
+        dashes = DASHES.get(colour, "-")
+        axes.plot(places, values, color=colour, linestyle=dashes, linewidth=width, zorder=order)
         if len(values) < longest:
             axes.plot(places[-1:], values[-1:], "o", color=INK, markersize=2.2, zorder=4)
     if len(lines) > 1:
@@ -247,7 +249,7 @@ def attempts_key(lines: Sequence[Sequence[float]], failed: Sequence[bool] = ()) 
     if len(lines) > 1:
         handles.append(Line2D([], [], color=BLUE, linewidth=1.3, label="median attempt"))
     if any(failed):
-        handles.append(Line2D([], [], label="fell short", **FELL_SHORT))
+        handles.append(Line2D([], [], color=RED, linestyle=DASHES[RED], label="fell short"))
     if len(set(map(len, lines))) > 1:
         dot: dict[str, Any] = {"marker": "o", "markersize": 2.2, "color": INK, "linestyle": "none"}
         handles.append(Line2D([], [], label="its lesson ends", **dot))
