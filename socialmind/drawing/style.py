@@ -170,7 +170,8 @@ def write_figure(drawn: Figure, path: Path, **options: Any) -> None:
 def _with_palette(content: BytesIO) -> bytes:
     """Return a PNG with a palette, or as it is where it has transparent parts."""
     with Image.open(content) as image:
-        if image.mode == "RGBA" and image.getchannel("A").getextrema()[0] < 255:
+        clear: Any = image.getchannel("A").getextrema() if image.mode == "RGBA" else (255, 255)
+        if clear[0] < 255:
             return content.getvalue()
         # The palette that is nowhere far off, not the one that is best where most is white.
         few = image.convert("RGB").quantize(

@@ -26,7 +26,7 @@ def test_the_steps_are_the_thesiss(tmp_path, monkeypatch):
 
     def draw_steps(folder, path, ticks, style, captions, rows):
         told[path.name] = dict(zip(ticks, captions, strict=True))
-        return [path]
+        return [path.with_name(f"{path.name}.pdf")]
 
     monkeypatch.setattr(STEPS, "draw_steps", draw_steps)
     written = STEPS.write_steps(tmp_path)
