@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -197,19 +198,18 @@ class Page:
         """Say below the moments what their marks, and the hierarchy's colours, are."""
         path = Line2D([], [], color=self._look.path, linewidth=1.2, label="path")
         marks = [*key_of(self._scenes[0], self._look), path, *sensed_key(self._scenes, self._look)]
-        several = [marks]
+        several: list[Sequence[Artist]] = [marks]
         if self._repeated.mind is not None:
             several.insert(0, influence_key())
         across, down = self._size
         for row, handles in enumerate(several):
-            legend = self.figure.legend(
+            self.figure.legend(
                 handles=handles, ncols=self._columns, loc="upper left",
                 borderpad=0.0, borderaxespad=0.0,
                 bbox_to_anchor=(GAP / across, (self._foot - row * KEY_LINE) / down),
                 columnspacing=1.2, handletextpad=0.5, handlelength=1.6, labelspacing=0.3,
                 labelcolor=self._look.ink,
             )  # fmt: skip
-            self.figure.add_artist(legend)
 
     def _panel(self, left: float, bottom: float, width: float, height: float) -> Axes:
         across, down = self._size
