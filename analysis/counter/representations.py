@@ -29,8 +29,8 @@ SEED = 75
 MEASURES = ("correct_sequences", "sequences", "objects", "survived")
 STEPS = ("brings the first", "delivered it", "brings the second", "delivered it", "validated")
 TITLES = {
-    "counter": "counts, no hidden layer",
-    "counter_hidden": "counts, two hidden layers",
+    "counter": "no hidden layer",
+    "counter_hidden": "two hidden layers",
     "simple": "holds what it is told",
     "wanted": "counts one to four",
 }
