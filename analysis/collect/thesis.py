@@ -270,8 +270,8 @@ def retraining() -> list[Finding]:
             in_objects(objects),
             objects.low > 0,
             why="the curriculum's Avoid is better here to begin with, and the winner is chosen in "
-            "32 worlds, which is little where scores are this close; more of the hierarchy in "
-            f"context brings {told('table-6.2', 'all skills in context')}",
+            "32 worlds, which is little where scores are this close; all skills in context, on the "
+            f"best of these attempts, come to {told('table-6.2', 'all skills in context')}",
         ),
         Finding(
             "and lets the robot survive for much longer",

@@ -28,12 +28,22 @@ SEED = 75
 """Of the worlds that attempts are scored in."""
 MEASURES = ("correct_sequences", "sequences", "objects", "survived")
 STEPS = ("brings the first", "delivered it", "brings the second", "delivered it", "validated")
+TITLES = {
+    "counter": "no hidden layer",
+    "counter_hidden": "two hidden layers",
+    "simple": "holds what it is told",
+    "wanted": "counts one to four",
+}
+"""Of the panels, by training."""
 WATCHED = 10
 """Runs of an attempt in which a correct sequence is looked for."""
 GOOD = 0.9
 """The share of correct sequences from which an attempt counts as one that learned to count."""
 
 Row = dict[str, Any]
+WELL: Row = {"color": paper.BLUE, "marker": "."}
+OTHERS: Row = {"color": paper.GREY, "marker": "x", "markersize": 3, "linestyle": (0, (4, 1.2))}
+"""Lines of attempts that learned to count, and of others."""
 
 
 def row_of(name: str, attempt: int, mind: MindDescription, worlds: int) -> Row:
@@ -118,26 +128,26 @@ def draw(rows: list[Row]) -> Figure:
         for place, (axes, name) in enumerate(zip(panels, names, strict=True)):
             own = [one for one in rows if one["training"] == name and one["step 1"] is not None]
             for row in own:
-                colour = paper.BLUE if row["correct_sequences"] >= GOOD else paper.GREY
+                look = WELL if row["correct_sequences"] >= GOOD else OTHERS
                 values = [row[f"step {number + 1}"] for number in range(len(STEPS))]
-                axes.plot(range(1, len(STEPS) + 1), values, color=colour, linewidth=0.8, marker=".")
+                axes.plot(range(1, len(STEPS) + 1), values, linewidth=0.8, **look)
             if not own:
                 axes.text(0.5, 0.5, "no correct sequence", ha="center", color=paper.GREY,
                           transform=axes.transAxes)  # fmt: skip
             axes.set_xlim(0.8, len(STEPS) + 0.2)
             axes.set_xticks(range(1, len(STEPS) + 1))
-            axes.set_xlabel("step")
+            axes.set_xlabel("step of a sequence of two")
             # Counters count in tenths.
             axes.set_ylim(
                 -0.02, max([0.32, *(1.04 * line.get_ydata().max() for line in axes.lines)])
             )
-            paper.panel_title(axes, "abcdef"[place], name)
+            paper.panel_title(axes, "abcdef"[place], TITLES[name])
         panels[0].set_ylabel("variable Count (0 … 1)")
         marks = [
-            Line2D([], [], color=colour, marker=".", label=what)
-            for colour, what in (
-                (paper.BLUE, f"attempts with {GOOD:.0%} of their sequences correct"),
-                (paper.GREY, "other attempts"),
+            Line2D([], [], label=what, **look)
+            for look, what in (
+                (WELL, f"attempts with {GOOD:.0%} of their sequences correct"),
+                (OTHERS, "other attempts"),
             )
         ]
         figure.legend(handles=marks, loc="outside lower center", ncols=2)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -11,7 +10,7 @@ from socialmind.drawing import style as paper
 from socialmind.errors import SocialmindError
 from socialmind.experiments import run
 from socialmind.experiments.pictures.picture_page import Style
-from socialmind.experiments.pictures.rendering import draw_moments
+from socialmind.experiments.pictures.rendering import draw_steps
 from socialmind.experiments.studies import write_figure
 
 FIGURES = load_file(model_folder("counter") / "figures.py")
@@ -21,8 +20,6 @@ TICKS = 6000
 """Of a run: two sequences or more."""
 TRAIL = 600
 """Ticks of the path that are drawn."""
-PIXELS = 1400
-"""Width of a bitmap."""
 STEPS = (
     "it brings the first object to the drop zone",
     "it has just dropped the first object",
@@ -72,16 +69,12 @@ def write_steps(out: Path) -> list[Path]:
         for row, what in zip(rows, STEPS, strict=True)
     ]
     ticks = [row["tick"] for row in rows]
-    style = Style(mind=True, trail=TRAIL, plane_first=True)
-    styles = {".pdf": style, ".png": replace(style, width=PIXELS)}
+    style = Style(mind=True, trail=TRAIL, inputs=False, plane_first=True)
     written = []
     with TemporaryDirectory() as folder:
         made = run(load_model("counter"), ticks[-1], seed, out=Path(folder) / "run")
         for name, part in PAGES.items():
-            written += [
-                draw_moments(made, out / f"{name}{end}", ticks[part], one, captions=captions[part])
-                for end, one in styles.items()
-            ]
+            written += draw_steps(made, out / name, ticks[part], style, captions[part], rows=3)
     with paper.style():
         drawn = FIGURES.over_time(memory)
     return [*written, *write_figure("figure-7.5-memory", drawn, rows, out)]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -18,7 +18,7 @@ from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import run
 from socialmind.experiments.pictures.picture_page import Style
-from socialmind.experiments.pictures.rendering import draw_moments
+from socialmind.experiments.pictures.rendering import draw_steps
 
 SEEDS = range(1, 21)
 """Of the runs that are searched, one after another."""
@@ -30,8 +30,6 @@ BEFORE = 100
 """Ticks before it sees objects, for the first step."""
 AROUND = 60.0
 """Units of the arena that are drawn around the robot, each way: about half of it."""
-PIXELS = 1400
-"""Width of a bitmap."""
 TRAIL = 400
 """Ticks of the path that are drawn."""
 SKILLS = ("Search+Avoid", "ReachSignal", "Collect", "EmitSignal", "Idle")
@@ -136,23 +134,20 @@ def draw(out: Path, steps: Steps) -> list[Path]:
         steps: which.
 
     Returns:
-        A PDF and a PNG for the first four, the same for the others, a page that tells of them, and
-        what Forage sends in each step as CSV.
+        A PDF and a PNG for each two, a page that tells of them, and what Forage sends in each step
+        as CSV.
     """
     out.mkdir(parents=True, exist_ok=True)
     style = Style(mind=True, robot=("robots", steps.robot), around=AROUND, trail=TRAIL,
-                  plane_first=True)  # fmt: skip
-    styles = {".pdf": style, ".png": replace(style, width=PIXELS)}
+                  inputs=False, plane_first=True)  # fmt: skip
     captions = [f"Step {n}: {told}." for n, told in enumerate(TOLD, 1)]
     files = []
     with TemporaryDirectory() as folder:
         made = run(load_model("foraging"), steps.ticks[-1], steps.seed, out=Path(folder) / "run")
         for name, part in (("8.3", slice(0, 4)), ("8.4", slice(4, 8))):
-            files += [
-                draw_moments(made, out / f"figure-{name}{end}", steps.ticks[part], one,
-                             captions=captions[part])
-                for end, one in styles.items()
-            ]  # fmt: skip
+            files += draw_steps(
+                made, out / f"figure-{name}", steps.ticks[part], style, captions[part]
+            )
     lines = [
         "# Figures 8.3 and 8.4: a robot forages with others",
         "",

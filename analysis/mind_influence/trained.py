@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -17,7 +17,7 @@ from socialmind.catalogue import load_model, model_folder
 from socialmind.errors import SocialmindError
 from socialmind.experiments import run
 from socialmind.experiments.pictures.picture_page import Style
-from socialmind.experiments.pictures.rendering import draw_moments
+from socialmind.experiments.pictures.rendering import draw_steps
 from socialmind.mind import MindDescription
 
 MIND = model_folder("collect") / "mind_constant"
@@ -36,8 +36,8 @@ ANSWER = 2
 """Ticks until what a mind makes of its sensors is done."""
 LONGEST = 400
 """Ticks of the way to the object that are looked at."""
-AROUND, TRAIL, PIXELS = 22.0, 200, 1400
-"""Units drawn around the robot, ticks of its path, and the width of a bitmap."""
+AROUND, TRAIL = 22.0, 200
+"""Units drawn around the robot, and ticks of its path."""
 CHOICE = "GoToObject+Avoid"
 SENT = (
     CHOICE, "GoToDropZone+Avoid", "GoToObject", "GoToDropZone", "Avoid",
@@ -139,20 +139,16 @@ def write_steps(out: Path) -> list[Path]:
         out: the folder.
 
     Returns:
-        A PDF and a PNG, and the influences as CSV.
+        Three steps and two, each a PDF and a PNG, and the influences as CSV.
     """
     seed, ticks = found()
     out.mkdir(parents=True, exist_ok=True)
-    style = Style(mind=True, around=AROUND, trail=TRAIL, plane_first=True)
-    styles = {".pdf": style, ".png": replace(style, width=PIXELS)}
+    style = Style(mind=True, around=AROUND, trail=TRAIL, inputs=False, plane_first=True)
     captions = [f"Step {number}: {told}." for number, told in enumerate(TOLD, 1)]
     model: Any = load_model("collect")
     with TemporaryDirectory() as folder:
         made = run(model, ticks[-1], seed, hierarchy=MIND, out=Path(folder) / "run")
-        written = [
-            draw_moments(made, out / f"figure-6.6{end}", ticks, one, captions=captions)
-            for end, one in styles.items()
-        ]
+        written = draw_steps(made, out / "figure-6.6", ticks, style, captions, rows=3)
     return [*written, write_numbers(seed, ticks, out)]
 
 

@@ -148,7 +148,14 @@ def over_time(memory: Memory) -> Figure:
     upper.set_ylabel(f"variable {VARIABLE} (0 … 1)")
     upper.legend(loc="upper right", ncols=2)
     for name, colour in TASKS.items():
-        lower.step(time, memory.influence[name], where="post", color=colour, label=name)
+        lower.step(
+            time,
+            memory.influence[name],
+            where="post",
+            color=colour,
+            linestyle=paper.DASHES.get(colour, "-"),
+            label=name,
+        )
     lower.set_ylim(-0.04, 1.4)
     lower.set_yticks([0.0, 0.5, 1.0])
     lower.set_ylabel("influence (0 … 1)")

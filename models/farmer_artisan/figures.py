@@ -224,7 +224,9 @@ def _map(
         axes.scatter(
             owned["land_x"].to_numpy(float), owned["land_y"].to_numpy(float),
             c=share, cmap=ACTIVITY, vmin=0, vmax=1, marker="s", s=(2.1 * patch) ** 2,
-            linewidths=0.3, edgecolors="white", zorder=2, rasterized=crowd, clip_on=False,
+            linewidths=np.where(share > 0.5, 0.7, 0.3), zorder=2, rasterized=crowd, clip_on=False,
+            # The two ends of the scale are equally dark in print without colours.
+            edgecolors=np.where(share > 0.5, paper.INK, "white"),
         )  # fmt: skip
     if villages:
         x, y = zip(*villages, strict=True)
@@ -247,6 +249,9 @@ def _map_key(figure: Figure, axes: Axes) -> None:
     marks = [
         Line2D([], [], marker="s", color="none", markerfacecolor="#dccfe0",
                markeredgecolor="none", markersize=6, label="land (enlarged)"),
+        Line2D([], [], marker="s", color="none", markerfacecolor=paper.BLUE_TO_RED[6],
+               markeredgecolor=paper.INK, markeredgewidth=0.7, markersize=6,
+               label="more tools than wheat"),
         *(
             Line2D([], [], marker="o", color="none", markerfacecolor=colour,
                    markeredgecolor=paper.INK, markeredgewidth=0.45, markersize=3, label=name)

@@ -62,7 +62,7 @@ def villages(series: pd.DataFrame, count: int) -> Figure:
                 steps = "steps-post" if row == 0 else "default"
                 axes.plot(
                     series["tick"] / scale, values, color=colour, linewidth=0.9, drawstyle=steps,
-                    label=label,
+                    linestyle=paper.DASHES.get(colour, "-"), label=label,
                 )  # fmt: skip
             if row == 0:
                 paper.panel_title(axes, "abc"[village], f"Village {village}")

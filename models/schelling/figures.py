@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from socialmind.experiments import Run
 
 FREE = 2
-COLOURS = ListedColormap([paper.BLUE, paper.RED, "white"])
+COLOURS = ListedColormap([paper.BLUE, paper.GOLD, "white"])
 
 
 def draw(run: Run) -> dict[str, Figure]:

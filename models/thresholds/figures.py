@@ -58,9 +58,10 @@ def thresholds(run: Run) -> Figure:
         paper.panel_title(axes, "abcd"[task], f"Task {task}, each worker")
     for task in range(tasks):
         column = run.series[f"stimulus_{task}"]
+        colour = COLOURS[task % len(COLOURS)]
         panels[-1].plot(
-            run.series["tick"] / scale, column, color=COLOURS[task % len(COLOURS)], linewidth=0.8,
-            label=f"task {task}",
+            run.series["tick"] / scale, column, color=colour, linewidth=0.8,
+            linestyle=paper.DASHES.get(colour, "-"), label=f"task {task}",
         )  # fmt: skip
     panels[-1].set_ylim(bottom=0)
     panels[-1].set_ylabel("stimulus")
@@ -75,6 +76,9 @@ def _thresholds_of(axes: Axes, agents: pd.DataFrame, task: int, scale: float) ->
         role = rows["role"].iloc[-1]
         colour = paper.GREY if pd.isna(role) else COLOURS[int(role) % len(COLOURS)]
         values = rows[f"threshold_{task}"].astype(float)
-        axes.plot(rows["tick"] / scale, values, color=colour, linewidth=1.0, alpha=0.8)
+        axes.plot(
+            rows["tick"] / scale, values, color=colour, linewidth=1.0, alpha=0.8,
+            linestyle=paper.DASHES.get(colour, "-"),
+        )  # fmt: skip
         highest = max(highest, float(values.max()))
     axes.set_ylim(0, 1.05 * highest)

@@ -56,8 +56,9 @@ def wolf_cow(series: pd.DataFrame, agents: pd.DataFrame) -> Figure:
         scale = paper.time_axis(axes, list(series["tick"]))
         for column, colour in lines:
             axes.plot(
-                series["tick"] / scale, series[column], color=colour, linewidth=0.9, label=column
-            )
+                series["tick"] / scale, series[column], color=colour, linewidth=0.9, label=column,
+                linestyle=paper.DASHES.get(colour, "-"),
+            )  # fmt: skip
         axes.set_ylim(bottom=0)
         axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
         axes.set_ylabel("cows")

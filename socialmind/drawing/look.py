@@ -27,6 +27,7 @@ class Look:
         ray: what range finders see.
         line: from a robot to the target of an orientation sensor; `line_style` its dashes.
         path: where robots have been.
+        zone_hatches: of zones, by which they are told apart in print without colours.
     """
 
     page: str
@@ -44,6 +45,7 @@ class Look:
     line: str
     path: str
     line_style: Any = "-"
+    zone_hatches: tuple[str | None, ...] = (None,)
 
 
 THESIS = Look(
@@ -80,6 +82,7 @@ PAPER = Look(
     line="#8a8a8a",
     path=BLUE,
     line_style=(0, (4, 3)),
+    zone_hatches=(None, "//////", "......"),
 )
 """On white; told apart by the colour-blind, and by lightness in print. No zone has the colour of an
 object, and what robots sense is paler than what there is."""

@@ -8,15 +8,16 @@ rings are around a robot that emits a signal.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import cycle
 from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection, LineCollection, PatchCollection
 from matplotlib.lines import Line2D
-from matplotlib.patches import Circle, Rectangle
+from matplotlib.patches import Circle, Patch, Rectangle
 from numpy.typing import NDArray
 
 from socialmind.drawing.look import PAPER, Look
@@ -217,8 +218,15 @@ class Picture:
             drawn.remove()
         self._unmoved = []
         styles: list[dict[str, Any]] = [
-            {"facecolor": (colour, 0.3), "edgecolor": colour, "linewidth": 1.2 * self._hair}
-            for colour, _ in zip(cycle(look.zones), scene.zones, strict=False)
+            {
+                "facecolor": (colour, 0.3),
+                "edgecolor": colour,
+                "linewidth": 1.2 * self._hair,
+                "hatch": hatch,
+            }
+            for colour, hatch, _ in zip(
+                cycle(look.zones), cycle(look.zone_hatches), scene.zones, strict=False
+            )
         ]
         styles.append({"facecolor": look.obstacle, "edgecolor": look.obstacle_edge,
                        "linewidth": 0.6 * self._hair})  # fmt: skip
@@ -293,7 +301,7 @@ class Picture:
         return float(self.ax.get_window_extent().width) * 72.0 / root.dpi
 
 
-def key_of(scene: Scene, look: Look = PAPER, robots: bool = True) -> list[Line2D]:
+def key_of(scene: Scene, look: Look = PAPER, robots: bool = True) -> list[Artist]:
     """Return marks for a legend: what the discs and squares of a scene are.
 
     Args:
@@ -304,21 +312,45 @@ def key_of(scene: Scene, look: Look = PAPER, robots: bool = True) -> list[Line2D
     dot: dict[str, Any] = {"linestyle": "none", "marker": "o", "markersize": 4.5}
     square = {**dot, "marker": "s", "markersize": 5.5}
     teams = dict.fromkeys(one.team for one in scene.robots) if robots else {}
-    marks = [
+    marks: list[Artist] = [
         Line2D([], [], label=_said(name), color=colour, markeredgecolor=look.rim,
                markeredgewidth=0.5, **dot)
         for names, colours in ((teams, look.robots), (scene.objects, look.objects))
         for name, colour in zip(names, cycle(colours), strict=False)
     ]  # fmt: skip
     marks += [
-        Line2D([], [], label=_said(name), color=colour, markerfacecolor=(colour, 0.3), **square)
-        for name, colour in zip(scene.zones, cycle(look.zones), strict=False)
+        Patch(label=_said(name), facecolor=(colour, 0.3), edgecolor=colour, hatch=hatch)
+        for name, colour, hatch in zip(
+            scene.zones, cycle(look.zones), cycle(look.zone_hatches), strict=False
+        )
     ]
     if len(scene.obstacles):
         marks.append(
             Line2D([], [], label="obstacles", color=look.obstacle,
                    markeredgecolor=look.obstacle_edge, **square)
         )  # fmt: skip
+    return marks
+
+
+def sensed_key(scenes: Sequence[Scene], look: Look = PAPER) -> list[Line2D]:
+    """Return marks for a legend: what the lines and rings around robots are.
+
+    Args:
+        scenes: what is drawn; of what none of them has nothing is told.
+        look: in which colours.
+    """
+    robots = [one for scene in scenes for one in scene.robots]
+    ring: dict[str, Any] = {"marker": "o", "markersize": 5.5, "markerfacecolor": "none"}
+    marks = []
+    if any(len(one.rays) for one in robots):
+        marks.append(Line2D([], [], color=look.ray, linewidth=0.8, label="range finders"))
+    if any(len(one.lines) for one in robots):
+        line = Line2D([], [], color=look.line, linewidth=0.9, label="sensed targets")
+        line.set_linestyle(look.line_style)
+        marks.append(line)
+    if any(one.emits for one in robots):
+        marks.append(Line2D([], [], color=look.path, linestyle="none", label="emits a signal",
+                            **ring))  # fmt: skip
     return marks
 
 

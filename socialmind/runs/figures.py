@@ -8,6 +8,7 @@ from itertools import cycle
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pandas as pd
 from matplotlib.ticker import MaxNLocator
 
@@ -28,6 +29,8 @@ PANEL = (58.0, 40.0)
 """Width and height of a panel of the figure of all series, in mm."""
 LINES = (BLUE, RED, GOLD, PURPLE, INK)
 """Colours of lines and agents that are told apart."""
+MARKS = ("o", "s", "^", "D", "v")
+"""Of agents: blue and red are equally dark in print without colours."""
 ALIKE = 20.0
 """How many times as large as another a number may be in the same panel."""
 
@@ -151,10 +154,14 @@ def draw_map(run: Run) -> Figure | None:
         figure = paper.figure(paper.COLUMN, paper.COLUMN)
         axes = figure.subplots()
         kinds = now["population"] if "population" in now else pd.Series("", now.index)
-        for (kind, own), colour in zip(now.groupby(kinds, sort=False), cycle(LINES), strict=False):
-            axes.scatter(own["x"], own["y"], s=9, color=colour, linewidths=0,
+        looks = zip(cycle(LINES), cycle(MARKS), strict=False)
+        for (kind, own), (colour, mark) in zip(now.groupby(kinds, sort=False), looks, strict=False):
+            axes.scatter(own["x"], own["y"], s=9, color=colour, marker=mark, linewidths=0,
                          label=str(kind).replace("_", " "), rasterized=len(own) > 2000)  # fmt: skip
-        axes.set(aspect="equal", xlabel="x", ylabel="y")
+        # As wide as anybody ever went: a few agents at the end would span next to nothing.
+        ever = run.agents[["x", "y"]].to_numpy(float)
+        low, high = np.nanmin(ever) - 1.0, np.nanmax(ever) + 1.0
+        axes.set(aspect="equal", xlim=(low, high), ylim=(low, high), xlabel="x", ylabel="y")
         axes.set_title(f"agents at tick {int(now['tick'].iloc[0]):,}")
         if kinds.nunique() > 1:
             figure.legend(loc="outside lower center", ncols=3)

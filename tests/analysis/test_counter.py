@@ -24,19 +24,19 @@ def test_its_studies_are_found():
 def test_the_steps_are_the_thesiss(tmp_path, monkeypatch):
     told = {}
 
-    def draw_moments(folder, path, ticks, style, captions):
+    def draw_steps(folder, path, ticks, style, captions, rows):
         told[path.name] = dict(zip(ticks, captions, strict=True))
-        return path
+        return [path.with_name(f"{path.name}.pdf")]
 
-    monkeypatch.setattr(STEPS, "draw_moments", draw_moments)
+    monkeypatch.setattr(STEPS, "draw_steps", draw_steps)
     written = STEPS.write_steps(tmp_path)
     assert {path.stem for path in written} == {"figure-7.5", "figure-7.6", "figure-7.5-memory"}
     rows = pd.read_csv(tmp_path / "figure-7.5-memory.csv")
     assert rows["carrying"].tolist() == [1, 0, 1, 0, 0]
     assert rows["delivered"].tolist() == [0, 1, 1, 2, 2]
     assert rows["correct"].tolist() == [0, 0, 0, 0, 1]
-    assert list(told["figure-7.5.pdf"]) == rows["tick"].tolist()[:3]
-    assert list(told["figure-7.6.png"]) == rows["tick"].tolist()[3:]
+    assert list(told["figure-7.5"]) == rows["tick"].tolist()[:3]
+    assert list(told["figure-7.6"]) == rows["tick"].tolist()[3:]
     # The task of a step is the skill that has more influence: to collect, or to validate.
     validates = rows["GoToValid+Avoid"] > rows["Collect"]
     assert validates.tolist() == [False, False, False, True, False]

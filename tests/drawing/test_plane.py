@@ -8,9 +8,10 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
 from socialmind.drawing.look import PAPER, THESIS
-from socialmind.drawing.plane import RINGS, Picture
+from socialmind.drawing.plane import RINGS, Picture, key_of, sensed_key
 from socialmind.worlds.plane.scene import RobotSeen, Scene
 
 PIXELS = 400
@@ -180,3 +181,15 @@ def test_colours_for_papers_are_told_apart_by_the_colour_blind():
         for name, colour in found.items():
             for other, another in found.items():
                 assert name == other or np.linalg.norm(colour - another) > 0.25, (name, other)
+
+
+def test_kinds_of_zones_differ_without_colours():
+    places = np.array([[0.0, 0.0, 0.0, 3.0]])
+    marks = key_of(scene(zones={"drop_zones": places, "supplies": places}), robots=False)
+    hatches = {mark.get_label(): mark.get_hatch() for mark in marks if isinstance(mark, Patch)}
+    assert hatches["drop zones"] != hatches["supplies"]
+
+
+def test_the_key_tells_of_what_is_drawn_around_robots():
+    told = [mark.get_label() for mark in sensed_key([scene()])]
+    assert told == ["range finders", "sensed targets"]

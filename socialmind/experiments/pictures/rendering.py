@@ -77,6 +77,42 @@ def draw_moments(
     return path
 
 
+def draw_steps(
+    folder: str | Path,
+    out: str | Path,
+    ticks: Sequence[int],
+    style: Style,
+    captions: Sequence[str],
+    rows: int = 2,
+) -> list[Path]:
+    """Draw moments of a run as figures of a paper, some on a page.
+
+    Args:
+        folder: the run's.
+        out: the first file without its suffix; where there is more than one page, the others have
+            ``-2`` and so on behind it.
+        ticks: of the moments, ascending.
+        style: how.
+        captions: what is said above each moment.
+        rows: moments on a page.
+
+    Returns:
+        For each page a PDF and a PNG.
+
+    Raises:
+        SocialmindError: as for `draw_moments`.
+    """
+    written = []
+    for number, begin in enumerate(range(0, len(ticks), rows), 1):
+        page = f"{out}-{number}" if number > 1 else str(out)
+        part = slice(begin, begin + rows)
+        written += [
+            draw_moments(folder, f"{page}{suffix}", ticks[part], style, captions=captions[part])
+            for suffix in (".pdf", ".png")
+        ]
+    return written
+
+
 def film_run(
     folder: str | Path,
     out: str | Path,

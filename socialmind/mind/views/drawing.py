@@ -13,6 +13,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Ellipse, FancyBboxPatch, PathPatch
 from matplotlib.path import Path
 from matplotlib.text import Text
@@ -78,6 +79,7 @@ class HierarchyPicture:
         ax: Axes to draw in, as for `draw_hierarchy`.
         key: whether the colours are explained at the bottom.
         known: whether values are shown; those of an evaluated hierarchy unless said.
+        inputs: whether sensors, and variables that are only read, are shown.
 
     Attributes:
         ax: the Axes.
@@ -89,9 +91,10 @@ class HierarchyPicture:
         ax: Axes | None = None,
         key: bool = True,
         known: bool | None = None,
+        inputs: bool = True,
     ) -> None:
         self._known = hierarchy.tick > 0 if known is None else known
-        plan = planned(hierarchy, key and self._known, self._known)
+        plan = planned(hierarchy, key and self._known, self._known, inputs)
         if ax is None:
             size = max(min(COMFORTABLE, PAGE / plan.width), SMALLEST)
             figure = Figure(figsize=(plan.width * size / 72, plan.height * size / 72))
@@ -186,6 +189,16 @@ class HierarchyPicture:
                     zorder=4,
                     bbox={"boxstyle": "square,pad=0.08", "facecolor": "white", "edgecolor": "none"},
                 )  # fmt: skip
+
+
+def influence_key() -> list[Line2D]:
+    """Return marks for a legend of several hierarchies: what the colours of links say."""
+    marks: list[Line2D] = [
+        Line2D([], [], color=INFLUENCE(sent), linewidth=2.0, label=f"influence {sent:.0f}")
+        for sent in (0.0, 1.0)
+    ]
+    told = "centre of a link: given; edge: transmitted"
+    return [*marks, Line2D([], [], linestyle="none", label=told)]
 
 
 def _link(link: tuple[str, str]) -> tuple[str, str]:

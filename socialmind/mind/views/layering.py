@@ -75,7 +75,11 @@ def layers_of(names: Sequence[str], links: Sequence[Link]) -> dict[str, int]:
 
 
 def layered(
-    boxes: Mapping[str, Box], links: Sequence[Link], layer: Mapping[str, int], widest: float
+    boxes: Mapping[str, Box],
+    links: Sequence[Link],
+    layer: Mapping[str, int],
+    widest: float,
+    lanes_above: bool = True,
 ) -> Layering:
     """Place nodes in layers.
 
@@ -84,6 +88,7 @@ def layered(
         links: from a node to one in a lower layer.
         layer: the layer of each node, from 0.
         widest: a layer that is wider is spread over several rows.
+        lanes_above: whether there is room above each layer for lines that come from beside it.
     """
     chains = {link: _chain(link, layer) for link in links}
     order = _ordered(_first_order(boxes, chains, layer), chains)
@@ -102,7 +107,8 @@ def layered(
         bands.append((top, top + count * pitch - SPACE))
         # Long slanting links need height, and so do many.
         crowd = sum(len(below.get(key, [])) for key in keys)
-        top = bands[-1][1] + min(9.0, 4.0 + 0.05 * span + 0.12 * max(0, crowd - 6))
+        gap = min(9.0, 4.0 + 0.05 * span + 0.12 * max(0, crowd - 6))
+        top = bands[-1][1] + (gap if lanes_above else 0.62 * gap)
     ports = _ports(chains, x, boxes)
     routes = {
         link: _route(chain, [x[key] - left for key in chain[1:-1]], ports, placed, bands, layer)

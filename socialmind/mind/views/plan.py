@@ -52,13 +52,14 @@ class Plan:
     height: float
 
 
-def planned(hierarchy: Readings, key: bool, known: bool | None = None) -> Plan:
+def planned(hierarchy: Readings, key: bool, known: bool | None = None, inputs: bool = True) -> Plan:
     """Return the plan of a hierarchy's drawing.
 
     Args:
         hierarchy: what to draw.
         key: whether the colours are explained.
         known: whether values are shown; those of an evaluated hierarchy unless said.
+        inputs: whether sensors, and variables that are only read, are shown.
     """
     known = hierarchy.tick > 0 if known is None else known
     skills = [hierarchy.description.skills[name] for name in hierarchy.skills]
@@ -69,6 +70,8 @@ def planned(hierarchy: Readings, key: bool, known: bool | None = None) -> Plan:
         for one in skill.inputs
     )
     commanded = {target for _, target in links}
+    if not inputs:
+        readings = {link: None for link in readings if link[0] in commanded}
     read = {module for module, _ in readings}
     values = values_of(hierarchy) if known else dict.fromkeys(values_of(hierarchy), "")
     inner = [name for name in values if name.startswith("SK:") or name in commanded]
@@ -78,7 +81,7 @@ def planned(hierarchy: Readings, key: bool, known: bool | None = None) -> Plan:
     layer = layers_of(inner, links)
     lowest = max(layer[name] for name in inner if name.startswith("SK:")) + 1
     layer |= {name: lowest for name in inner if not name.startswith("SK:")}
-    layering = layered({name: boxes[name] for name in inner}, links, layer, _WIDEST)
+    layering = layered({name: boxes[name] for name in inner}, links, layer, _WIDEST, inputs)
     placed = dict(layering.boxes)
     placed |= _column({name: boxes[name] for name in beside}, list(readings), layering, lowest)
     routes = {link: _joined(_down, points) for link, points in layering.routes.items()}

@@ -8,8 +8,8 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import run
-from socialmind.experiments.pictures.picture_page import GAP, Style
-from socialmind.experiments.pictures.rendering import draw_moments
+from socialmind.experiments.pictures.picture_page import GAP, HIGHEST, Style
+from socialmind.experiments.pictures.rendering import draw_moments, draw_steps
 
 SEEKERS = Path(__file__).parents[2] / "worlds" / "plane" / "seekers"
 
@@ -53,3 +53,19 @@ def test_of_several_robots_the_one_whose_mind_is_shown_is_named(folder, tmp_path
     assert ">1<" in text
     text = draw_moments(folder, tmp_path / "x.svg", (20,), Style(robot=("robots", 1))).read_text()
     assert ">1<" not in text
+
+
+def test_steps_go_on_pages_that_fit_a_journal_with_a_key(folder, tmp_path):
+    from PIL import Image
+
+    style = Style(mind=True, inputs=False)
+    told = ["first", "second", "third"]
+    paths = draw_steps(folder, tmp_path / "steps", (0, 10, 20), style, told, rows=2)
+    names = ["steps.pdf", "steps.png", "steps-2.pdf", "steps-2.png"]
+    assert [path.name for path in paths] == names
+    with Image.open(paths[1]) as image:
+        assert image.mode == "P"
+        assert image.size[1] / image.info["dpi"][1] * 25.4 <= HIGHEST + 0.1
+    text = draw_moments(folder, tmp_path / "x.svg", (0, 20), style).read_text()
+    assert {"robots", "path", "range finders", "influence 1"} <= set(re.findall(">([^<>]+)<", text))
+    assert "RADBALL" not in text
