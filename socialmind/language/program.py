@@ -301,6 +301,10 @@ class Program:
         """Say whether rules look for the agents of a population by patches alone."""
         return not self._sought[population] & {"near", "nearest"}
 
+    def sought_by_radius(self, population: str) -> bool:
+        """Say whether rules look for the agents of a population within a radius alone."""
+        return self._sought[population] == {"near"}
+
     @cached_property
     def indexed(self) -> tuple[str, ...]:
         """The populations looked for of which an index is kept.

@@ -496,8 +496,9 @@ class Table:
         if not self._index or len(self._index["near_spots"]) != len(self.rows):
             from socialmind.worlds.neighbours.index import arrays
 
-            patches = program.sought_on_patches(self.shape.name)
-            self._index = arrays(len(self.rows), program.loops_over_found, patches)
+            name, loops = self.shape.name, program.loops_over_found
+            patches, few = program.sought_on_patches(name), program.sought_by_radius(name)
+            self._index = arrays(len(self.rows), loops, patches, few)
         return self._index
 
     def gathered(self, kind: str, loops: int) -> dict[str, NDArray[Any]]:
