@@ -497,7 +497,7 @@ class Table:
             from socialmind.worlds.neighbours.index import arrays
 
             name, loops = self.shape.name, program.loops_over_found
-            patches, few = program.sought_on_patches(name), program.sought_by_radius(name)
+            patches, few = program.sought_on_patches(name), program.looked_through(name)
             self._index = arrays(len(self.rows), loops, patches, few)
         return self._index
 

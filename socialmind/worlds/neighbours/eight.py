@@ -113,6 +113,47 @@ def near_bits_apart(
 
 
 @intrinsic
+def patch_bits(
+    typing_context: Any, places: Any, first_x: Any, first_y: Any, own_x: Any, own_y: Any,
+    round_x: Any, round_y: Any, low_x: Any, low_y: Any, width: Any, height: Any, last_x: Any,
+    last_y: Any, steps: Any, least: Any, most: Any,
+) -> Any:  # fmt: skip
+    """Return as bits which of eight places, apart in an array, are on patches around one.
+
+    Columns and rows are counted from 0. A place beyond the end, by rounding, is in the last ones.
+    Both ways are at most so many steps, and together at least and at most so many.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        places, first_x, first_y, *numbers = arguments
+        eight = [_all_eight(builder, one) for one in numbers]
+        *axes, steps, least, most = eight
+        kind = ir.FunctionType(_NUMBERS, [_NUMBERS])
+        floor = cgutils.get_or_insert_function(builder.module, kind, f"llvm.floor.v{EIGHT}f64")
+        half = ir.Constant(_NUMBERS, [0.5] * EIGHT)
+        ways = []
+        for axis, first in enumerate((first_x, first_y)):
+            own, round_it, low, size, last = axes[axis::2]
+            place = _read(context, builder, signature.args[0], places, first, _NUMBERS)
+            theirs = builder.fadd(builder.load(place, align=8), half)
+            theirs = builder.fsub(builder.call(floor, [theirs]), low)
+            beyond = builder.fcmp_ordered(">=", theirs, size)
+            theirs = builder.select(beyond, last, theirs)
+            ways.append(_short_way(builder, builder.fsub(theirs, own), round_it))
+        both = builder.fadd(*ways)
+        near = builder.and_(
+            builder.and_(*(builder.fcmp_ordered("<=", way, steps) for way in ways)),
+            builder.and_(
+                builder.fcmp_ordered(">=", both, least), builder.fcmp_ordered("<=", both, most)
+            ),
+        )
+        return builder.zext(builder.bitcast(near, ir.IntType(EIGHT)), _WHOLE)
+
+    whole = types.int64
+    return whole(places, whole, whole, *[types.float64] * 13), generate
+
+
+@intrinsic
 def push_bits(typing_context: Any, found: Any, end: Any, first: Any, bits: Any) -> Any:
     """Push the numbers of the bits that are set, counted from a first; return the stack's end.
 

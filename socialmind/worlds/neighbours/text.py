@@ -252,6 +252,7 @@ def _near_first_NAME_ASKER(_model, who, radius):
 
 _ON_PATCHES = """@_inner
 def _near_patches_NAME_ASKER(_model, who, steps, kind):
+    ON_PATCHES_OF_FEW
     return _neighbours.find_on_patches(
         _near_cells_NAME(_model),
         _near_starts_NAME(_model),
@@ -294,11 +295,11 @@ def _near_standing_NAME_ASKER(_model, who, kind, area, column, row):
     return _lattice.standing(_world_taken(_model), area, column, row, kind, OWN, TAKEN)"""
 
 _AMONG_FEW = {
-    "ALL_OF_FEW": """cells.few = counters[_bookkeeping.ALIVE] <= _few.FEW
+    "ALL_OF_FEW": """cells.few = counters[_bookkeeping.ALIVE] <= _few.LARGEST
     if cells.few:
         places = _near_places_NAME(_model)
         _few.list_few(
-            cells, places, spots, rows, counters, order, alive, width, height, WRAPS
+            cells, places, spots, rows, counters, order, alive, low_x, low_y, width, height, WRAPS
         )
         return""",
     "MOVED_AMONG_FEW": """if _near_cells_NAME(_model).few:
@@ -327,6 +328,17 @@ _AMONG_FEW = {
             WHO_X,
             WHO_Y,
             _neighbours.checked(radius),
+            SPOT,
+        )""",
+    "ON_PATCHES_OF_FEW": """if _near_cells_NAME(_model).few:
+        return _few.find_on_patches(
+            _near_cells_NAME(_model),
+            _near_places_NAME(_model),
+            _near_found_NAME(_model),
+            WHO_X,
+            WHO_Y,
+            _neighbours.checked(steps),
+            kind,
             SPOT,
         )""",
 }
@@ -367,8 +379,9 @@ def text(shape: ModelShape, program: Any) -> str:
         lists = program.sought_on_patches(name)
         kept = (_ASK_LISTS if lists else _ASK, _LIST) if name in program.indexed else (_NO_LIST,)
         index = "\n\n\n".join((_INDEX, *kept))
-        few = _AMONG_FEW if program.sought_by_radius(name) else dict.fromkeys(_AMONG_FEW, "")
+        few = _AMONG_FEW if program.looked_through(name) else dict.fromkeys(_AMONG_FEW, "")
         own |= {"LIST": "list_apart" if lists else "list_all", "SIDE": str(lists)}
+        own["LARGEST"] = "FEW_ON_PATCHES" if lists else "FEW"
         for mark, fill in {**few, **own}.items():
             index = index.replace(mark, fill)
         parts.append(index)
@@ -384,7 +397,8 @@ def text(shape: ModelShape, program: Any) -> str:
         for asker, (x, y, own_slot) in askers.items():
             spot = "-1" if own_slot == "-1" else f"_near_spots_NAME(_model)[{own_slot}]"
             part = "\n\n\n".join([_ASKED_BY, *on_patches]).replace("TAKEN", taken)
-            part = part.replace("FIND_AMONG_FEW", few["FIND_AMONG_FEW"])
+            for mark in ("FIND_AMONG_FEW", "ON_PATCHES_OF_FEW"):
+                part = part.replace(mark, few[mark])
             part = part.replace("ASKER", asker).replace("SPOT", spot).replace("OWN", own_slot)
             parts.append(part.replace("WHO_X", x).replace("WHO_Y", y))
         parts[-1 - len(askers) :] = [one.replace("NAME", name) for one in parts[-1 - len(askers) :]]
