@@ -23,7 +23,6 @@ from coglogo_py.border.numbers import whole_number
 from socialmind.agents import idleness
 from socialmind.agents.agent_columns import agent_columns, default_series
 from socialmind.agents.events import Events, columns_of_events
-from socialmind.compiling.layout import asked_for
 from socialmind.engine.engine import Engine
 from socialmind.engine.explaining import explained
 from socialmind.errors import SocialmindError
@@ -146,7 +145,7 @@ class Model(metaclass=ModelKind):
             self.populations, kind.folder, scheme, kind.name, shared.schemes
         )
         self.conditioned = making.conditioned(self, files)
-        self.record = shared.record_of(asked_for(self.program, self.conditioned))
+        self.record = shared.record_of(self.program, self.conditioned)
         self.contexts: NDArray[Any] = self.record.new()
         self.context: Any = self.contexts[0]
         tables = {name: parameters.pop(name) for name in kind.populations if name in parameters}

@@ -113,7 +113,7 @@ def test_a_run_ends_where_the_society_stops(tmp_path):
 
 
 def test_short_advances_do_not_make_the_next_stretch_long():
-    society = Bazaar(enough=1e9)
+    society = type("Bazaars", (Bazaar,), {})(enough=1e9)
     for _ in range(100):
         society.advance(1)
     assert society.engine._ticks_per_chunk <= 16  # Ctrl-C is heard between two stretches

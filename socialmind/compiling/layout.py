@@ -59,7 +59,7 @@ SEEKING = (
     *("near_cells", "near_entries", "near_entries_0", "near_starts", "near_starts_0"),
     *("near_heads", "near_heads_0"),
     *("near_spots", "near_spots_0", "near_found", "near_found_0"),
-    *("near_marks", "near_marks_0"),
+    *("near_marks", "near_marks_0", "near_places", "near_places_0"),
 )
 """Further columns of the record for a population whose agents rules look for: its index."""
 EVENTS = ("events", "events_0", "events_1")

@@ -7,15 +7,26 @@ keeps them alive while compiled code runs.
 
 from __future__ import annotations
 
+import ctypes
 from typing import Any
 
 import numpy as np
 from llvmlite import ir  # type: ignore[import-untyped]  # it carries no types
 from numba import types
 from numba.extending import intrinsic, register_jitable
+from numpy.typing import NDArray
 
 CACHE_LINE = 64
 """Bytes that processors fetch at once."""
+_PLACE = ctypes.c_char * 0
+
+
+def address(array: NDArray[Any]) -> int:
+    """Return where an array lies in memory."""
+    try:  # `array.ctypes` takes five times as long, the interface of an array of records more
+        return ctypes.addressof(_PLACE.from_buffer(array))
+    except TypeError:  # it is not to be written to
+        return int(array.ctypes.data)
 
 
 @intrinsic

@@ -31,7 +31,7 @@ State = dict[str, Any]
 CHUNK_SECONDS = 0.2
 """How long compiled code runs before Ctrl-C is heard."""
 SMALL = 5_000
-"""Up to so many agents and patches a first stretch is of several ticks."""
+"""Up to so many agents and patches a class's first stretch is of several ticks."""
 INTERPRETED_SETUP = 20_000
 """Up to so many agents and patches the first society's setup runs interpreted: faster than loading
 its code."""
@@ -41,6 +41,8 @@ SNAPSHOT_BYTES = 8 * 2**20
 
 _OUTGROWN = "setup outgrown"
 """Under what a program holds that its setup brings more agents than there is room for."""
+_PACE = "seconds"
+"""Under what it holds how long a tick took last, by agent and patch."""
 
 
 class Engine:
@@ -152,8 +154,11 @@ class Engine:
         if self.model.physics != "compiled":
             self._advance_outside(ticks)
             return
+        made, entities = self.model.program.made, max(1, self._entities())
         if not self._ticks_per_chunk:
-            self._ticks_per_chunk = 16 if self._entities() <= SMALL else 1
+            self._ticks_per_chunk = 16 if entities <= SMALL else 1
+            if _PACE in made:
+                self._ticks_per_chunk = max(1, int(CHUNK_SECONDS / 4 / (made[_PACE] * entities)))
         left = ticks
         while left > 0:
             begin = time.perf_counter()
@@ -164,6 +169,8 @@ class Engine:
             done = self._guarded(loop, run_tick)
             left -= done
             took = time.perf_counter() - begin
+            if done:
+                made[_PACE] = took / (done * entities)
             # Many short advances say nothing of how long a stretch may be.
             if done == self._ticks_per_chunk and took < CHUNK_SECONDS / 2:
                 self._ticks_per_chunk *= 16 if took < CHUNK_SECONDS / 32 else 2

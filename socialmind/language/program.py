@@ -301,6 +301,11 @@ class Program:
         """Say whether rules look for the agents of a population by patches alone."""
         return not self._sought[population] & {"near", "nearest"}
 
+    def looked_through(self, population: str) -> bool:
+        """Say whether all agents of a population that rules look for are looked at while few."""
+        nearest = "nearest" in self._sought[population]
+        return not nearest and not self.shape.world.taken_by(population)
+
     @cached_property
     def indexed(self) -> tuple[str, ...]:
         """The populations looked for of which an index is kept.

@@ -14,9 +14,9 @@ from coglogo_py import CognitiveScheme
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.names import Names
 from socialmind.compiling.layout import GATHERING, SEEKING
+from socialmind.compiling.memory import address
 from socialmind.errors import ModelError
 from socialmind.language.program import Program
-from socialmind.worlds.contract import address
 
 if TYPE_CHECKING:
     from socialmind.agents.running import Running

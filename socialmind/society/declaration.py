@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
-from functools import partial
+from functools import cache, partial
 from types import FunctionType
 from typing import Any, NamedTuple
 
@@ -76,6 +76,7 @@ class Declaration(NamedTuple):
     interactions: dict[str, Interaction]
 
 
+@cache
 def kept_names(model: type) -> frozenset[str]:
     """Return the names under which an instance keeps what is its own, and what it is made with."""
     made_with = list(inspect.signature(vars(model)["__init__"]).parameters)[1:-1]

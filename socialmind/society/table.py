@@ -64,6 +64,8 @@ class Table:
         size: how many agents there are at the start.
         society: the minds, or None.
         minds: makes the hierarchies for so many agents, or None.
+        births: whether rules bring agents into it: it begins with room for some, unless they have
+            minds, which get theirs before the first tick.
     """
 
     def __init__(
@@ -74,6 +76,7 @@ class Table:
         size: int,
         society: CognitonMinds | None,
         minds: Callable[[int], SkillMinds] | None = None,
+        births: bool = False,
     ) -> None:
         self.model = model
         self.shape = shape
@@ -87,12 +90,14 @@ class Table:
         for name, keep in self._keepers.items():
             if name in shape.fields:
                 self.default[name] = kept_within(self.default[name], keep, repr(shape.name))
-        capacity = max(size, 1)
+        capacity = identities = max(size, 1)
+        if births and society is None and minds is None:
+            capacity, identities = _more_slots(size), _more_identities(size)
         self.rows = np.zeros(capacity, self.dtype)
         self.order = np.zeros(capacity, np.int64)
         self.acting = np.zeros(capacity, np.int64)
         self.alive = np.zeros(capacity, np.bool_)
-        self.slot_of = np.full(capacity, -1, np.int64)
+        self.slot_of = np.full(identities, -1, np.int64)
         self.free = np.arange(capacity - 1, -1, -1, dtype=np.int64)
         self.counters = np.zeros(bookkeeping.SIZE, np.int64)
         # The founders take the first slots, in order.
@@ -385,12 +390,10 @@ class Table:
     def grow(self) -> None:
         """Make room for births: twice the slots, the identities, or both, as they are short."""
         slots, identities = self.room
-        # The dead leave their slots to others, and keep their identity alone.
+        short_of_identities = bookkeeping.short_of_identities(self.counters, self.slot_of)
         self.reserve(
-            max(2 * slots, 512) if bookkeeping.short_of_slots(self.counters) else slots,
-            max(2 * identities, min(16 * identities, 8192), 512)
-            if bookkeeping.short_of_identities(self.counters, self.slot_of)
-            else identities,
+            _more_slots(slots) if bookkeeping.short_of_slots(self.counters) else slots,
+            _more_identities(identities) if short_of_identities else identities,
         )
 
     def reserve(self, slots: int, identities: int) -> None:
@@ -493,8 +496,9 @@ class Table:
         if not self._index or len(self._index["near_spots"]) != len(self.rows):
             from socialmind.worlds.neighbours.index import arrays
 
-            patches = program.sought_on_patches(self.shape.name)
-            self._index = arrays(len(self.rows), program.loops_over_found, patches)
+            name, loops = self.shape.name, program.loops_over_found
+            patches, few = program.sought_on_patches(name), program.looked_through(name)
+            self._index = arrays(len(self.rows), loops, patches, few)
         return self._index
 
     def gathered(self, kind: str, loops: int) -> dict[str, NDArray[Any]]:
@@ -535,6 +539,15 @@ class Table:
                 "read what you need of it before it dies"
             )
         return self.society.mind_in(mind)
+
+
+def _more_slots(slots: int) -> int:
+    return max(2 * slots, 512)
+
+
+def _more_identities(identities: int) -> int:
+    # The dead leave their slots to others, and keep their identity alone.
+    return max(2 * identities, min(16 * identities, 65536), 2048)
 
 
 def _lengthened(array: NDArray[Any], length: int, rest: int) -> NDArray[Any]:

@@ -221,8 +221,3 @@ class Ground:
     def agents(self) -> dict[str, Any] | None:
         """Return what a run records of agents there, or None for what it records anywhere."""
         return None
-
-
-def address(array: Any) -> int:
-    """Return where an array lies in memory."""
-    return int(np.asarray(array).ctypes.data)  # the interface describes records, which takes longer

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from socialmind.compiling.memory import address
 from socialmind.errors import SocialmindError
 from socialmind.learning.episodes.learners import Halted
 from socialmind.learning.outcome import Outcome, filled
 from socialmind.mind.minds import Minds
 from socialmind.society.connection import connect, connected_arrays
-from socialmind.worlds.contract import address
 from socialmind.worlds.plane.ticks.lockstep_text import LOCKSTEP
 
 if TYPE_CHECKING:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from coglogo_py import Society
 from coglogo_py.arrays import MindArrays, SchemeArrays
 from coglogo_py.border.numbers import whole_number
+from socialmind.compiling.memory import address
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.evaluation.arrays import Assembly
 from socialmind.mind.functions.cogniton_scheme import CognitonScheme
@@ -134,7 +135,7 @@ class Record:
         self.names = names
         self.record = np.zeros(1, mind_dtype(len(assembly.schemes)))
         self.record["worlds"] = 1
-        self.address = _address(self.record)
+        self.address = address(self.record)
         self.kept: list[NDArray[Any]] = []
         self.keys: NDArray[np.int64] | None = None
         self.scheme_lists = [_scheme_lists(assembly, name) for name in assembly.schemes]
@@ -161,7 +162,7 @@ class Record:
             worlds: how many, of as many agents and instances of groups each.
             keys: (agents, 2), the words of the key of the draws of each agent's world.
         """
-        self.record["worlds"], self.record["keys"] = worlds, _address(keys)
+        self.record["worlds"], self.record["keys"] = worlds, address(keys)
         self.keys = keys
 
     def connect(self, agents: int, state: State, societies: tuple[Society, ...]) -> None:
@@ -181,7 +182,7 @@ class Record:
         self.record["agents"] = agents
         self.record["failed_skill"] = -1
         for name, array in arrays.items():
-            self.record[name] = _address(array)
+            self.record[name] = address(array)
             for axis, length in enumerate(array.shape):
                 self.record[f"{name}_{axis}"] = length
         self.kept = list(arrays.values())
@@ -202,10 +203,6 @@ def _scheme_lists(assembly: Assembly, name: str) -> dict[str, NDArray[Any]]:
         "weights": np.zeros(len(plans)),
         "plans": np.zeros(len(plans), np.int64),
     }
-
-
-def _address(array: NDArray[Any]) -> int:
-    return int(array.__array_interface__["data"][0])
 
 
 def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:

@@ -18,9 +18,10 @@ from coglogo_py.files.reading import content_of, text_of
 from socialmind.agents.message import NEXT, first_message
 from socialmind.agents.plan_steps import ENDED
 from socialmind.agents.rows import HeldRow, Row, held_class, row_class
-from socialmind.compiling.layout import Asked, model_dtype, row_dtype
+from socialmind.compiling.layout import Asked, asked_for, model_dtype, row_dtype
 from socialmind.fields import set_default
 from socialmind.language.arithmetic import turned
+from socialmind.language.program import Program
 from socialmind.language.shape import ModelShape, PopulationShape
 
 if TYPE_CHECKING:
@@ -48,7 +49,6 @@ class Blueprint:
         self._shape = shape
         self.tables = {name: TableForm(one) for name, one in shape.populations.items()}
         self.schemes = SchemeFiles()
-        self._records: dict[Asked, RecordForm] = {}
 
     @cached_property
     def minds(self) -> KeptMinds:
@@ -57,11 +57,13 @@ class Blueprint:
 
         return KeptMinds()
 
-    def record_of(self, asked: Asked) -> RecordForm:
-        """Return the layout of a society's record, which depends on what is asked for."""
-        if asked not in self._records:
-            self._records[asked] = RecordForm(self._shape, asked)
-        return self._records[asked]
+    def record_of(self, program: Program, conditioned: tuple[str, ...]) -> RecordForm:
+        """Return the layout of a society's record; arguments as of `asked_for`."""
+        key = "record", conditioned
+        if key not in program.made:
+            program.made[key] = RecordForm(self._shape, asked_for(program, conditioned))
+        found: RecordForm = program.made[key]
+        return found
 
 
 class RecordForm:

@@ -327,7 +327,8 @@ def tables_of(
         shape = society.shape.populations[name]
         kind = Table if shape.messages_to is None else MessageTable
         form = blueprint.tables[name]
-        tables[name] = kind(society, shape, form, sizes[name], minds.get(name), skills)
+        births = name in society.program.births
+        tables[name] = kind(society, shape, form, sizes[name], minds.get(name), skills, births)
         if name in beginnings:
             tables[name].begin_with(beginnings[name])
         civilisations = society.populations[name].civilisations

@@ -25,10 +25,11 @@ FAR = 1e9
 _AXIS = [("low", "f8"), ("size", "f8"), ("round", "f8"), ("tiles_a_unit", "f8"), ("begin", "i8"),
          ("tiles", "i8"), ("cells_a_tile", "f8"), ("cells", "i8"), ("wraps", "i8")]  # fmt: skip
 CELLS = np.dtype([(f"{name}_{axis}", kind) for axis in "xy" for name, kind in _AXIS]
-                 + [(name, "i8") for name in ("listed", "count", "top", "furthest")]
+                 + [(name, "i8") for name in ("few", "listed", "count", "top", "furthest")]
                  + [("leash", "f8"), ("steps", "f8"), ("drift", "f8")])  # fmt: skip
-"""How both axes are cut, how many entries were listed and there are, how much was found that is in
-use; how far agents may go from where they were listed, and how far one has gone."""
+"""How both axes are cut, or that all are looked at, since they are few; how many entries were
+listed and there are, how much was found that is in use; how far agents may go from where they were
+listed, and how far one has gone."""
 
 
 # Cutting an axis ----------------------------------------------------------------------------------

@@ -20,6 +20,16 @@ EIGHT = 8
 """So many entries are read at once: as many may be read behind the last."""
 _WORDS = ENTRY.itemsize // 8
 _NUMBERS = ir.VectorType(ir.DoubleType(), EIGHT)
+_WHOLE = ir.IntType(64)
+_ROW = ir.VectorType(ir.IntType(8), EIGHT)
+_BITS_SET = ir.Constant(
+    ir.ArrayType(_ROW, 2**EIGHT),
+    [
+        ir.Constant(_ROW, (set_ + [0] * EIGHT)[:EIGHT])
+        for set_ in ([one for one in range(EIGHT) if bits >> one & 1] for bits in range(2**EIGHT))
+    ],
+)
+"""For each eight bits the numbers of those that are set, filled up with zeros."""
 
 
 def _short_way(builder: Any, way: Any, round_it: Any) -> Any:
@@ -33,11 +43,30 @@ def _short_way(builder: Any, way: Any, round_it: Any) -> Any:
 
 def _all_eight(builder: Any, number: Any) -> Any:
     """Return a number eight times."""
+    eight = ir.VectorType(number.type, EIGHT)
     one = builder.insert_element(
-        ir.Constant(_NUMBERS, ir.Undefined), number, ir.Constant(ir.IntType(32), 0)
+        ir.Constant(eight, ir.Undefined), number, ir.Constant(ir.IntType(32), 0)
     )
     places = ir.Constant(ir.VectorType(ir.IntType(32), EIGHT), [0] * EIGHT)
     return builder.shuffle_vector(one, one, places)
+
+
+def _bits(builder: Any, theirs_x: Any, theirs_y: Any, numbers: Any) -> Any:
+    """Return as bits which of eight places are near; the numbers are as `push_near` has them."""
+    x, y, round_x, round_y, limit = (_all_eight(builder, one) for one in numbers)
+    way_x = _short_way(builder, builder.fsub(theirs_x, x), round_x)
+    way_y = _short_way(builder, builder.fsub(theirs_y, y), round_y)
+    square = builder.fadd(builder.fmul(way_x, way_x), builder.fmul(way_y, way_y))
+    near = builder.fcmp_ordered("<=", square, limit)
+    return builder.zext(builder.bitcast(near, ir.IntType(EIGHT)), _WHOLE)
+
+
+def _read(context: Any, builder: Any, kind: Any, array: Any, first: Any, vector: Any) -> Any:
+    """Return the pointer to a vector that begins at an element of an array."""
+    data = context.make_array(kind)(context, builder, array).data
+    size = _WHOLE(context.get_abi_sizeof(context.get_data_type(kind.dtype)))
+    place = builder.add(builder.ptrtoint(data, _WHOLE), builder.mul(first, size))
+    return builder.inttoptr(place, vector.as_pointer())
 
 
 @intrinsic
@@ -47,25 +76,104 @@ def _near_bits(
 ) -> Any:  # fmt: skip
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         entries, first, *numbers = arguments
-        x, y, round_x, round_y, limit = (_all_eight(builder, one) for one in numbers)
-        data = context.make_array(signature.args[0])(context, builder, entries).data
-        size = ir.Constant(ir.IntType(64), ENTRY.itemsize)
-        place = builder.add(builder.ptrtoint(data, ir.IntType(64)), builder.mul(first, size))
         words = ir.VectorType(ir.DoubleType(), EIGHT * _WORDS)
-        read = builder.load(builder.inttoptr(place, words.as_pointer()), align=8)
-        ways = []
-        for name, own, round_it in (("x", x, round_x), ("y", y, round_y)):
+        place = _read(context, builder, signature.args[0], entries, first, words)
+        read = builder.load(place, align=8)
+        theirs = []
+        for name in ("x", "y"):
             word = ENTRY.fields[name][1] // 8  # type: ignore[index]
             which = [word + _WORDS * number for number in range(EIGHT)]
             taken = ir.Constant(ir.VectorType(ir.IntType(32), EIGHT), which)
-            theirs = builder.shuffle_vector(read, read, taken)
-            ways.append(_short_way(builder, builder.fsub(theirs, own), round_it))
-        squares = [builder.fmul(way, way) for way in ways]
-        near = builder.fcmp_ordered("<=", builder.fadd(*squares), limit)
-        return builder.zext(builder.bitcast(near, ir.IntType(EIGHT)), ir.IntType(64))
+            theirs.append(builder.shuffle_vector(read, read, taken))
+        return _bits(builder, *theirs, numbers)
 
     number = types.float64
     return types.int64(entries, types.int64, number, number, number, number, number), generate
+
+
+@intrinsic
+def near_bits_apart(
+    typing_context: Any, places: Any, first_x: Any, first_y: Any, x: Any, y: Any, round_x: Any,
+    round_y: Any, limit: Any,
+) -> Any:  # fmt: skip
+    """Return as bits which of eight places are near, whose x and y stand apart in an array."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        places, first_x, first_y, *numbers = arguments
+        theirs = [
+            builder.load(
+                _read(context, builder, signature.args[0], places, first, _NUMBERS), align=8
+            )
+            for first in (first_x, first_y)
+        ]
+        return _bits(builder, *theirs, numbers)
+
+    whole, number = types.int64, types.float64
+    return whole(places, whole, whole, number, number, number, number, number), generate
+
+
+@intrinsic
+def patch_bits(
+    typing_context: Any, places: Any, first_x: Any, first_y: Any, own_x: Any, own_y: Any,
+    round_x: Any, round_y: Any, low_x: Any, low_y: Any, width: Any, height: Any, last_x: Any,
+    last_y: Any, steps: Any, least: Any, most: Any,
+) -> Any:  # fmt: skip
+    """Return as bits which of eight places, apart in an array, are on patches around one.
+
+    Columns and rows are counted from 0. A place beyond the end, by rounding, is in the last ones.
+    Both ways are at most so many steps, and together at least and at most so many.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        places, first_x, first_y, *numbers = arguments
+        eight = [_all_eight(builder, one) for one in numbers]
+        *axes, steps, least, most = eight
+        kind = ir.FunctionType(_NUMBERS, [_NUMBERS])
+        floor = cgutils.get_or_insert_function(builder.module, kind, f"llvm.floor.v{EIGHT}f64")
+        half = ir.Constant(_NUMBERS, [0.5] * EIGHT)
+        ways = []
+        for axis, first in enumerate((first_x, first_y)):
+            own, round_it, low, size, last = axes[axis::2]
+            place = _read(context, builder, signature.args[0], places, first, _NUMBERS)
+            theirs = builder.fadd(builder.load(place, align=8), half)
+            theirs = builder.fsub(builder.call(floor, [theirs]), low)
+            beyond = builder.fcmp_ordered(">=", theirs, size)
+            theirs = builder.select(beyond, last, theirs)
+            ways.append(_short_way(builder, builder.fsub(theirs, own), round_it))
+        both = builder.fadd(*ways)
+        near = builder.and_(
+            builder.and_(*(builder.fcmp_ordered("<=", way, steps) for way in ways)),
+            builder.and_(
+                builder.fcmp_ordered(">=", both, least), builder.fcmp_ordered("<=", both, most)
+            ),
+        )
+        return builder.zext(builder.bitcast(near, ir.IntType(EIGHT)), _WHOLE)
+
+    whole = types.int64
+    return whole(places, whole, whole, *[types.float64] * 13), generate
+
+
+@intrinsic
+def push_bits(typing_context: Any, found: Any, end: Any, first: Any, bits: Any) -> Any:
+    """Push the numbers of the bits that are set, counted from a first; return the stack's end.
+
+    There is room for eight whatever is pushed.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        found, end, first, bits = arguments
+        name = "socialmind_bits_set"
+        known = builder.module.globals.get(name)
+        table = known or cgutils.global_constant(builder.module, name, _BITS_SET)
+        row = builder.load(builder.gep(table, [_WHOLE(0), bits], inbounds=True))
+        wide = ir.VectorType(_WHOLE, EIGHT)
+        numbers = builder.add(builder.zext(row, wide), _all_eight(builder, first))
+        place = _read(context, builder, signature.args[0], found, end, wide)
+        builder.store(numbers, place, align=8)
+        return builder.add(end, builder.ctpop(bits))
+
+    whole = types.int64
+    return whole(found, whole, whole, whole), generate
 
 
 @register_jitable

@@ -12,6 +12,7 @@ from socialmind.worlds.neighbours.entries import ENTRY
 HEAD = f"""from socialmind.worlds.neighbours import birth_order as _birth_order
 from socialmind.worlds.neighbours import cells as _near_cut
 from socialmind.worlds.neighbours import entries as _near_entry
+from socialmind.worlds.neighbours import few as _few
 from socialmind.worlds.neighbours import lattice as _lattice
 from socialmind.worlds.neighbours import questions as _neighbours
 
@@ -55,7 +56,14 @@ def _near_marks_NAME(_model):
 
 
 @_inner
+def _near_places_NAME(_model):
+    size = _model._NAME_near_places_0
+    return carray(_as_pointer(_model._NAME_near_places), (size,), np.float64)
+
+
+@_inner
 def _near_moved_NAME(_model, agent):
+    MOVED_AMONG_FEW
     _near_entry.moved(
         _near_cells_NAME(_model),
         _near_entries_NAME(_model),
@@ -69,6 +77,7 @@ def _near_moved_NAME(_model, agent):
 
 @_inner
 def _near_born_NAME(_model, agent):
+    BORN_AMONG_FEW
     _near_entry.born(
         _near_cells_NAME(_model),
         _near_entries_NAME(_model),
@@ -83,6 +92,7 @@ def _near_born_NAME(_model, agent):
 
 @_inner
 def _near_died_NAME(_model, agent):
+    DIED_AMONG_FEW
     _near_entry.died(
         _near_cells_NAME(_model),
         _near_entries_NAME(_model),
@@ -99,6 +109,8 @@ def _near_begin_NAME(_model):
 
 @_inner
 def _near_order_NAME(_model, begin, end):
+    if _near_cells_NAME(_model).few:  # found in this order
+        return
     places = _counters_NAME(_model)[_bookkeeping.ENTRIES]
     _birth_order.in_order(
         _near_found_NAME(_model), begin, end, _near_marks_NAME(_model), places
@@ -198,6 +210,7 @@ def _near_list_NAME(_model):
     order = _order_NAME(_model)
     alive = _alive_NAME(_model)
     low_x, low_y, width, height = RECTANGLE
+    ALL_OF_FEW
     _near_cut.cut(
         cells, counters[_bookkeeping.ALIVE], len(heads), low_x, low_y, width, height, BORDERS, SIDE
     )
@@ -209,6 +222,7 @@ def _near_list_NAME(_model):
 
 _ASKED_BY = """@_inner
 def _near_NAME_ASKER(_model, who, radius):
+    FIND_AMONG_FEW
     return _neighbours.find_near(
         _near_cells_NAME(_model),
         _near_starts_NAME(_model),
@@ -238,6 +252,7 @@ def _near_first_NAME_ASKER(_model, who, radius):
 
 _ON_PATCHES = """@_inner
 def _near_patches_NAME_ASKER(_model, who, steps, kind):
+    ON_PATCHES_OF_FEW
     return _neighbours.find_on_patches(
         _near_cells_NAME(_model),
         _near_starts_NAME(_model),
@@ -279,6 +294,56 @@ def _near_area_NAME_ASKER(_model, who, steps):
 def _near_standing_NAME_ASKER(_model, who, kind, area, column, row):
     return _lattice.standing(_world_taken(_model), area, column, row, kind, OWN, TAKEN)"""
 
+_AMONG_FEW = {
+    "ALL_OF_FEW": """cells.few = counters[_bookkeeping.ALIVE] <= _few.LARGEST
+    if cells.few:
+        places = _near_places_NAME(_model)
+        _few.list_few(
+            cells, places, spots, rows, counters, order, alive, low_x, low_y, width, height, WRAPS
+        )
+        return""",
+    "MOVED_AMONG_FEW": """if _near_cells_NAME(_model).few:
+        places = _near_places_NAME(_model)
+        _few.moved(places, _near_spots_NAME(_model), agent._slot, agent.x, agent.y)
+        return""",
+    "BORN_AMONG_FEW": """if _near_cells_NAME(_model).few:
+        _few.born(
+            _near_cells_NAME(_model),
+            _near_places_NAME(_model),
+            _near_spots_NAME(_model),
+            agent._slot,
+            _counters_NAME(_model)[_bookkeeping.ENTRIES] - 1,
+            agent.x,
+            agent.y,
+        )
+        return""",
+    "DIED_AMONG_FEW": """if _near_cells_NAME(_model).few:
+        _few.died(_near_places_NAME(_model), _near_spots_NAME(_model), agent._slot)
+        return""",
+    "FIND_AMONG_FEW": """if _near_cells_NAME(_model).few:
+        return _few.find_near(
+            _near_cells_NAME(_model),
+            _near_places_NAME(_model),
+            _near_found_NAME(_model),
+            WHO_X,
+            WHO_Y,
+            _neighbours.checked(radius),
+            SPOT,
+        )""",
+    "ON_PATCHES_OF_FEW": """if _near_cells_NAME(_model).few:
+        return _few.find_on_patches(
+            _near_cells_NAME(_model),
+            _near_places_NAME(_model),
+            _near_found_NAME(_model),
+            WHO_X,
+            WHO_Y,
+            _neighbours.checked(steps),
+            kind,
+            SPOT,
+        )""",
+}
+"""What stands first where all are looked at as long as they are few."""
+
 CACHED = 5000
 """Up to so many agents the processor's cache holds a population without being asked."""
 
@@ -295,6 +360,7 @@ def text(shape: ModelShape, program: Any) -> str:
     own = {
         "RECTANGLE": ", ".join(rectangle) if int(whole) else found,
         "BORDERS": f"{wraps_x}, {wraps_y}, {whole}",
+        "WRAPS": f"{wraps_x}, {wraps_y}",
         "CACHED": str(CACHED),
     }
     askers = {
@@ -313,8 +379,10 @@ def text(shape: ModelShape, program: Any) -> str:
         lists = program.sought_on_patches(name)
         kept = (_ASK_LISTS if lists else _ASK, _LIST) if name in program.indexed else (_NO_LIST,)
         index = "\n\n\n".join((_INDEX, *kept))
+        few = _AMONG_FEW if program.looked_through(name) else dict.fromkeys(_AMONG_FEW, "")
         own |= {"LIST": "list_apart" if lists else "list_all", "SIDE": str(lists)}
-        for mark, fill in own.items():
+        own["LARGEST"] = "FEW_ON_PATCHES" if lists else "FEW"
+        for mark, fill in {**few, **own}.items():
             index = index.replace(mark, fill)
         parts.append(index)
         taken = shape.world.taken_by(name)
@@ -329,6 +397,8 @@ def text(shape: ModelShape, program: Any) -> str:
         for asker, (x, y, own_slot) in askers.items():
             spot = "-1" if own_slot == "-1" else f"_near_spots_NAME(_model)[{own_slot}]"
             part = "\n\n\n".join([_ASKED_BY, *on_patches]).replace("TAKEN", taken)
+            for mark in ("FIND_AMONG_FEW", "ON_PATCHES_OF_FEW"):
+                part = part.replace(mark, few[mark])
             part = part.replace("ASKER", asker).replace("SPOT", spot).replace("OWN", own_slot)
             parts.append(part.replace("WHO_X", x).replace("WHO_Y", y))
         parts[-1 - len(askers) :] = [one.replace("NAME", name) for one in parts[-1 - len(askers) :]]

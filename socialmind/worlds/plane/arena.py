@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 from socialmind.agents.bookkeeping import GONE, GONE_SCORE
 from socialmind.agents.running import Running
 from socialmind.compiling.lowering import PLACES
+from socialmind.compiling.memory import address
 from socialmind.errors import ModelError, SocialmindError, ValueRefusedError, nearest
 from socialmind.fields import place_of_field
-from socialmind.worlds.contract import Extent, Functions, Ground, address
+from socialmind.worlds.contract import Extent, Functions, Ground
 from socialmind.worlds.plane.devices.sensors import RangeFinder
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel

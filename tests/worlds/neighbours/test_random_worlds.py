@@ -179,8 +179,8 @@ class Pipe(Round):
 class Naive:
     """The same society over lists."""
 
-    def __init__(self, society, wraps):
-        self.society = society
+    def __init__(self, society, wraps, rules=RULES):
+        self.society, self.rules = society, rules
         self.world = NaiveWorld(society.width, society.height, wraps)
         self.least, self.most, self.radius = society.least, society.most, 0.0
         self.flock = NaiveFlock(self.world, x=0.0, y=0.0, mark=0, way=0.0)
@@ -191,7 +191,7 @@ class Naive:
 
     def advance(self):
         rng = Stream(self.society.seed)
-        for rule, phase in zip(RULES, self.society.program.schedule, strict=True):
+        for rule, phase in zip(self.rules, self.society.program.schedule, strict=True):
             rng.begin(phase.tag, 0, self.tick)
             rule(self, rng)
         self.tick += 1
