@@ -215,6 +215,9 @@ def _interventions(records: Sequence[Mapping[str, Any]]) -> str:
         if "function" in one:
             digest = one["sources"]["sha256"][:HASH_DIGITS]
             what = [f"{one['function']} ({Path(one['file']).name}, SHA-256 {digest}…)"]
+        elif "agent" in one:
+            whose = f"{one['part']} of agent {one['agent']} of {one['population']}"
+            what = [_valued(whose, one["value"])]
         else:
             what = [_valued(*each) for each in one["parameters"].items()]
             what += [
