@@ -57,6 +57,7 @@ class LiveRun:
         """How many interventions the society has met."""
         self._kept: list[Kept] = []
         self._apart = 1
+        self._furthest = 0
         self._keep()
 
     @classmethod
@@ -76,8 +77,8 @@ class LiveRun:
 
     @property
     def furthest(self) -> int:
-        """The last tick of which a state is kept, or where the society stands if that is later."""
-        return max(self.tick, self._kept[-1].tick)
+        """The last tick that it has been at, since something was last done to it."""
+        return max(self.tick, self._furthest)
 
     def advance(self, ticks: int = 1) -> None:
         """Let it go on through the interventions that stand there.
@@ -103,6 +104,7 @@ class LiveRun:
         Args:
             tick: 0 or more.
         """
+        self._furthest = self.furthest
         if tick < self.tick or any(self.tick < one.tick <= tick for one in self._kept):
             last = max((one for one in self._kept if one.tick <= tick), key=lambda one: one.tick)
             self.society = begun_for(self._first.fresh(), self.interventions, last.tick)
@@ -129,6 +131,7 @@ class LiveRun:
         self.society = society
         self.interventions[self._met :] = [intervention]
         self._met += 1
+        self._furthest = self.tick
         self._kept = [one for one in self._kept if one.tick <= self.tick]
 
     def save(self, folder: str | Path | None = None, every: int | None = None) -> Path:

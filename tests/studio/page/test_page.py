@@ -4,7 +4,6 @@ Chromium is found as Debian has it (`apt install chromium`) or as Playwright ins
 browser these tests say so and are skipped.
 """
 
-import re
 import shutil
 import socket
 import subprocess
@@ -18,6 +17,25 @@ from socialmind.experiments import Run, replay
 playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 SECONDS = 120_000
+TICK = "Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, ''))"
+SCRUB = """tick => {
+  const slider = document.querySelector("[data-test=scrub]");
+  slider.value = tick ?? slider.max;
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+}"""
+COLOURS = """() => {
+  const world = document.querySelector("[data-test=world]");
+  const copy = document.createElement("canvas");
+  copy.width = world.width;
+  copy.height = world.height;
+  const drawn = copy.getContext("2d");
+  drawn.drawImage(world, 0, 0);
+  const pixels = drawn.getImageData(0, 0, copy.width, copy.height).data;
+  const seen = new Set();
+  for (let at = 0; at < pixels.length; at += 4)
+    seen.add((pixels[at] << 16) | (pixels[at + 1] << 8) | pixels[at + 2]);
+  return seen.size;
+}"""
 
 
 @pytest.fixture(scope="module")
@@ -77,15 +95,8 @@ def studio(tmp_path_factory):
     program.end()
 
 
-def tick_of(page):
-    return int(re.sub(r"\D", "", page.inner_text("[data-test=tick]")))
-
-
-def wait_for_tick(page, least):
-    page.wait_for_function(
-        "least => Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, '')) >= least",
-        arg=least,
-    )
+def wait_for_tick(page, tick, how="=="):
+    page.wait_for_function(f"{TICK} {how} {tick}")
 
 
 def test_a_society_is_run_looked_into_changed_saved_and_found_again(browser, studio):
@@ -93,12 +104,12 @@ def test_a_society_is_run_looked_into_changed_saved_and_found_again(browser, stu
     # Run, and stand.
     page.select_option("[data-test=pace]", label="100 ticks a frame")
     page.click("[data-test=go]")
-    wait_for_tick(page, 1000)
+    wait_for_tick(page, 1000, ">=")
     page.click("[data-test=go]")
     page.wait_for_selector("[data-test=step]:not([disabled])")
     page.click("[data-test=step]")
-    stood = tick_of(page)
-    assert stood % 100 <= 1
+    page.wait_for_function(f"{TICK} % 100 == 1")
+    stood = page.evaluate(TICK)
     # Open an agent by the keyboard, and change what it believes.
     page.focus("[data-test=world]")
     page.keyboard.press("n")
@@ -110,31 +121,23 @@ def test_a_society_is_run_looked_into_changed_saved_and_found_again(browser, stu
     page.wait_for_selector("button[aria-label='Farmer: 21, change it']")
     # Go on, back and forth.
     page.click("[data-test=step]")
-    page.evaluate(
-        "() => { const slider = document.querySelector('[data-test=scrub]');"
-        "slider.value = 200; slider.dispatchEvent(new Event('input')); }"
-    )
-    page.wait_for_function("document.querySelector('[data-test=tick]').innerText == '200'")
-    page.evaluate(
-        "() => { const slider = document.querySelector('[data-test=scrub]');"
-        "slider.value = slider.max; slider.dispatchEvent(new Event('input')); }"
-    )
-    wait_for_tick(page, stood)
-    last = tick_of(page)
+    wait_for_tick(page, stood + 1)
+    page.evaluate(SCRUB, 200)
+    wait_for_tick(page, 200)
+    page.evaluate(SCRUB)
+    wait_for_tick(page, stood + 1)
     # Save: the run of the command line, with what was done.
     page.click("[data-test=save]")
     page.fill("input[aria-label=folder]", "kept")
     page.keyboard.press("Enter")
     page.wait_for_selector("text=Saved in")
     run = Run(studio.folder / "kept")
-    assert (run.seed, run.ticks, run.parameters["n_agents"]) == (5, last, 12)
+    assert (run.seed, run.ticks, run.parameters["n_agents"]) == (5, stood + 1, 12)
     assert [one["part"] for one in run.manifest.interventions] == ["cogniton Farmer"]
     assert replay(studio.folder / "kept").equal
     # Another tab, and the same one after a reload, find the society as it stands.
     other = studio.page(browser)
-    other.wait_for_function(
-        f"document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, '') == '{last}'"
-    )
+    wait_for_tick(other, stood + 1)
     assert page.failures == other.failures == []
     page.close()
     other.close()
@@ -158,14 +161,7 @@ def test_every_kind_of_world_is_drawn(browser, studio):
         page.wait_for_selector(f"h2:text-is('{model}')")
         page.wait_for_selector("[data-test=setup]:not([disabled])")
         page.click("[data-test=step]")
-        page.wait_for_function("document.querySelector('[data-test=tick]').innerText == '1'")
-        # Something else than the ground is on the canvas.
-        assert page.evaluate(
-            "() => { const c = document.querySelector('[data-test=world]'), d = document.createElement('canvas');"
-            "d.width = c.width; d.height = c.height; const g = d.getContext('2d'); g.drawImage(c, 0, 0);"
-            "const p = g.getImageData(0, 0, d.width, d.height).data; const seen = new Set();"
-            "for (let i = 0; i < p.length; i += 4) seen.add((p[i] << 16) | (p[i + 1] << 8) | p[i + 2]);"
-            "return seen.size > 2; }"
-        )
+        wait_for_tick(page, 1)
+        assert page.evaluate(COLOURS) > 2  # something else than the ground
     assert page.failures == []
     page.close()

@@ -53,6 +53,7 @@ def test_what_was_done_happens_again_when_one_goes_back_and_in_the_saved_run(vil
     live.advance(50)
     before, series = live.society.state(), live.society.series()
     live.go_to(20)
+    assert (live.tick, live.furthest) == (20, 200)
     live.go_to(200)
     assert all(np.array_equal(before[n], live.society.state()[n], equal_nan=True)
                for n in before if before[n].dtype.names is None)  # fmt: skip
