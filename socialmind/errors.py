@@ -11,6 +11,7 @@ from pathlib import Path
 
 from coglogo_py.border.errors import PlacedError, one_line
 from coglogo_py.border.errors import nearest as close
+from coglogo_py.border.places import place as place_called
 
 
 class SocialmindError(Exception):
@@ -50,7 +51,7 @@ def place_of(error: Exception, place: str = "in a rule") -> str:
     """Return the last line of the author's that an error went through, or else `place`."""
     for frame in traceback.extract_tb(error.__traceback__):
         if frame.filename == "<string>" or not is_ours(frame.filename):
-            place = f"{frame.filename}:{frame.lineno}"
+            place = place_called(frame.filename, frame.lineno)
     return place
 
 

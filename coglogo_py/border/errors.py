@@ -8,6 +8,8 @@ from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Self
 
+from coglogo_py.border.places import place
+
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
@@ -77,9 +79,7 @@ class PlacedError(Exception):
         super().__init__(self._message())
 
     def _message(self) -> str:
-        where = "" if self.file is None else self.file
-        if self.line is not None:
-            where += f":{self.line}" if where else f"line {self.line}"
+        where = place(self.file, self.line)
         parts = [self.found if self.expected is None else f"found {self.found}"]
         if self.expected is not None:
             parts.append(f"expected {self.expected}")

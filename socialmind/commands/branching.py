@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from socialmind.commands.console import options
-from socialmind.commands.console.progress import progress_bar
 from socialmind.commands.running import by_population, conclude, draw
+from socialmind.work.progress import progress_bar
 
 
 def branch(
@@ -51,7 +51,7 @@ def branch(
     from socialmind.society.settings import pair
 
     os.environ.setdefault("ARROW_DEFAULT_MEMORY_POOL", "system")
-    with progress_bar(quiet) as on_progress:
+    with progress_bar(options.seen(quiet), "ticks", "run") as on_progress:
         made = make(
             folder, at, [pair(one) for one in settings or ()],
             by_population(scheme or [], "--scheme"), [function_in(one) for one in do or ()], ticks,

@@ -10,13 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from socialmind.commands.console import options
-from socialmind.commands.console.progress import progress_line
 from socialmind.commands.console.terminal import quoted
 from socialmind.errors import SocialmindError
 
 if TYPE_CHECKING:
     from socialmind.learning.lessons.lesson import Lesson
-    from socialmind.learning.training.attempt import News
     from socialmind.learning.training.teaching import Result
 
 RESUMED_WITH = ("attempts", "cycles", "workers", "cluster", "resume", "trust", "quiet")
@@ -122,16 +120,7 @@ def _told(quiet: bool, kind: str = "learn") -> Iterator[dict[str, Any]]:
     from socialmind.learning.training.execution import TrainingInterrupted
 
     try:
-        with progress_line(quiet, kind, "learning") as tell:
-
-            def on_generation(news: News, left: float | None) -> None:
-                if tell is not None:
-                    tell(line_of(news, left))
-
-            yield {
-                "on_generation": None if tell is None else on_generation,
-                "on_lesson": None if quiet else _say_result,
-            }
+        yield {"progress": options.seen(quiet), "on_lesson": None if quiet else _say_result}
     except TrainingInterrupted as stop:
         typer.echo(
             f"socialmind: stopped in attempt {stop.attempt}, {stop.lesson}, after generation "
@@ -150,41 +139,12 @@ def _say_result(attempt: int, lesson: Lesson, result: Result) -> None:
     )
 
 
-def line_of(news: News, left: float | None) -> str:
-    """Return what is said of a generation.
-
-    Args:
-        news: of the generation.
-        left: the seconds left; None where nobody knows.
-    """
-    speed = news.ticks / max(news.seconds, 1e-9)
-    parts = [
-        f"attempt {news.attempt}, {news.lesson.name}",
-        f"generation {news.generation:,} of {news.lesson.starts * news.lesson.generations:,}",
-        f"best {news.best:.4g}",
-        f"mean {news.mean:.4g}",
-        f"{speed:,.0f} ticks/s",
-    ]
-    if left is not None:
-        parts.append(f"{clock(left)} left")
-    return "  ".join(parts)
-
-
-def clock(seconds: float) -> str:
-    """Return a time as hours, minutes and seconds.
-
-    >>> clock(3725.2)
-    '1:02:05'
-    """
-    minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes // 60}:{minutes % 60:02d}:{rest:02d}"
-
-
 def conclude(folder: Path, quiet: bool) -> None:
     """Say what was learned, and where the minds are."""
     if quiet:
         return
     from socialmind.learning.training.result import Training
+    from socialmind.learning.training.telling import clock
 
     training = Training(folder)
     results = training.lessons

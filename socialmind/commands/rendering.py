@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from socialmind.commands.console import options
-from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError
+from socialmind.work.progress import progress_bar
 
 if TYPE_CHECKING:
     from socialmind.experiments.pictures.repeating import Name
@@ -98,7 +98,7 @@ def render(
         other = "a picture (.svg, .pdf, .png)" if suffix in SUFFIXES else "a film (.mp4, .gif)"
         raise SocialmindError(f"{', '.join(given)} with {out.name}; only {other} takes that")
     style = Style(look, mind, None if agent is None else robot_named(agent), around, trail, width)
-    with progress_bar(quiet) as on_progress:
+    with progress_bar(options.seen(quiet), "ticks", "run") as on_progress:
         if suffix in STILLS:
             path = draw_moments(
                 folder,

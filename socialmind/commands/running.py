@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from socialmind.commands.console import options
-from socialmind.commands.console.progress import progress_bar
 from socialmind.errors import SocialmindError, nearest
+from socialmind.work.progress import progress_bar
 
 if TYPE_CHECKING:
     from socialmind.interventions.shock import Shock
@@ -93,7 +93,7 @@ def run(
         options.refuse_beside(context, "--from-sweep", "run of a sweep", MADE_AGAIN_WITH)
         from socialmind.experiments.sweeps.remaking import remake_run
 
-        with progress_bar(quiet) as on_progress:
+        with progress_bar(options.seen(quiet), "ticks", "run") as on_progress:
             folder = remake_run(
                 from_sweep, number, out, False if interpreted else None, on_progress=on_progress,
                 trust=trust,
@@ -112,7 +112,7 @@ def run(
         shocks = shocks_in(shock or [])
         schemes = by_population(scheme or [], "--scheme")
         minds = by_population(mind or [], "--mind")
-        with progress_bar(quiet, f"run {model}") as on_progress:
+        with progress_bar(options.seen(quiet), "ticks", f"run {model}") as on_progress:
             folder = execution.run(
                 model_class, ticks, seed or 0, parameters, schemes, minds, every, agents_every,
                 out, not interpreted, on_progress, engine=engine or "compiled",
@@ -120,7 +120,7 @@ def run(
             )  # fmt: skip
     else:
         options.refuse_with_resume(context, "run", RESUMED_WITH)
-        with progress_bar(quiet) as on_progress:
+        with progress_bar(options.seen(quiet), "ticks", "run") as on_progress:
             folder = execution.resume(
                 resume, ticks, False if interpreted else None, on_progress=on_progress,
                 kept=options.is_kept(source), trust=trust,
@@ -146,7 +146,7 @@ def replay(
     """Run a run again and compare: exit code 0 when it comes out equal, 1 when not."""
     from socialmind.runs import verification
 
-    with progress_bar(quiet) as on_progress:
+    with progress_bar(options.seen(quiet), "ticks", "run") as on_progress:
         found = verification.replay(
             folder, on_progress=on_progress, kept=options.is_kept(source), trust=trust
         )

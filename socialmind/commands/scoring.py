@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from socialmind.commands.console import options
-from socialmind.commands.console.progress import progress_bar
 from socialmind.commands.running import by_population, read_settings
+from socialmind.work.progress import progress_bar
 
 if TYPE_CHECKING:
     from socialmind.experiments.scoring import Score
@@ -45,7 +45,7 @@ def score(
     model_class = load_model(model)
     parameters = read_settings(model_class, settings or [])
     minds = by_population(mind or [], "--mind")
-    with progress_bar(quiet, f"score {model}", "episodes") as on_progress:
+    with progress_bar(options.seen(quiet), "episodes", f"score {model}") as on_progress:
         found = scoring.score(
             model_class, minds, episodes, seed, engine, on_collision, ticks, parameters, workers,
             on_progress,

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from socialmind.commands.console import options
-from socialmind.commands.console.progress import Told, progress_bar
 from socialmind.commands.console.terminal import quoted
 from socialmind.commands.running import shocks_in
 from socialmind.errors import SocialmindError
+from socialmind.work.progress import Told, progress_bar
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -290,10 +290,10 @@ def _say(lines: Sequence[str]) -> None:
 @contextmanager
 def _told(quiet: bool, kind: str = "sweep") -> Iterator[Told | None]:
     """Show how far a sweep has come, and say how to go on with one that is stopped."""
-    from socialmind.experiments.sweeps.sweep import SweepInterrupted
+    from socialmind.experiments.sweeps.leading import SweepInterrupted
 
     try:
-        with progress_bar(quiet, kind, "runs") as on_progress:
+        with progress_bar(options.seen(quiet), "runs", kind) as on_progress:
             yield on_progress
     except SweepInterrupted as stop:
         typer.echo(

@@ -103,6 +103,8 @@ def _of_run(folder: Path, trust: bool) -> str:
     if model_class is None or changes_since(capsule, model_class) is not None:
         parts.append("The model's files are not at hand as they ran; the run keeps copies of them:")
         replay = f"`socialmind replay {place} --source kept`"
+    elif manifest.model["path"] is None:
+        parts.append("The model was typed into a notebook; the run keeps it as a file:")
     elif shocks is not None:
         parts.append(f"The run is repeated by `{shlex.join(command + shocks)}`;")
     parts.append(f"{replay} repeats it from its folder and compares every number.")

@@ -49,11 +49,16 @@ class Engine:
     Args:
         model: the society.
         compiled: run its rules compiled, or interpreted.
+
+    Attributes:
+        careful: whether a copy of the state is kept of each stretch, so that an error in compiled
+            code is told with its line; one who can repeat the run may do without.
     """
 
     def __init__(self, model: Running, compiled: bool) -> None:
         self.model = model
         self.compiled = compiled
+        self.careful = True
         self._functions: dict[str, Callable[..., Any]] | None = None
         self._module: ModuleType | None = None
         self._ticks_per_chunk = 0  # not yet known
@@ -220,7 +225,8 @@ class Engine:
         model = self.model
         begin, events = model.tick, model.event_log.count
         # Births may outrun the room, whatever the size of the state.
-        if before is None and (model.program.births or self._bytes() <= SNAPSHOT_BYTES):
+        small = self.careful and self._bytes() <= SNAPSHOT_BYTES
+        if before is None and (model.program.births or small):
             before = functools.partial(dict, model.state())
         try:
             return int(run() or 0)

@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from socialmind.experiments.scoring import Score as Score
     from socialmind.experiments.scoring import score as score
+    from socialmind.experiments.sweeps.leading import SweepInterrupted as SweepInterrupted
     from socialmind.experiments.sweeps.remaking import remake_run as remake_run
     from socialmind.experiments.sweeps.result import Sweep as Sweep
-    from socialmind.experiments.sweeps.sweep import SweepInterrupted as SweepInterrupted
     from socialmind.experiments.sweeps.sweep import resume_sweep as resume_sweep
     from socialmind.experiments.sweeps.sweep import sweep as sweep
     from socialmind.interventions.change import Change as Change
@@ -41,7 +41,8 @@ else:
             "socialmind.experiments.scoring": "Score score",
             "socialmind.experiments.sweeps.remaking": "remake_run",
             "socialmind.experiments.sweeps.result": "Sweep",
-            "socialmind.experiments.sweeps.sweep": "SweepInterrupted resume_sweep sweep",
+            "socialmind.experiments.sweeps.leading": "SweepInterrupted",
+            "socialmind.experiments.sweeps.sweep": "resume_sweep sweep",
             "socialmind.interventions.change": "Change",
             "socialmind.interventions.edit": "Edit",
             "socialmind.interventions.shock": "Shock",

@@ -16,6 +16,7 @@ from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.learning.lessons.keys import seeds_for
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of, mind_of
+from socialmind.work.progress import progress_bar
 from socialmind.work.workers import Alone, hired, workers_here
 from socialmind.worlds.plane.devices.measures import Measure, survived, total
 
@@ -76,6 +77,7 @@ def score(
     parameters: Mapping[str, Any] | None = None,
     workers: int | None = None,
     on_progress: Progress | None = None,
+    progress: bool | None = None,
 ) -> Score:
     """Measure minds in the worlds of a model.
 
@@ -100,6 +102,8 @@ def score(
         workers: how many work side by side; one for each processor by default.
         on_progress: called with the episodes done and their number, those of minds that measures
             are set against included.
+        progress: whether a bar is drawn; by default in notebooks and on terminals, unless
+            `on_progress` is given.
 
     Raises:
         SocialmindError: a model without a plane, or an argument out of range.
@@ -127,13 +131,15 @@ def score(
     worlds = seeds_for(episodes, SCORE, seed)
     minds = _minds(measures, model_class.folder())
     runs: list[Columns] = []
-    for one in (mind, *minds):
+    kind = f"score {model_class.name}"
+    with progress_bar(progress, "episodes", kind, on_progress) as tell:
+        for one in (mind, *minds):
 
-        def report(done: int, _: int, before: int = len(runs) * episodes) -> None:
-            if on_progress is not None:
-                on_progress(before + done, (1 + len(minds)) * episodes)
+            def report(done: int, _: int, before: int = len(runs) * episodes) -> None:
+                if tell is not None:
+                    tell(before + done, (1 + len(minds)) * episodes)
 
-        runs.append(_run(_Task(model_class, one, options), worlds, count, report))
+            runs.append(_run(_Task(model_class, one, options), worlds, count, report))
     return _score(model_class, measures, worlds, runs, minds, options)
 
 

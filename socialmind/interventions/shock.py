@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from coglogo_py.border.numbers import whole_number
+from coglogo_py.border.places import place as place_called
 from socialmind.agents.events import TICK
 from socialmind.catalogue import load_file, load_model
 from socialmind.errors import ModelError, SocialmindError, nearest, written_at
@@ -177,7 +178,7 @@ class Shock:
     def _place(self, error: Exception) -> str:
         """Return where in the function's file what was refused stands."""
         failure = self._failure(error)
-        return f"{failure.file}:{failure.line}: {self._what}"
+        return f"{place_called(failure.file, failure.line)}: {self._what}"
 
 
 def function_in(text: str) -> Callable[..., None]:

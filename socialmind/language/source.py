@@ -6,16 +6,21 @@ import ast
 import inspect
 import linecache
 import os
+import re
+import sys
 import textwrap
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from types import CodeType
+from itertools import pairwise
+from types import CodeType, FunctionType
 from typing import Any
 
 from socialmind.errors import ModelError
 from socialmind.language.syntax import compiled, parsed
 
+COMMAND = "<string>"
+"""The file that Python names for what it was given with `-c`."""
 _ABSENT = object()
 
 
@@ -51,12 +56,13 @@ class Names(Mapping[str, Any]):
         now = self._namespace.get
         for name, value in self._read.items():  # of each society that is made, so no generator
             other = now(name, _ABSENT)
-            if other is not value and not _same(value, other):
+            if other is not value and not same(value, other):
                 return True
         return False
 
 
-def _same(one: Any, other: Any) -> bool:
+def same(one: Any, other: Any) -> bool:
+    """Return whether two values mean the same to a rule."""
     # 1 == 1.0 == True, yet rules tell them apart.
     return one is other or (isinstance(one, _PLAIN) and repr(one) == repr(other))
 
@@ -155,37 +161,45 @@ def rule_source(function: Any) -> RuleSource:
             "move it there, and pass what it needs as parameters",
             *place,
         )
-    try:
-        whole, _ = inspect.findsource(function)
-        lines, start = inspect.getsourcelines(function)
-        tree = parsed(textwrap.dedent("".join(lines))).body[0]
-    except (OSError, TypeError, SyntaxError):
+    whole = text_of(function)
+    if whole is None:
         raise ModelError(
-            f"the rule {function.__name__!r} without a source",
-            "a function written in a file or a notebook cell",
-            "save the model in a file, and load it again after changes",
+            f"the rule {function.__name__!r}, whose text Python did not keep",
+            "a function of a file, of `python -c`, or of a cell of Jupyter, marimo or IPython",
+            "save the model in a file and run that, or paste it into `ipython`",
             *place,
-        ) from None
-    ast.increment_lineno(tree, start - 1)
+        )
+    try:
+        lines = inspect.getblock(whole.splitlines(keepends=True)[code.co_firstlineno - 1 :])
+        tree = parsed(textwrap.dedent("".join(lines))).body[0]
+    except (SyntaxError, IndexError):
+        raise _changed(function) from None
+    ast.increment_lineno(tree, code.co_firstlineno - 1)
     if isinstance(tree, ast.AsyncFunctionDef):
         raise ModelError("an async rule", "a plain function", "write `def`", file, tree.lineno)
     if not isinstance(tree, ast.FunctionDef):
         raise ModelError(f"{function!r}", "a plain function", "write `def`", *place)
-    if not _is_as_loaded("".join(whole), code):
-        raise ModelError(
-            f"another text where the rule {function.__name__!r} stood",
-            "the file as it was loaded",
-            "it has changed since: load the model again, or start Python again",
-            *place,
-        )
+    if not _is_as_loaded(whole, code):
+        raise _changed(function)
     names = Names(function.__globals__)
     state = (code, function.__defaults__)
     return RuleSource(function, function.__name__, file, tree.lineno, tree, names, state)
 
 
+def _changed(function: FunctionType) -> ModelError:
+    code = function.__code__
+    return ModelError(
+        f"another text where the rule {function.__name__!r} stood",
+        "the file as it was loaded",
+        "it has changed since: load the model again, or start Python again",
+        code.co_filename,
+        code.co_firstlineno,
+    )
+
+
 def _is_as_loaded(text: str, code: CodeType) -> bool:
     """Say whether a function was loaded from a file of this text, which may have changed since."""
-    return any(_does(one) == _does(code) for one in _functions(text, code.co_filename))
+    return any(does(one) == does(code) for one in _functions(text, code.co_filename))
 
 
 @lru_cache(maxsize=16)
@@ -195,7 +209,12 @@ def _functions(text: str, file: str) -> tuple[CodeType, ...]:
     The whole file is compiled: what a call compiles to depends on the file's imports as well.
     """
     try:
-        waiting = [compiled(parsed(text), file)]
+        tree = parsed(text)
+        parts = [tree, *cells_in(tree)]
+        if not os.path.isfile(file):  # noqa: PTH113
+            # IPython compiles a cell statement by statement, past its imports.
+            parts += [ast.Module([node], []) for node in tree.body]
+        waiting = [compiled(one, file) for one in parts]
     except (SyntaxError, ValueError):
         return ()
     found = []
@@ -206,11 +225,10 @@ def _functions(text: str, file: str) -> tuple[CodeType, ...]:
     return tuple(found)
 
 
-def _does(code: CodeType) -> tuple[Any, ...]:
+def does(code: CodeType) -> tuple[Any, ...]:
     """Return what a code object does and where it stands."""
     constants = [
-        _does(one) if isinstance(one, CodeType) else (type(one), repr(one))
-        for one in code.co_consts
+        does(one) if isinstance(one, CodeType) else (type(one), repr(one)) for one in code.co_consts
     ]
     return (
         code.co_name,
@@ -229,3 +247,40 @@ def _no_function(inner: Any, found: str, remedy: str) -> ModelError:
     return ModelError(
         found, "a plain function", remedy, file, None if code is None else code.co_firstlineno
     )
+
+
+# Where the text is --------------------------------------------------------------------------------
+
+
+def text_of(function: Callable[..., Any]) -> str | None:
+    """Return the whole text around a function, as far as Python keeps it; None where it does not.
+
+    Args:
+        function: a plain function.
+    """
+    try:
+        return "".join(inspect.findsource(function)[0])
+    except (OSError, TypeError, IndexError, SyntaxError):
+        return command() if function.__code__.co_filename == COMMAND else None
+
+
+def command() -> str | None:
+    """Return what this Python was given with `-c`, if it was."""
+    for option, text in pairwise(sys.orig_argv[1:]):
+        if re.fullmatch("-[A-Za-z]*c", option):
+            return textwrap.dedent(text) if sys.version_info >= (3, 14) else text
+        if not option.startswith("-"):
+            return None  # a script, whose arguments follow
+    return None
+
+
+def cells_in(tree: ast.Module) -> Iterator[ast.Module]:
+    """Yield the cells of a marimo notebook that is kept as a Python file, each a function there."""
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and _is_cell(node):
+            yield ast.Module([one for one in node.body if not isinstance(one, ast.Return)], [])
+
+
+def _is_cell(node: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+    makers = [one.func if isinstance(one, ast.Call) else one for one in node.decorator_list]
+    return any(isinstance(one, ast.Attribute) and one.attr == "cell" for one in makers)

@@ -42,5 +42,7 @@ def compiled(tree: ast.Module, file: str) -> CodeType:
         file: that error messages name.
     """
     with _ONE_AT_A_TIME:
-        code: CodeType = compile(tree, file, "exec")
+        # A notebook's cell may wait at its top.
+        flags = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
+        code: CodeType = compile(tree, file, "exec", flags, dont_inherit=True)
         return code

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from coglogo_py.border.html_table import as_html
+from coglogo_py.border.places import place as place_called
 from socialmind.errors import ModelError, nearest
 from socialmind.mind.modules import Actuator, Sensor, Skill, Variable
 from socialmind.names import several
@@ -282,7 +283,7 @@ def _by_name(modules: Iterable[Any], kind: type[Any], what: str) -> dict[str, An
             before = found[one.name]
             place = "" if before.line is None else f", first in line {before.line}"
             if before.file != one.file and before.file is not None:
-                place = f", first in {before.file}:{before.line}"
+                place = f", first in {place_called(before.file, before.line)}"
             raise ModelError(
                 f"a second {what} called {one.name!r}{place}",
                 "each name once",

@@ -20,6 +20,7 @@ from socialmind.runs.record import LONGEST
 from socialmind.runs.schemes import scheme_copies
 from socialmind.sources.provenance import sources_of
 from socialmind.sources.trust import remember
+from socialmind.work.progress import progress_bar
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -51,6 +52,7 @@ def run(
     links: bool | None = None,
     events: bool | None = None,
     interventions: Iterable[Intervention] = (),
+    progress: bool | None = None,
 ) -> Path:
     """Run a model into a folder of its own.
 
@@ -76,6 +78,8 @@ def run(
         events: whether births and deaths are recorded, where agents are born or die; likewise
             (`record_events`).
         interventions: what is done to the society on its way: `Shock` and `Change` values.
+        progress: whether a bar is drawn; by default in notebooks and on terminals, unless
+            `on_progress` is given.
 
     Returns:
         The run's folder.
@@ -101,41 +105,42 @@ def run(
                 f"a table for {name!r}, which a run could not repeat; declare it beside the model: "
                 f"{name} = Population(…, table='{name}.csv')"
             )
-    model = model_class(
-        seed=seed,
-        compiled=compiled,
-        scheme=scheme,
-        hierarchy=hierarchy,
-        **sources.physics_of(engine),
-        **given,
-    )
-    schemes, scheme_files = scheme_copies(model, scheme)
-    minds, mind_files = sources.mind_copies(model)
-    to_come = in_order(interventions)
-    records, intervention_files = copies_of(to_come, model_class)
-    manifest = Manifest(
-        model=sources.model_source(model_class),
-        parameters=dict(model.parameter_values()),
-        seed=seed,
-        compiled=compiled,
-        engine=engine,
-        schemes=schemes,
-        minds=minds,
-        ticks=length,
-        every=step,
-        agents_every=agents_step,
-        recorded=tables_of(model, links, events, to_come),
-        interventions=records,
-        timings={"created": datetime.now(UTC).isoformat(timespec="seconds")},
-        versions=folders.versions(),
-        platforms=[folders.fingerprint()],
-    )
-    copies = sources_of(model_class).copies()
-    remember({path: content for path, content in copies.items() if path.endswith(".py")})
-    files = {**scheme_files, **mind_files, **copies, **intervention_files}
-    capsule = Capsule.create(target, manifest, files)
-    with capsule.locked():
-        Execution(capsule, model, None, started, to_come).go(length, on_progress, checkpoint_every)
+    with progress_bar(progress, "ticks", f"run {model_class.name}", on_progress) as tell:
+        model = model_class(
+            seed=seed,
+            compiled=compiled,
+            scheme=scheme,
+            hierarchy=hierarchy,
+            **sources.physics_of(engine),
+            **given,
+        )
+        schemes, scheme_files = scheme_copies(model, scheme)
+        minds, mind_files = sources.mind_copies(model)
+        to_come = in_order(interventions)
+        records, intervention_files = copies_of(to_come, model_class)
+        manifest = Manifest(
+            model=sources.model_source(model_class),
+            parameters=dict(model.parameter_values()),
+            seed=seed,
+            compiled=compiled,
+            engine=engine,
+            schemes=schemes,
+            minds=minds,
+            ticks=length,
+            every=step,
+            agents_every=agents_step,
+            recorded=tables_of(model, links, events, to_come),
+            interventions=records,
+            timings={"created": datetime.now(UTC).isoformat(timespec="seconds")},
+            versions=folders.versions(),
+            platforms=[folders.fingerprint()],
+        )
+        copies = sources_of(model_class).copies()
+        remember({path: content for path, content in copies.items() if path.endswith(".py")})
+        files = {**scheme_files, **mind_files, **copies, **intervention_files}
+        capsule = Capsule.create(target, manifest, files)
+        with capsule.locked():
+            Execution(capsule, model, None, started, to_come).go(length, tell, checkpoint_every)
     return capsule.folder
 
 
@@ -148,6 +153,7 @@ def resume(
     checkpoint_every: float = 5.0,
     kept: bool = False,
     trust: bool = False,
+    progress: bool | None = None,
 ) -> Path:
     """Go on with a run that was stopped, or make a finished one longer.
 
@@ -162,6 +168,7 @@ def resume(
         checkpoint_every: as for `run`.
         kept: whether to take the copies of the model's source that the run keeps.
         trust: run programs that this user has neither named nor run before.
+        progress: as for `run`.
 
     Returns:
         The run's folder.
@@ -173,7 +180,7 @@ def resume(
     """
     started = time.perf_counter()
     capsule = Capsule(folder)
-    with capsule.locked():
+    with capsule.locked(), progress_bar(progress, "ticks", "run", on_progress) as tell:
         checkpoint = continuing.checked_checkpoint(capsule)
         # Killed between its last tick and its last file: only the files are missing.
         if (
@@ -209,7 +216,7 @@ def resume(
             platforms=folders.with_this_machine(capsule.manifest.platforms),
         )
         execution = Execution(capsule, model, checkpoint, started, interventions)
-        execution.go(length, on_progress, checkpoint_every)
+        execution.go(length, tell, checkpoint_every)
     return capsule.folder
 
 

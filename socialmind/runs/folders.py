@@ -29,6 +29,8 @@ RUNNING, INTERRUPTED, FAILED, FINISHED = "running", "interrupted", "failed", "fi
 STATUS = one_of(RUNNING, INTERRUPTED, FAILED, FINISHED)
 GOES_ON = {"run": "run", "training": "learn", "sweep": "sweep"}
 """The command that goes on with what a folder is of."""
+PATIENCE = 0.5
+"""Seconds that a lock may take: who asks whether a folder is held, holds it for a moment."""
 MOST_TAKEN = 1000
 """How often another program may take a number before something else must be wrong."""
 
@@ -244,7 +246,7 @@ def hold(folder: Path) -> Iterator[None]:
     path = folder / ".lock"
     if path.is_symlink() or path.is_dir():
         raise SocialmindError(f"{path}: expected the file of a lock; remove it")
-    lock = filelock.FileLock(path, timeout=0)
+    lock = filelock.FileLock(path, timeout=PATIENCE)
     try:
         lock.acquire()
     except filelock.Timeout:
@@ -255,6 +257,21 @@ def hold(folder: Path) -> Iterator[None]:
         yield
     finally:
         lock.release()
+
+
+def is_held(folder: Path) -> bool:
+    """Return whether another process holds a folder now, as far as this one may ask."""
+    import filelock
+
+    if not (folder / ".lock").is_file():
+        return False
+    try:
+        with filelock.FileLock(folder / ".lock", timeout=0):
+            return False
+    except filelock.Timeout:
+        return True
+    except OSError:  # of a folder that may only be read
+        return False
 
 
 def refuse_unless_free(folder: Path) -> None:

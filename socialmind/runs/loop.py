@@ -8,7 +8,6 @@ and sees whether the user wants to stop. What is computed never depends on where
 from __future__ import annotations
 
 import errno
-import inspect
 import os
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -17,6 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from coglogo_py.border.places import place as place_called
 from socialmind.agents.agent_columns import as_before
 from socialmind.agents.group_columns import group_instances, has_groups
 from socialmind.errors import SocialmindError, written_at
@@ -26,6 +26,7 @@ from socialmind.runs import continuing, folders, sources
 from socialmind.runs.checkpoint import Checkpoint
 from socialmind.runs.tables.growing import EventTable, GrowingTable
 from socialmind.runs.tables.names import AGENTS, EVENTS, GROUPS, LINKS, SERIES, TABLES
+from socialmind.sources.folders import file_of_class
 from socialmind.sources.loading import failure_in_model
 from socialmind.work.signals import deferred_signals
 
@@ -55,7 +56,7 @@ class Interrupted(KeyboardInterrupt):
     """
 
     def __init__(self, folder: Path, tick: int, signal_number: int) -> None:
-        super().__init__(f"stopped at tick {tick}")
+        super().__init__(f"stopped at tick {tick:,}; resume({str(folder)!r}) goes on")
         self.folder = folder
         self.tick = tick
         self.signal_number = signal_number
@@ -138,7 +139,7 @@ class Execution:
 
     def _failure(self, error: Exception) -> SocialmindError:
         """An error of the model's own Python, with its place there."""
-        path = Path(inspect.getfile(type(self._model)))
+        path = file_of_class(type(self._model))
         return failure_in_model(error, path, f"the run at tick {self._model.tick}")
 
     def _loop(
@@ -281,4 +282,4 @@ class _Timer:
 def _source_of(model: Model, name: str) -> str:
     """The method that gives a table's rows, with the file and line where it is written."""
     file, line = written_at(getattr(type(model), name, None))
-    return f"{name}()" if file is None else f"{file}:{line}: {name}()"
+    return f"{name}()" if file is None else f"{place_called(file, line)}: {name}()"

@@ -5,13 +5,18 @@ from __future__ import annotations
 import base64
 from html import escape
 from io import BytesIO
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coglogo_py.border.html_table import as_html as table
 from socialmind.errors import SocialmindError
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 PANELS = 3
 """How many columns of the series the figure has at most."""
+DOTS = 110
+"""Pixels an inch."""
 PANEL = (58.0, 40.0)
 """Width and height of a panel, in mm."""
 
@@ -49,13 +54,23 @@ def _figure(run: Any) -> str:
         return ""
     from socialmind.drawing import style as paper
 
-    content = BytesIO()
     with paper.style():
         figure, panels = paper.grid(len(columns[:PANELS]), *PANEL)
         for axes, name in zip(panels, columns, strict=False):
             scale = paper.time_axis(axes, list(series["tick"]))
             axes.plot(series["tick"] / scale, series[name].astype(float), color=paper.BLUE)
             axes.set_title(name.replace("_", " "))
-        figure.savefig(content, format="png", dpi=110)
+        return as_picture(figure, "series of the run")
+
+
+def as_picture(figure: Figure, words: str) -> str:
+    """Return a small figure as HTML that holds it, on white whatever stands around.
+
+    Args:
+        figure: what is shown.
+        words: what that is, for who cannot see it.
+    """
+    content = BytesIO()
+    figure.savefig(content, format="png", dpi=DOTS, facecolor="white")
     picture = base64.b64encode(content.getvalue()).decode("ascii")
-    return f'<img alt="series of the run" src="data:image/png;base64,{picture}">'
+    return f'<img alt="{escape(words)}" src="data:image/png;base64,{picture}">'

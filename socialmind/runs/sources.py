@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Protocol
 from socialmind.catalogue import load_model, load_script
 from socialmind.errors import SocialmindError
 from socialmind.runs import folders
+from socialmind.sources.cells import FILE
 from socialmind.sources.folders import MODEL_FILE, catalogue, digest, file_of_class, source_hash
 from socialmind.sources.loading import modules_from
-from socialmind.sources.provenance import KEPT, difference, difference_of_copies, sources_of
+from socialmind.sources.provenance import CELLS, KEPT, difference, difference_of_copies, sources_of
 from socialmind.sources.trust import programs_in, remember, require
 
 if TYPE_CHECKING:
@@ -100,7 +101,8 @@ def recorded_class(capsule: Made, kept: bool = False, trust: bool = False) -> ty
     """
     record = capsule.manifest.model
     path = None if record["path"] is None else Path(record["path"])
-    if kept:
+    typed_in = path is None and (capsule.folder / KEPT / CELLS).is_file()
+    if kept or typed_in:
         return _kept_class(capsule, path, trust)
     folder = recorded_folder(capsule)
     if folder is not None:
@@ -109,7 +111,9 @@ def recorded_class(capsule: Made, kept: bool = False, trust: bool = False) -> ty
     if path is not None and path.is_file():
         require(programs_in(path), trust, f"{capsule.folder}: its model at {path}")
         return _with_minds(capsule, load_script(path, record["name"]), trust)
-    where = "was typed into a notebook or interpreter" if path is None else f"is not at {path}"
+    where = f"is not at {path}"
+    if path is None:
+        where = "was typed into a notebook or interpreter, and could not be kept as a file"
     remedy = "give the class as model_class in Python"
     if (capsule.folder / KEPT).is_dir():
         remedy += ", or take the run's own copy: --source kept"
@@ -127,7 +131,8 @@ def _with_minds(capsule: Made, cls: type[Model], trust: bool) -> type[Model]:
 
 def _kept_class(capsule: Made, path: Path | None, trust: bool) -> type[Model]:
     home = capsule.folder / KEPT
-    if path is None or not home.is_dir():
+    name = FILE if path is None else path.name
+    if not (home / "model" / name).is_file() and not (home / "model" / MODEL_FILE).is_file():
         raise SocialmindError(
             f"{capsule.folder}: keeps no copy of its model's source; give the class as model_class"
         )
@@ -138,7 +143,7 @@ def _kept_class(capsule: Made, path: Path | None, trust: bool) -> type[Model]:
     with modules_from(home / "modules"):
         if (home / "model" / MODEL_FILE).is_file():
             return load_model(home / "model")
-        return load_script(home / "model" / path.name, capsule.manifest.model["name"])
+        return load_script(home / "model" / name, capsule.manifest.model["name"])
 
 
 def require_minds(capsule: Made, trust: bool) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copyreg
-import inspect
 import re
 import sys
 from abc import ABCMeta
@@ -19,7 +18,10 @@ from socialmind.society.declaration import declaration_of
 from socialmind.society.founding.blueprint import Blueprint
 from socialmind.society.founding.making import begin_networks
 from socialmind.society.messages import with_mailboxes
+from socialmind.sources.cells import refuse_outdated, taken_by
+from socialmind.sources.folders import file_of_class
 from socialmind.sources.provenance import note_definition
+from socialmind.sources.typed_in import MAIN, is_typed_in, note_place
 from socialmind.work.packing import is_private, reference
 
 if TYPE_CHECKING:
@@ -35,6 +37,8 @@ class ModelKind(ABCMeta):
 
     def __call__(cls, *arguments: Any, **settings: Any) -> Any:
         """Return a society, finished."""
+        if cls.__module__ == MAIN:
+            refuse_outdated(cls)
         made = super().__call__(*arguments, **settings)
         made._made = True
         return made
@@ -48,6 +52,9 @@ class ModelKind(ABCMeta):
         Raises:
             ModelError: a part of a wrong kind or under a name that is taken, with file and line.
         """
+        if cls.__module__ == MAIN:
+            note_place(cls)
+            cls._took = taken_by(cls)
         hold_text(getattr(sys.modules.get(cls.__module__), "__file__", None) or "")
         note_definition(cls.__module__)
         found = declaration_of(cls, model)
@@ -106,12 +113,13 @@ class ModelKind(ABCMeta):
         return made
 
     def folder(cls) -> Path:
-        """Return the folder in which a model's class stands."""
-        return Path(inspect.getfile(cls)).parent
+        """Return the folder of a model's class; for one that was typed in, the working folder."""
+        file = file_of_class(cls)
+        return Path.cwd() if file is None else file.parent
 
 
 def _reduced(kind: ModelKind) -> Any:
-    return reference(kind) if is_private(kind) else kind.__qualname__
+    return reference(kind) if is_private(kind) or is_typed_in(kind) else kind.__qualname__
 
 
 copyreg.pickle(ModelKind, _reduced)

@@ -15,6 +15,7 @@ from typing import Any
 
 from socialmind.errors import SocialmindError, nearest
 from socialmind.language.syntax import parsed
+from socialmind.sources.typed_in import is_typed_in
 
 PACKAGE = Path(__file__).resolve().parent.parent
 MODEL_FILE = "model.py"
@@ -151,6 +152,8 @@ def deciding_files(folder: Path) -> Iterator[Path]:
 
 def file_of_class(one: type[Any]) -> Path | None:
     """Return the file that defines a class; None for one that was typed in."""
+    if is_typed_in(one):
+        return None
     try:
         return Path(inspect.getfile(one))
     except (OSError, TypeError):

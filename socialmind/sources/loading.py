@@ -19,6 +19,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.syntax import parsed
 from socialmind.sources.folders import source_hash
 from socialmind.sources.trust import remember
+from socialmind.sources.typed_in import CELLS, MAIN
 
 PRIVATE = "_socialmind_"
 """How the names of modules begin that were loaded by path."""
@@ -190,23 +191,24 @@ def _failed_import(error: BaseException, path: Path) -> ModelError:
 
 
 def failure_in_model(
-    error: BaseException, path: Path, doing: str, remedy: str | None = None
+    error: BaseException, path: Path | None, doing: str, remedy: str | None = None
 ) -> ModelError:
     """Say in one line where in a model's own files an error came from.
 
     Args:
         error: what was raised.
-        path: the file that was called.
+        path: the file that was called; None for what was typed in.
         doing: what the file was called for.
         remedy: what to do.
 
     Returns:
-        An error that names the innermost line that lies in the folder of `path`.
+        An error that names the innermost line that lies in the folder of `path`, or was typed in.
     """
     file, line = path, None
     for frame, number in traceback.walk_tb(error.__traceback__):
         place = Path(frame.f_code.co_filename)
-        if place.is_relative_to(path.parent):
+        typed_in = frame.f_globals.get("__name__") == MAIN or CELLS in frame.f_globals
+        if typed_in if path is None else place.is_relative_to(path.parent):
             file, line = place, number
     try:
         said = f": {error}"

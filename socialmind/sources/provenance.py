@@ -14,7 +14,7 @@ import inspect
 import os
 import sys
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib.util import resolve_name
 from pathlib import Path
@@ -22,11 +22,13 @@ from types import FrameType, ModuleType
 from typing import Any, Protocol
 
 from socialmind.compiling.reached import is_of_a_package
-from socialmind.errors import SocialmindError
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.language.syntax import parsed
 from socialmind.sources import folders
+from socialmind.sources.cells import FILE, Cells, cells_of
 from socialmind.sources.folders import MODEL_FILE, deciding_files, digest, models_in
 from socialmind.sources.loading import PRIVATE, found_by
+from socialmind.sources.typed_in import MAIN, is_typed_in
 
 VERSION = 2
 """Of how sources are found and hashed; a record without one is of the model's folder alone."""
@@ -34,6 +36,8 @@ LARGEST_KEPT = 10 * 2**20
 """Bytes of the largest file that a run keeps a copy of; of larger ones it keeps the hash."""
 KEPT = "source"
 """The folder within a run's that holds the copies."""
+CELLS = f"model/{FILE}"
+"""What was typed in stands for a file of the model's."""
 
 _HOME = Path(__file__).resolve().parents[1]
 _OURS = (f"{_HOME}{os.sep}", f"{_HOME.parent / 'coglogo_py'}{os.sep}")
@@ -73,12 +77,14 @@ class Sources:
         packages: the versions of the installed packages that they import.
         loaded: the hashes of those that are modules, as they were loaded.
         texts: the hash of what no file holds, such as a notebook's cells.
+        typed: that as a Python file, where it can be written as one.
     """
 
     files: dict[str, Path]
     packages: dict[str, str]
     loaded: dict[str, str]
     texts: dict[str, str]
+    typed: str = ""
 
     def record(self) -> dict[str, Any]:
         """Return what a manifest says of them.
@@ -113,7 +119,8 @@ class Sources:
 
     def copies(self) -> dict[str, bytes]:
         """Return the contents that a run keeps, by their places in its folder."""
-        return {
+        typed = {f"{KEPT}/{CELLS}": self.typed.encode()} if self.typed else {}
+        return typed | {
             f"{KEPT}/{label}": path.read_bytes()
             for label, path in self.files.items()
             if _outside(label) is None and path.stat().st_size <= LARGEST_KEPT
@@ -123,9 +130,18 @@ class Sources:
 def sources_of(model_class: ModelClass) -> Sources:
     """Find what decides how a model runs."""
     bases = [base.__module__ for base in getattr(model_class, "__mro__", ())]
+    apart = set(_minds_and_schemes(model_class))
+    cells = _typed_in(model_class)
+    if cells is not None:
+        typed = cells.as_file()
+        texts = {"cells": _cells_of(model_class)} if typed is None else {CELLS: _hash(typed)}
+        here = ModuleType(MAIN)  # what else stands in a notebook does not count
+        vars(here).update({one: sys.modules[one] for one in cells.modules})
+        return replace(_found(None, bases, apart, texts, {MAIN: here}), typed=typed or "")
     file = _file_of(sys.modules.get(model_class.__module__))
     texts = {} if file is not None else {"cells": _cells_of(model_class)}
-    return _found(file, bases, set(_minds_and_schemes(model_class)), texts)
+    first = sys.modules.get(model_class.__module__)
+    return _found(file, bases, apart, texts, {} if first is None else found_by(first))
 
 
 def sources_of_module(name: str) -> Sources:
@@ -134,10 +150,17 @@ def sources_of_module(name: str) -> Sources:
     Args:
         name: of the module that was loaded from it.
     """
-    return _found(_file_of(sys.modules[name]), [name], set(), {})
+    module = sys.modules[name]
+    return _found(_file_of(module), [name], set(), {}, found_by(module))
 
 
-def _found(file: Path | None, names: list[str], apart: set[Path], texts: dict[str, str]) -> Sources:
+def _found(
+    file: Path | None,
+    names: list[str],
+    apart: set[Path],
+    texts: dict[str, str],
+    known: Mapping[str, ModuleType],
+) -> Sources:
     """Find what some code reaches.
 
     Args:
@@ -145,14 +168,14 @@ def _found(file: Path | None, names: list[str], apart: set[Path], texts: dict[st
         names: of the modules that it begins with.
         apart: files and folders that do not count.
         texts: as of `Sources`.
+        known: modules in place of those that Python's own table has by now, by name.
     """
     home = None if file is None else file.parent
     places: dict[Path, str] = {}
     if file is not None and home is not None:
         own = deciding_files(home) if file.name == MODEL_FILE else [file]
         places = {path: f"model/{path.relative_to(home).as_posix()}" for path in own}
-    first = sys.modules.get(names[0]) if names else None
-    modules, packages = _reached_modules(names, {} if first is None else found_by(first))
+    modules, packages = _reached_modules(names, known)
     for module in modules.values():
         path = _file_of(module)
         if path is not None:
@@ -444,6 +467,16 @@ def _lies_in(path: Path, places: set[Path]) -> bool:
     return any(resolved == place or place in resolved.parents for place in places)
 
 
+def _typed_in(model_class: Any) -> Cells | None:
+    """Return what was typed in of a model; None where it was not, or its text is not kept."""
+    if not is_typed_in(model_class):
+        return None
+    try:
+        return cells_of(model_class)
+    except ModelError:
+        return None
+
+
 def _cells_of(model_class: ModelClass) -> str:
     """Return a hash of a model that no file holds: of its rules with their constants, and so on."""
     digest = hashlib.sha256(repr(model_class.shape.parameters).encode())
@@ -457,6 +490,10 @@ def _cells_of(model_class: ModelClass) -> str:
                 f"{name}\n{value.__code__.co_code.hex()}{value.__code__.co_consts}".encode()
             )
     return digest.hexdigest()
+
+
+def _hash(text: str) -> str:
+    return digest(text.encode())
 
 
 def _hash_of(path: Path) -> str:

@@ -2,6 +2,7 @@
 
 Classes and functions of a model's folder stand in modules with private names (`catalogue`), which
 no other process can import. In bytes made here they are known by their file, which is loaded again.
+What was typed into a notebook goes as its text.
 """
 
 from __future__ import annotations
@@ -10,13 +11,19 @@ import importlib
 import io
 import pickle
 import sys
+import threading
 from pathlib import Path
 from types import FunctionType
 from typing import Any
 
 from socialmind.errors import ModelError
-from socialmind.sources.folders import catalogue
+from socialmind.sources.cells import cells_of
+from socialmind.sources.folders import catalogue, digest
 from socialmind.sources.loading import PRIVATE, is_alone, load_file, modules_of
+from socialmind.sources.typed_in import CELLS, is_typed_in
+
+_waiting = threading.local()
+"""What is being packed: a value that it reads may hold it again."""
 
 
 def packed(content: Any) -> bytes:
@@ -50,8 +57,11 @@ def unpacked(content: bytes) -> Any:
 
 class _Packer(pickle.Pickler):
     def reducer_override(self, something: Any) -> Any:
-        if isinstance(something, type | FunctionType) and is_private(something):
-            return reference(something)
+        if isinstance(something, type | FunctionType):
+            if is_private(something) or is_typed_in(something):
+                return reference(something)
+        elif getattr(something, "py_func", None) is not None and is_typed_in(something.py_func):
+            return reference(something.py_func)
         return NotImplemented
 
 
@@ -60,10 +70,19 @@ def is_private(something: Any) -> bool:
     return str(getattr(something, "__module__", None)).startswith(PRIVATE)
 
 
-def reference(something: Any) -> tuple[Any, tuple[str, ...]]:
-    """Return a class or function of such a module as a call that finds it, for `__reduce__`."""
+def reference(something: Any) -> tuple[Any, tuple[Any, ...]]:
+    """Return a class or function as a call that finds it elsewhere, for `__reduce__`.
+
+    Args:
+        something: of a module that was loaded by its path, or typed in.
+    """
     if "<locals>" in something.__qualname__:
         raise pickle.PicklingError(f"{something.__qualname__} is made within a function")
+    if is_typed_in(something):
+        return _typed_in, (_packed_cells(something), something.__qualname__)
+    cells = getattr(sys.modules[something.__module__], CELLS, None)
+    if cells is not None:
+        return _typed_in, (cells, something.__qualname__)
     name, _, inner = something.__module__.partition(".")
     file = Path(str(sys.modules[name].__file__)).resolve()
     modules = modules_of(sys.modules[name])
@@ -73,6 +92,31 @@ def reference(something: Any) -> tuple[Any, tuple[str, ...]]:
         if file.is_relative_to(folder.resolve()):
             model = known
     return _in_file, (name, str(file), model, inner, something.__qualname__, *elsewhere)
+
+
+def _packed_cells(something: Any) -> bytes:
+    """Return what was typed in as bytes: a class or function, and all that it needs."""
+    waiting: list[Any] = _waiting.__dict__.setdefault("one", [])
+    if something in waiting:
+        raise pickle.PicklingError(f"a value that {something.__name__} reads holds itself of it")
+    waiting.append(something)
+    try:
+        return packed(cells_of(something))
+    finally:
+        waiting.pop()
+
+
+def _typed_in(cells: bytes, qualified: str) -> Any:
+    """Return a class or function that was typed into another process.
+
+    Args:
+        cells: with all that it needs.
+        qualified: its name.
+    """
+    name = f"{PRIVATE}cells_{digest(cells)[:24]}"
+    if name not in sys.modules:
+        setattr(unpacked(cells).module(name), CELLS, cells)
+    return getattr(sys.modules[name], qualified)
 
 
 def _in_file(

@@ -73,6 +73,10 @@ class ProcessExecutor(futures.Executor):
             self._tell.send_bytes(b"")
         return call.future
 
+    def in_hand(self) -> list[futures.Future[Any]]:
+        """Return the calls that processes are at: those sent ahead wait."""
+        return [call.future for hand in self._hands for call in tuple(hand.calls)[:1]]
+
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Let the processes go at once, whatever they are at."""
         with self._lock:
@@ -91,7 +95,9 @@ class ProcessExecutor(futures.Executor):
                     return
                 for ahead in (False, True):
                     for hand in self._hands:
-                        self._give(hand, ahead)
+                        # The last few wait for whoever has time first.
+                        if not ahead or len(self._waiting) > len(self._hands):
+                            self._give(hand, ahead)
             busy = [hand for hand in self._hands if hand.calls]
             heard = [one for hand in busy for one in (hand.pipe, hand.process.sentinel)]
             ready = wait([self._news, *heard])

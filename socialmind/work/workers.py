@@ -85,6 +85,10 @@ class Workers(ABC):
     def close(self) -> None:
         """Let them go."""
 
+    @abstractmethod
+    def in_hand(self) -> list[Any]:
+        """Return the jobs that they are at, as far as can be known here."""
+
     def results(self, task: Task, jobs: Iterable[Any], stop: Stop = never) -> Iterator[Any]:
         """Yield what comes of each job, in the order of the jobs.
 
@@ -133,6 +137,13 @@ class _Pool(Workers):
     lost: tuple[type[BaseException], ...] = ()
     """The errors that say that a worker was lost."""
 
+    def __init__(self) -> None:
+        self._given: dict[futures.Future[Any], Job] = {}
+
+    def in_hand(self) -> list[Any]:
+        """Return the jobs that were given first: they are taken up in this order."""
+        return [job for _, job in self._given.values()][: self.count]
+
     def _done(
         self,
         task: Task,
@@ -145,7 +156,7 @@ class _Pool(Workers):
         coming = enumerate(jobs)
         again: list[Job] = []
         losses: Counter[int] = Counter()
-        given: dict[futures.Future[Any], Job] = {}
+        given = self._given = {}
         done: dict[int, Any] = {}
         following = 0
         try:
@@ -211,6 +222,13 @@ class Alone(Workers):
 
     count = 1
 
+    def __init__(self) -> None:
+        self._at: list[Any] = []
+
+    def in_hand(self) -> list[Any]:
+        """Return the job in hand, if there is one."""
+        return self._at
+
     def _done(
         self,
         task: Task,
@@ -223,7 +241,10 @@ class Alone(Workers):
         for number, job in enumerate(jobs):
             if stop():
                 raise Stopped
-            yield number, worker.do(job)
+            self._at = [job]
+            result = worker.do(job)
+            self._at = []
+            yield number, result
 
     def close(self) -> None:
         """Nobody is to be let go."""
@@ -237,6 +258,7 @@ class Threads(_Pool):
     """
 
     def __init__(self, count: int) -> None:
+        super().__init__()
         self._count = count
         self._executor = futures.ThreadPoolExecutor(count)
         self._task: Task | None = None
@@ -291,6 +313,7 @@ class _Elsewhere(_Pool):
     _executor: futures.Executor
 
     def __init__(self) -> None:
+        super().__init__()
         self._task: Task | None = None
         self._bytes = _Bytes("", b"")
 
@@ -324,7 +347,11 @@ class Processes(_Elsewhere):
         super().__init__()
         self._count = count
         self._folder = tempfile.TemporaryDirectory()
-        self._executor = ProcessExecutor(count, self._folder.name)
+        self._executor: ProcessExecutor = ProcessExecutor(count, self._folder.name)
+
+    def in_hand(self) -> list[Any]:
+        """Return the jobs that processes are at."""
+        return [self._given[one][1] for one in self._executor.in_hand() if one in self._given]
 
     @property
     def count(self) -> int:

@@ -11,9 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from socialmind.commands.learning import clock, line_of, read_settings
+from socialmind.commands.learning import read_settings
 from socialmind.errors import SocialmindError
 from socialmind.learning import Training
+from socialmind.learning.training.telling import clock, line_of
 
 CHECKOUT = Path(__file__).parents[2]
 MODEL = """

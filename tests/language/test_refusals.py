@@ -492,7 +492,7 @@ def test_a_name_that_the_scheme_does_not_have(refusal):
 def test_a_rule_without_a_file(society):
     space = {}
     exec("def rule(person):\n    person.f = 1", space)
-    with pytest.raises(ModelError, match="without a source") as caught:
+    with pytest.raises(ModelError, match="whose text Python did not keep") as caught:
         type(
             "Made",
             (society.Society,),

@@ -231,14 +231,44 @@ def test_a_model_in_a_script_is_run_resumed_and_replayed(tmp_path):
     assert run(load_model(script), ticks=1, out=tmp_path / "named", compiled=False)
 
 
-def test_a_class_that_no_file_defines_is_asked_for(tmp_path):
-    code = f"""
-from socialmind import Agent, Model, Population
+TYPED = """
+from socialmind import Agent, Model, Population, once
 from socialmind.experiments import run
+{setting}
+def fall(model):
+    model.height -= STEP
 class Stones(Model):
+    height: float = 9.0
     stones = Population(Agent, 2)
-run(Stones, ticks=5, out={str(tmp_path / "run")!r}, compiled=False)
+    schedule = (once(fall),)
+run(Stones, ticks=5, out={out!r}, compiled=False)
 """
+
+
+def typed_run(folder, setting):
+    """A run of a model that is given to Python with -c, and so stands in no file."""
+    code = TYPED.format(out=str(folder), setting=setting)
     subprocess.run([sys.executable, "-c", code], check=True)
+    return folder
+
+
+def test_a_class_that_no_file_defines_is_kept_as_one(tmp_path):
+    folder = typed_run(tmp_path / "run", "STEP = 0.5")
+    assert list(Run(folder).manifest.model["sources"]["files"]) == ["model/cells.py"]
+    assert replay(folder).exact and not replay(folder).differences
+    resume(folder, ticks=6)
+    assert Run(folder).series["height"].tolist() == [9.0, 8.5, 8.0, 7.5, 7.0, 6.5, 6.0]
+    copy = folder / "source/model/cells.py"
+    copy.write_text(copy.read_text().replace("0.5", "1.5"))
+    with pytest.raises(SocialmindError, match=r"cells\.py: is not the file"):
+        resume(folder, ticks=7)
+
+
+def test_a_class_that_cannot_be_kept_as_a_file_is_asked_for(tmp_path):
+    locked = "import threading\nSTEP, LOCK = 0.5, threading.Lock()"
+    folder = typed_run(tmp_path / "run", locked)
+    assert replay(folder).exact  # the lock is nothing to the model
+    held = "\nclass Agent(Agent):\n    def held(self):\n        return LOCK"
+    folder = typed_run(tmp_path / "other", locked + held)
     with pytest.raises(SocialmindError, match=r"typed into a notebook.* give the class"):
-        resume(tmp_path / "run", ticks=6)
+        resume(folder, ticks=6)

@@ -45,6 +45,11 @@ Trust = Annotated[
 Quiet = Annotated[bool, typer.Option("--quiet", help="Say nothing but the result.")]
 
 
+def seen(quiet: bool) -> bool | None:
+    """Whether a bar is shown: where somebody looks, unless the command is to be quiet."""
+    return False if quiet else None
+
+
 def is_kept(source: str | None) -> bool:
     """Whether a run's own copies are asked for."""
     if source not in (None, "kept"):

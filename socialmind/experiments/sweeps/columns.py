@@ -80,3 +80,16 @@ class Names:
             for what, so in taken.items():
                 if so:
                     raise SocialmindError(f"a measure called {name}, as {what}; give another name")
+
+
+def of_ticks(name: str, table: str) -> str:
+    """Return the column of a model's own column in a table with `run` and `tick`.
+
+    Args:
+        name: of the model's column.
+        table: `series` or `agents`.
+
+    >>> of_ticks("run", "series"), of_ticks("farmers", "series")
+    ('series.run', 'farmers')
+    """
+    return f"{table}.{name}" if name == RUN else name

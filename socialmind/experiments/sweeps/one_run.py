@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +14,7 @@ from socialmind.experiments.sweeps.measures.of_runs import AMeasure, Recorded, o
 from socialmind.experiments.sweeps.points.settings import Settings
 from socialmind.interventions.following import after_those_at, next_after
 from socialmind.runs.folders import FAILED, FINISHED
+from socialmind.sources.folders import file_of_class
 from socialmind.sources.loading import failure_in_model
 from socialmind.work.workers import Stopped, never
 
@@ -26,6 +25,8 @@ if TYPE_CHECKING:
 TIMED_OUT = "timed_out"
 PIECE_SECONDS = 0.1
 """After about so long of ticks a run looks whether it is to stop, or has had its time."""
+BRIEF_SECONDS = 0.001
+"""Pieces shorter than this are done without a copy of the state, which would take as long."""
 
 Columns = dict[str, Any]
 
@@ -117,6 +118,7 @@ class OneRun:
         self._stop = stop
         self._piece = 1
         self._until = 0.0
+        self._careful = False
 
     def done(self, run: int, seed: int, values: Sequence[Any]) -> Outcome:
         """Do a run, and return what it came to, whatever went wrong.
@@ -124,9 +126,13 @@ class OneRun:
         Raises:
             Stopped: it is to be dropped.
         """
-        common, outcome = self._common, Outcome(run)
-        self._until = time.perf_counter() + (common.timeout or 0.0)
-        stage, model = "setup", None
+        self._until = time.perf_counter() + (self._common.timeout or 0.0)
+        return self._done(run, seed, values, careful=False)
+
+    def _done(self, run: int, seed: int, values: Sequence[Any], careful: bool) -> Outcome:
+        """Do a run; one that fails where no copies were kept is repeated, to find the line."""
+        common, outcome, stage, model = self._common, Outcome(run), "setup", None
+        self._careful = careful
         try:
             model = common.begin(seed, values)
             stage = "run"
@@ -135,6 +141,7 @@ class OneRun:
             stage = "measure"
             for name, one in common.measures.items():
                 outcome.measured[name] = one.value(seen)
+            stage = "record"
             outcome.final = {name: plain(value) for name, value in seen.rows[-1].items()}
             if common.keeps_series:
                 outcome.series = {"tick": np.array(seen.ticks, np.int64), **_columns(seen.rows)}
@@ -144,7 +151,11 @@ class OneRun:
             outcome = Outcome(run, TIMED_OUT, f"took longer than {common.timeout:g} s")
         except MemoryError:
             outcome = Outcome(run, FAILED, f"{stage}: not enough memory")
-        except Exception as error:
+        except (Exception, SystemExit, KeyboardInterrupt) as error:
+            if isinstance(error, KeyboardInterrupt) and self._stop():
+                raise  # the user's, who presses Ctrl-C once more
+            if stage == "run" and model is not None and not model.engine.careful:
+                return self._done(run, seed, values, careful=True)
             outcome = Outcome(
                 run, FAILED, f"{stage}: {in_one_line(error, common.model_class, model)}"
             )
@@ -190,6 +201,7 @@ class OneRun:
             begin = time.perf_counter()
             model.advance(count)
             now = time.perf_counter()
+            model.engine.careful = self._careful or now - begin > BRIEF_SECONDS
             if self._stop():
                 raise Stopped
             if self._common.timeout is not None and now > self._until:
@@ -200,7 +212,7 @@ class OneRun:
                 self._piece = max(1, count // 2)
 
 
-def in_one_line(error: Exception, model_class: type[Model], model: Model | None) -> str:
+def in_one_line(error: BaseException, model_class: type[Model], model: Model | None) -> str:
     """Return what went wrong in one line, with the place in the model's files.
 
     Args:
@@ -208,14 +220,12 @@ def in_one_line(error: Exception, model_class: type[Model], model: Model | None)
         model_class: the model.
         model: the society; None where it was still being made.
     """
-    if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
-        return str(error)
     doing = "its beginning" if model is None else f"the run at tick {model.tick}"
-    try:
-        path = Path(inspect.getfile(model_class))
-    except (TypeError, OSError):  # a class that was typed in
-        return f"{doing} stopped with {type(error).__name__}: {error}"
-    return str(failure_in_model(error, path, doing))
+    if isinstance(error, SocialmindError) or type(error).__module__.startswith("coglogo_py"):
+        said = str(error)
+    else:
+        said = str(failure_in_model(error, file_of_class(model_class), doing))
+    return " ".join(said.split())
 
 
 def _row(model: Model, model_class: type[Model]) -> Mapping[str, Any]:

@@ -8,9 +8,13 @@ from typing import TYPE_CHECKING
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.capsule import SweepCapsule, SweepManifest
-from socialmind.experiments.sweeps.columns import RUN
-from socialmind.experiments.sweeps.store import DESIGN, RUNS, Store
-from socialmind.runs.folders import FINISHED
+from socialmind.experiments.sweeps.columns import POINT, RUN, Names, of_ticks
+from socialmind.experiments.sweeps.replicates import Replicates
+from socialmind.experiments.sweeps.tables.pieces import runs_in, sorted_by_run, together
+from socialmind.experiments.sweeps.tables.rows import RunRows
+from socialmind.experiments.sweeps.tables.store import DESIGN, RUNS, Store
+from socialmind.runs.folders import FINISHED, is_held
+from socialmind.runs.tables.growing import arrow_table
 from socialmind.runs.tables.names import AGENTS, SERIES
 
 if TYPE_CHECKING:
@@ -20,7 +24,8 @@ if TYPE_CHECKING:
 class Sweep:
     """A sweep as its folder tells it; every table is read when first asked for.
 
-    A sweep that was stopped, or is going on, can be read too: it gives the runs that are safe.
+    A sweep that was stopped, or is going on, can be read too: what came of the runs that are safe,
+    and which others are `running` at this moment or `pending`.
 
     >>> from socialmind.experiments import Sweep                            # doctest: +SKIP
     >>> sweep = Sweep("sweeps/farmer_artisan-001")                          # doctest: +SKIP
@@ -79,17 +84,61 @@ class Sweep:
         """
         return self._table(AGENTS)
 
+    def _repr_html_(self) -> str:
+        from socialmind.experiments.sweeps.shown import as_html
+
+        return as_html(self)
+
     def _table(self, name: str) -> pd.DataFrame:
         import pandas as pd
 
-        finished = name == DESIGN or self.manifest.status == FINISHED
-        if finished and self._capsule.table(name).is_file():
-            return pd.read_parquet(self._capsule.table(name))
-        found = [] if finished else Store(self.folder).frames(name)
-        if not found:
-            keeping = {SERIES: "; --every K keeps one", AGENTS: "; --agents last keeps one"}
-            so_far = "" if finished else " so far"
-            raise SocialmindError(
-                f"{self.folder}: has no table of {name}{so_far}{keeping.get(name, '')}"
-            )
-        return pd.concat(found).sort_values(RUN, kind="stable", ignore_index=True)
+        if name != DESIGN and not self._finished:
+            try:
+                found = self._so_far(name)
+            except SocialmindError:
+                found = None  # perhaps it has just ended, and its parts are gone
+            self._capsule = SweepCapsule(self.folder)
+            if not self._finished:
+                return self._so_far(name) if found is None else found
+        if not self._capsule.table(name).is_file():
+            raise self._lacks(name)
+        return pd.read_parquet(self._capsule.table(name))
+
+    @property
+    def _finished(self) -> bool:
+        return self.manifest.status == FINISHED
+
+    def _so_far(self, name: str) -> pd.DataFrame:
+        """Return the rows that are safe; of runs that are not done, what is known of them."""
+        store = Store(self.folder)
+        pieces = store.so_far(name)
+        if name == RUNS:
+            running = store.running() if is_held(self.folder) else set()
+            done = {run for piece in pieces for run in runs_in(piece).tolist()}
+            missing = list(self._rows.missing(done, running))
+            if missing:
+                columns = {column: [row[column] for row in missing] for column in missing[0]}
+                pieces.append(arrow_table([columns], RUNS))
+        if not pieces:
+            raise self._lacks(name, " so far")
+        first = [RUN, "tick", *(of_ticks(one, name) for one in self.manifest.series_columns)]
+        if name == RUNS:
+            names = Names(tuple(self.varied), tuple(self.manifest.measures))
+            first = names.first(self.manifest.series_columns)
+        return sorted_by_run(together(pieces, first)).to_pandas()
+
+    @property
+    def _rows(self) -> RunRows:
+        """What the design says of runs."""
+        design = self.design.drop(columns=POINT)
+        columns = [design[name].tolist() for name in design.columns]
+        points = list(zip(*columns, strict=True)) if columns else [()] * len(self.design)
+        return RunRows(
+            design.columns.tolist(), points, Replicates.of_record(self.manifest.replicates)
+        )
+
+    def _lacks(self, name: str, so_far: str = "") -> SocialmindError:
+        keeping = {SERIES: "; --every K keeps one", AGENTS: "; --agents last keeps one"}
+        return SocialmindError(
+            f"{self.folder}: has no table of {name}{so_far}{keeping.get(name, '')}"
+        )

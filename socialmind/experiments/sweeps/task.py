@@ -10,22 +10,13 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing import parent_process
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numpy as np
-
-from coglogo_py.border.errors import shown
-from socialmind.errors import IdleWarning, SocialmindError
+from socialmind.errors import IdleWarning
 from socialmind.experiments.sweeps.columns import ERROR, RUN, STATUS, TICKS, Names
 from socialmind.experiments.sweeps.one_run import Common, OneRun, Outcome
-from socialmind.runs.folders import FAILED
-from socialmind.runs.tables.columns import EXPECTED
-from socialmind.runs.tables.growing import arrow_table
-from socialmind.runs.tables.names import AGENTS, SERIES
+from socialmind.experiments.sweeps.tables.recording import recorded
 from socialmind.work.workers import LOOK_SECONDS, Stop, never
-
-if TYPE_CHECKING:
-    import pyarrow as pa
 
 OVERTIME = 75
 """The exit code of a process that ended itself, since a run in it went on and on."""
@@ -99,27 +90,18 @@ class RunWorker:
         """Do the runs of a job."""
         if self._watch is not None and not self._warm:
             self._warm_up(job[0])
-        begin, done = time.perf_counter(), Done()
-        tables: dict[str, list[pa.Table]] = {SERIES: [], AGENTS: []}
+        begin, outcomes = time.perf_counter(), []
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", IdleWarning)  # said in the tables, where it is recorded
             for run, seed, values in job:
                 if self._watch is not None:
                     self._watch.begin((self._common.timeout or 0.0) + PATIENCE)
-                outcome = self._runs.done(run, seed, values)
-                try:
-                    found = self._recorded(outcome)
-                except SocialmindError as error:
-                    outcome = Outcome(run, FAILED, f"record: {error}", outcome.ticks)
-                    found = {}
-                for name, one in found.items():
-                    tables[name].append(one)
-                done.rows.append(self._row(outcome))
+                outcomes.append(self._runs.done(run, seed, values))
         if self._watch is not None:
             self._watch.end()
-        done.tables = {name: _stream(several) for name, several in tables.items() if several}
-        done.seconds = time.perf_counter() - begin
-        return done
+        outcomes, tables = recorded(outcomes)
+        rows = [self._row(one) for one in outcomes]
+        return Done(rows, tables, time.perf_counter() - begin)
 
     def _warm_up(self, job: RunJob) -> None:
         """Compile, or load, what runs need: that is no run's time."""
@@ -139,40 +121,6 @@ class RunWorker:
             TICKS: outcome.ticks,
         }
         return {**own, **ends, **outcome.measured}
-
-    def _recorded(self, outcome: Outcome) -> dict[str, pa.Table]:
-        """Return the tables of a run."""
-        for name, one in outcome.final.items():
-            fits = isinstance(one, bool | float | str) or one is None
-            if not fits and not (isinstance(one, int) and -(2**63) <= one < 2**63):
-                raise SocialmindError(
-                    f"series(): column {name}: found {shown(one)}; expected {EXPECTED}"
-                )
-        found = {}
-        if outcome.series is not None:
-            found[SERIES] = self._table(outcome.run, [outcome.series], "series()", "series")
-        if outcome.agents:
-            found[AGENTS] = self._table(outcome.run, outcome.agents, "agents()", "agents")
-        return found
-
-    def _table(self, run: int, records: list[dict[str, Any]], where: str, prefix: str) -> pa.Table:
-        pieces = []
-        for record in records:
-            others = {name: values for name, values in record.items() if name != "tick"}
-            tick = record["tick"]
-            if isinstance(tick, int):
-                length = len(next(iter(others.values()), ()))
-                tick = np.full(length, tick, np.int64)
-            odd = next((n for n, one in others.items() if len(one) != len(tick)), None)
-            if odd is not None:
-                raise SocialmindError(
-                    f"{where}: column {odd} has {len(others[odd])} values, others {len(tick)}"
-                )
-            named = {f"{prefix}.{n}" if n == RUN else n: one for n, one in others.items()}
-            pieces.append({RUN: np.full(len(tick), run, np.int64), "tick": tick, **named})
-        if any(tuple(one) != tuple(pieces[0]) for one in pieces):
-            raise SocialmindError(f"{where}: other columns at one tick than at another")
-        return arrow_table(pieces, where)
 
 
 class _Watch:
@@ -196,23 +144,3 @@ class _Watch:
             end = self._end
             if end is not None and time.monotonic() > end:
                 os._exit(OVERTIME)
-
-
-def _stream(tables: list[pa.Table]) -> bytes:
-    import pyarrow as pa
-
-    from socialmind.experiments.sweeps.store import together
-
-    rows = tables[0] if len(tables) == 1 else together(tables)
-    sink = pa.BufferOutputStream()
-    with pa.ipc.new_stream(sink, rows.schema) as writer:
-        writer.write_table(rows)
-    return bytes(sink.getvalue().to_pybytes())
-
-
-def from_stream(content: bytes) -> pa.Table:
-    """Return the table of an Arrow stream."""
-    import pyarrow as pa
-
-    with pa.ipc.open_stream(content) as reader:
-        return reader.read_all()

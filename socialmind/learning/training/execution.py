@@ -22,6 +22,7 @@ from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curric
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
 from socialmind.learning.training.teaching import Result
+from socialmind.learning.training.telling import OnGeneration, told_of_generations
 from socialmind.mind.description import MindDescription
 from socialmind.mind.files.packing import files_of
 from socialmind.model import Model
@@ -34,7 +35,6 @@ from socialmind.work.files import remove
 from socialmind.work.signals import deferred_signals
 from socialmind.work.workers import Stopped, hired
 
-OnGeneration = Callable[[News, float | None], None]
 OnLesson = Callable[[int, Lesson, Result], None]
 
 
@@ -52,7 +52,10 @@ class TrainingInterrupted(KeyboardInterrupt):
     def __init__(
         self, folder: Path, attempt: int, lesson: str, generation: int, signal_number: int
     ) -> None:
-        super().__init__(f"stopped in attempt {attempt}, {lesson}, generation {generation}")
+        super().__init__(
+            f"stopped in attempt {attempt}, {lesson}, generation {generation:,}; "
+            f"resume({str(folder)!r}) goes on"
+        )
         self.folder = folder
         self.attempt = attempt
         self.lesson = lesson
@@ -77,6 +80,7 @@ def learn(
     cluster: str | None = None,
     on_generation: OnGeneration | None = None,
     on_lesson: OnLesson | None = None,
+    progress: bool | None = None,
 ) -> Path:
     """Teach a mind a curriculum, into a folder of its own.
 
@@ -100,6 +104,8 @@ def learn(
         on_generation: called after each generation with its `News` and the seconds left, if they
             are known.
         on_lesson: called after each lesson with the attempt, the lesson and its `Result`.
+        progress: whether a line tells of each generation; by default in notebooks and on
+            terminals, unless `on_generation` is given.
 
     Returns:
         The training's folder.
@@ -144,8 +150,9 @@ def learn(
     )
     copy = {f"{MIND}/{path}": content for path, content in files.items()}
     capsule = TrainingCapsule.create(target, manifest, copy)
-    with capsule.locked():
-        _go(capsule, curriculum, workers, cluster, on_generation, on_lesson)
+    kind = f"learn {manifest.model['name']}"
+    with capsule.locked(), told_of_generations(progress, kind, on_generation) as tell:
+        _go(capsule, curriculum, workers, cluster, tell, on_lesson)
     return capsule.folder
 
 
@@ -159,6 +166,7 @@ def resume(
     on_generation: OnGeneration | None = None,
     on_lesson: OnLesson | None = None,
     trust: bool = False,
+    progress: bool | None = None,
 ) -> Path:
     """Go on with a training that was stopped, or add attempts or cycles to it.
 
@@ -174,6 +182,7 @@ def resume(
         on_generation: likewise.
         on_lesson: likewise.
         trust: run programs that this user has neither named nor run before.
+        progress: as for `learn`.
 
     Returns:
         The training's folder.
@@ -185,7 +194,7 @@ def resume(
     attempts = None if attempts is None else whole("attempts", attempts, 1)
     cycles = None if cycles is None else whole("cycles", cycles, 1)
     capsule = TrainingCapsule(folder)
-    with capsule.locked():
+    with capsule.locked(), told_of_generations(progress, "learn", on_generation) as tell:
         manifest = capsule.manifest
         if attempts is not None and attempts < manifest.attempts:
             raise SocialmindError(
@@ -205,7 +214,7 @@ def resume(
             changes=changes,
             platforms=folders.with_this_machine(manifest.platforms),
         )
-        _go(capsule, curriculum, workers, cluster, on_generation, on_lesson)
+        _go(capsule, curriculum, workers, cluster, tell, on_lesson)
     return capsule.folder
 
 

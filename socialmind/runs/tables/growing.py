@@ -216,7 +216,7 @@ def _first_failing(records: Sequence[Columns], column: str) -> str:
         try:
             to_arrow(record[column])
         except SocialmindError:
-            return f" at tick {int(record['tick'][0])}"
+            return f" at tick {int(record['tick'][0])}" if "tick" in record else ""
     return ""
 
 

@@ -3,8 +3,8 @@
 import numba
 
 from coglogo_py.compiled.code_folder import CACHE_VARIABLE
-from socialmind.commands.console import compiling
 from socialmind.commands.console.stopping import what_memory_lacked
+from socialmind.work import compile_times as compiling
 
 
 def test_compiling_is_said_and_its_time_remembered(tmp_path, monkeypatch):

@@ -15,8 +15,10 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, Sweep, designs, remake_run, resume_sweep, sweep
-from socialmind.experiments.sweeps import sweep as sweeping
-from socialmind.experiments.sweeps.sweep import SweepInterrupted
+from socialmind.experiments.sweeps import leading
+from socialmind.experiments.sweeps.leading import SweepInterrupted
+from socialmind.experiments.sweeps.tables import window
+from socialmind.experiments.sweeps.tables.store import Store
 from socialmind.learning.lessons.keys import seed_for
 
 DESIGN = {"largest_gift": [0.5, 1.0, 2.0], "n": [3, 6, 9]}
@@ -30,8 +32,8 @@ OPTIONS = {
 @pytest.fixture
 def one_by_one(monkeypatch):
     """Jobs of one run, each written at once."""
-    monkeypatch.setattr(sweeping, "JOB_SECONDS", 0.0)
-    monkeypatch.setattr(sweeping, "WINDOW_SECONDS", (0.0, 0.0))
+    monkeypatch.setattr(leading, "JOB_SECONDS", 0.0)
+    monkeypatch.setattr(window, "WINDOW_SECONDS", (0.0, 0.0))
 
 
 @pytest.fixture(scope="module")
@@ -106,7 +108,8 @@ def test_what_was_stopped_goes_on_to_the_same(gifts, whole, contents, tmp_path, 
     out = tmp_path / "s"
     with pytest.raises(Enough):
         sweep(gifts, DESIGN, out=out, on_progress=stopped_at(count), **OPTIONS)
-    assert 1 <= len(Sweep(out).runs) < 9
+    assert Sweep(out).runs["run"].tolist() == list(range(9))
+    assert 1 <= (Sweep(out).runs["status"] == "finished").sum() < 9
     told = []
     resume_sweep(out, workers=1, on_progress=lambda done, total: told.append((done, total)))
     assert told[0][0] >= 1 and told[-1] == (9, 9)
@@ -120,10 +123,11 @@ from pathlib import Path
 
 from socialmind.catalogue import load_model
 from socialmind.experiments import resume_sweep, sweep
-from socialmind.experiments.sweeps import sweep as sweeping
+from socialmind.experiments.sweeps import leading
+from socialmind.experiments.sweeps.tables import window
 
-sweeping.WINDOW_SECONDS = (0.0, 0.0)
-sweeping.JOB_SECONDS = 0.0
+window.WINDOW_SECONDS = (0.0, 0.0)
+leading.JOB_SECONDS = 0.0
 model, folder = load_model(sys.argv[1]), Path(sys.argv[2])
 DESIGN = {"largest_gift": [i / 50 for i in range(100)]}
 OPTIONS = {"every": 5, "measures": {"unequal": "gini(agents.money)"}, "agents": "last"}
@@ -247,7 +251,7 @@ def test_one_that_ends_its_process_is_recorded_and_others_go_on(slow, tmp_path):
 def test_a_full_disk_stops_it_with_one_line(
     gifts, whole, contents, tmp_path, monkeypatch, one_by_one
 ):
-    out, write, written = tmp_path / "s", sweeping.Store.write, []
+    out, write, written = tmp_path / "s", Store.write, []
 
     def full(self, tables):
         written.append(1)
@@ -255,7 +259,7 @@ def test_a_full_disk_stops_it_with_one_line(
             raise OSError(28, "No space left on device")
         write(self, tables)
 
-    monkeypatch.setattr(sweeping.Store, "write", full)
+    monkeypatch.setattr(Store, "write", full)
     with pytest.raises(SocialmindError, match=r"No space left .* go on with --resume"):
         sweep(gifts, DESIGN, out=out, **OPTIONS)
     resume_sweep(out, workers=1)

@@ -47,26 +47,35 @@ def _deviation(values: Any) -> Any:
     return np.std(array, ddof=1) if array.size > 1 else np.nan
 
 
+def _of_some(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a function that is NaN of nothing: a society may have died out."""
+
+    def of_some(values: Any, *others: Any) -> Any:
+        return function(values, *others) if np.size(values) else np.nan
+
+    return of_some
+
+
 def _least_of(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return the least or greatest of an array, or of several numbers."""
 
     def least(*values: Any) -> Any:
         return function(values[0]) if len(values) == 1 else function(np.array(values))
 
-    return least
+    return _of_some(least)
 
 
 FUNCTIONS: dict[str, tuple[Callable[..., Any], tuple[int, int]]] = {
-    "mean": (np.mean, (1, 1)),
-    "median": (np.median, (1, 1)),
+    "mean": (_of_some(np.mean), (1, 1)),
+    "median": (_of_some(np.median), (1, 1)),
     "min": (_least_of(np.min), (1, 9)),
     "max": (_least_of(np.max), (1, 9)),
     "sum": (np.sum, (1, 1)),
     "std": (_deviation, (1, 1)),
     "count": (np.count_nonzero, (1, 1)),
-    "quantile": (np.quantile, (2, 2)),
-    "first": (lambda values: np.atleast_1d(values)[0], (1, 1)),
-    "last": (lambda values: np.atleast_1d(values)[-1], (1, 1)),
+    "quantile": (_of_some(np.quantile), (2, 2)),
+    "first": (_of_some(lambda values: np.atleast_1d(values)[0]), (1, 1)),
+    "last": (_of_some(lambda values: np.atleast_1d(values)[-1]), (1, 1)),
     "abs": (np.abs, (1, 1)),
     "sqrt": (np.sqrt, (1, 1)),
     "log": (np.log, (1, 1)),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -75,28 +76,37 @@ def points_of(design: pd.DataFrame | Mapping[str, Sequence[Any]] | None, there: 
 
 
 def points_in(path: Path, there: Nameable) -> Points:
-    """Return the points of a CSV file, whose first line names the columns.
+    """Return the points of a CSV file, whose first line names the columns; commas or semicolons.
 
     Raises:
         SocialmindError: it cannot be read, or as for `points_of`.
     """
-    import pandas as pd
-
     try:
-        frame = pd.read_csv(path.expanduser(), dtype=str, keep_default_na=False)
+        with path.expanduser().open(encoding="utf-8-sig", newline="") as file:
+            first = file.readline()
+            file.seek(0)
+            reader = csv.reader(file, delimiter=";" if ";" in first and "," not in first else ",")
+            lines = [(reader.line_num, [cell.strip() for cell in cells]) for cells in reader]
     except OSError as error:
         raise SocialmindError(f"{path}: {error.strerror or error}") from None
-    except (ValueError, UnicodeDecodeError) as error:  # pandas' own are such
-        raise SocialmindError(f"{path}: not a CSV file ({error})") from None
-    if frame.empty:
+    except (csv.Error, UnicodeDecodeError) as error:
+        raise SocialmindError(f"{path}: not a CSV file in UTF-8 ({error})") from None
+    lines = [(number, cells) for number, cells in lines if any(cells)]
+    if len(lines) < 2:
         raise SocialmindError(f"{path}: no points; expected a line of names, then a line a point")
-    columns = _columns([str(name).strip() for name in frame.columns], there, f"{path}: ")
-    read = []
-    for number, one in enumerate(columns):
-        texts = frame.iloc[:, number].tolist()
-        read.append([_said(one, str(t).strip(), f"{path}:{n + 2}") for n, t in enumerate(texts)])
-    rows = tuple(zip(*read, strict=True))
-    return Points(columns, rows, {"name": "table", "file": path.name})
+    (_, names), *rows = lines
+    columns = _columns(names, there, f"{path}: ")
+    for number, cells in rows:
+        if len(cells) != len(names):
+            raise SocialmindError(
+                f"{path}:{number}: found {len(cells)} values; expected {len(names)}, one for each "
+                f"of {', '.join(names)}"
+            )
+    values = tuple(
+        tuple(_said(one, text, f"{path}:{n}") for one, text in zip(columns, cells, strict=True))
+        for n, cells in rows
+    )
+    return Points(columns, values, {"name": "table", "file": path.name})
 
 
 def points_of_parquet(content: bytes, columns: Sequence[Varied], names: Names) -> Points:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coglogo_py.border.places import place as place_called
 from socialmind.agents.attributes import ArrayField
 from socialmind.agents.bookkeeping import ENTRIES, GONE, GONE_SCORE
 from socialmind.errors import RuleError, place_of
@@ -221,7 +222,7 @@ def _call(
             model.context["_over"] = call.number + 1
     except Exception as error:
         file, line = device.place
-        place = place_of(error, f"{file}:{line}")
+        place = place_of(error, place_called(file, line))
         who = f"the {device.word} {call.name!r} of agent {robot.id} of {stage.robots.name!r}"
         raise RuleError(f"{type(error).__name__}: {error}", place, model.tick, who) from error
     return 0.0

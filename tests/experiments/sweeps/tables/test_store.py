@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.sweeps import store
-from socialmind.experiments.sweeps.store import RUNS, Store
+from socialmind.experiments.sweeps.tables import merging, store
+from socialmind.experiments.sweeps.tables.store import RUNS, Store
 from socialmind.runs.tables.growing import arrow_table
 from socialmind.runs.tables.names import SERIES
 
@@ -52,8 +52,9 @@ def test_tables_hang_on_no_order_and_no_windows(order, cuts):
 
 
 def test_long_tables_go_through_few_pieces_in_memory(tmp_path, monkeypatch):
+    monkeypatch.setattr(merging, "ROW_GROUP", 8)
     monkeypatch.setattr(store, "ROW_GROUP", 8)
-    monkeypatch.setattr(store, "KEPT_GROUPS", 2)
+    monkeypatch.setattr(merging, "KEPT_GROUPS", 2)
     windows = [list(range(n, 120, 3)) for n in range(3)]
     merged(tmp_path, windows)
     found = pq.read_table(tmp_path / "series.parquet").to_pydict()
