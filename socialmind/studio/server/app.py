@@ -64,6 +64,30 @@ class Studio:
     async def _models(self, request: Request) -> JSONResponse:
         return JSONResponse(list(catalogue()))
 
+    def _refusal(self, command: dict[str, Any]) -> str | None:
+        """Say why a page may not ask that: no path leaves the folders that the program was given.
+
+        Models are those of the catalogue and the one that the program was started with; runs are
+        saved in the folder where it was started, or below.
+        """
+        do, model, folder = (command.get(name) for name in ("do", "model", "folder"))
+        if do not in COMMANDS:
+            return f"no command {do!r}"
+        if do == "setup" and model not in {*catalogue(), (self._first or {}).get("model")}:
+            return f"no model {model!r}; start the studio with its folder"
+        home = Path.cwd()
+        if do == "save" and folder and not (home / str(folder)).resolve().is_relative_to(home):
+            return f"{folder} is not below {home}, where the studio was started"
+        return None
+
+    def _with_scheme(self, command: dict[str, Any]) -> dict[str, Any]:
+        """Give the scheme of the command line to the model that it was given for, and no other."""
+        first = self._first or {}
+        if command["do"] != "setup":
+            return command
+        own = command["model"] == first.get("model")
+        return {**command, "scheme": first.get("scheme") if own else None}
+
     async def _live(self, socket: WebSocket) -> None:
         """Let a page look at a society, command it, and go."""
         await socket.accept()
@@ -81,8 +105,10 @@ class Studio:
                     viewer.ready = True
                     viewer.news.set()
                     stage.want_frame()
-                elif command.get("do") in COMMANDS:
-                    stage.command(command)
+                elif (refusal := self._refusal(command)) is not None:
+                    viewer.tell(json.dumps({"said": "error", "of": "page", "text": refusal}))
+                else:
+                    stage.command(self._with_scheme(command))
         except (WebSocketDisconnect, json.JSONDecodeError):
             pass
         finally:
