@@ -18,6 +18,7 @@ from socialmind.errors import SocialmindError
 from socialmind.interventions.change import Change
 from socialmind.interventions.edit import Edit
 from socialmind.interventions.following import Intervention
+from socialmind.model import Model
 from socialmind.runs.capsule import Capsule
 from socialmind.society.settings import sorted_out
 from socialmind.studio.running.history import History
@@ -55,6 +56,7 @@ class Stage:
         self._wanted = False
         self._changed = False
         self._length = 0
+        self._source = ""
         self._next_frame = self._next_piece = self._next_row = 0.0
 
     # Commands ---------------------------------------------------------------------------------
@@ -82,7 +84,8 @@ class Stage:
         self.running = False
         self._say("busy", text=f"making {model}")
         model_class = load_model(model)
-        self._say("model", **outline_of_model(model_class))
+        self._source = model
+        self._say_model(model_class)
         self._begin(LiveRun(model_class(seed=seed, scheme=scheme, **(parameters or {}))))
 
     def do_open(self, folder: str) -> None:
@@ -91,7 +94,9 @@ class Stage:
         self._say("busy", text=f"opening {folder}")
         capsule = Capsule(folder)
         run = LiveRun.of_folder(folder)
-        self._say("model", **outline_of_model(type(run.society)))
+        kind = type(run.society)
+        self._source = kind.name
+        self._say_model(kind)
         self._begin(run, capsule.manifest.ticks)
 
     def _begin(self, run: LiveRun, length: int = 0) -> None:
@@ -173,7 +178,7 @@ class Stage:
     def do_join(self) -> None:
         """Tell somebody new all that was said so far."""
         if self._run is not None:
-            self._say("model", **outline_of_model(type(self._run.society)))
+            self._say_model(type(self._run.society))
             self._say("society", **self._outline())
             self._changed = True
 
@@ -258,6 +263,10 @@ class Stage:
             "shown": vars(self._shown),
             "history": self._history.columns(),
         }
+
+    def _say_model(self, kind: type[Model]) -> None:
+        """Say what a model declares, and by which name it is set up again."""
+        self._say("model", **outline_of_model(kind), source=self._source)
 
     def _of(self) -> LiveRun:
         if self._run is None:

@@ -15,6 +15,8 @@ export interface Parameter {
 
 export interface ModelOutline {
   name: string;
+  /** The name by which it is set up again. */
+  source: string;
   about: string;
   ticks: number;
   parameters: Parameter[];
