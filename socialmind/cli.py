@@ -38,6 +38,7 @@ from socialmind.commands.plotting import plot
 from socialmind.commands.rendering import render
 from socialmind.commands.scoring import score
 from socialmind.commands.sweeping import sweep
+from socialmind.commands.watching import studio
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.version import __version__
 
@@ -133,7 +134,7 @@ def list_(
 
 
 for one in (
-    running.run, sweep, branch, compare, learn, score, plot, render, running.replay,
+    running.run, studio, sweep, branch, compare, learn, score, plot, render, running.replay,
 ):  # fmt: skip
     command(one)
 

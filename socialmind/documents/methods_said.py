@@ -23,6 +23,9 @@ def interventions_said(records: Sequence[Mapping[str, Any]]) -> str:
         if "function" in one:
             digest = one["sources"]["sha256"][:HASH_DIGITS]
             what = [f"{one['function']} ({Path(one['file']).name}, SHA-256 {digest}…)"]
+        elif "agent" in one:
+            whose = f"{one['part']} of agent {one['agent']} of {one['population']}"
+            what = [valued(whose, one["value"])]
         else:
             what = [valued(*each) for each in one["parameters"].items()]
             what += [

@@ -2,7 +2,7 @@
 
 - `run`, `resume`: run a model into a folder, go on with one;
 - `branch`: go back to a moment of a capsule, change something, and go on;
-- `Shock`, `Change`: what is done to a society on its way;
+- `Shock`, `Change`, `Edit`: what is done to a society on its way;
 - `replay`: run a capsule again and compare;
 - `Run`: read a capsule's tables, parameters and scheme;
 - `draw_figures`: draw a run's figures into its folder;
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from socialmind.experiments.sweeps.sweep import resume_sweep as resume_sweep
     from socialmind.experiments.sweeps.sweep import sweep as sweep
     from socialmind.interventions.change import Change as Change
+    from socialmind.interventions.edit import Edit as Edit
     from socialmind.interventions.shock import Shock as Shock
     from socialmind.runs.branching.branch import branch as branch
     from socialmind.runs.execution import Interrupted as Interrupted
@@ -43,6 +44,7 @@ else:
             "socialmind.experiments.sweeps.leading": "SweepInterrupted",
             "socialmind.experiments.sweeps.sweep": "resume_sweep sweep",
             "socialmind.interventions.change": "Change",
+            "socialmind.interventions.edit": "Edit",
             "socialmind.interventions.shock": "Shock",
             "socialmind.runs.branching.branch": "branch",
             "socialmind.runs.execution": "Interrupted resume run",

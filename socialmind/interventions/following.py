@@ -6,11 +6,12 @@ from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
 from socialmind.interventions.change import Change
+from socialmind.interventions.edit import Edit
 from socialmind.interventions.shock import Shock
 from socialmind.model import Model
 
 Society = TypeVar("Society", bound=Model)
-Intervention = Shock | Change
+Intervention = Shock | Change | Edit
 
 
 def in_order(interventions: Iterable[Intervention]) -> tuple[Intervention, ...]:

@@ -53,9 +53,14 @@ _INTERVENTION = kinds.Fields(
         "sources": kinds.SOURCES,
         "parameters": kinds.Each(kinds.SETTING),
         "schemes": kinds.Each(_copied("file")),
+        "population": kinds.TEXT,
+        "agent": kinds.whole(),
+        "part": kinds.TEXT,
+        "value": kinds.optional(kinds.SETTING),
     },
 )
 _OF_SHOCKS, _OF_CHANGES = ("function", "file", "sources"), ("parameters", "schemes")
+_OF_EDITS = ("population", "agent", "part", "value")
 _BRANCH = kinds.Kind(
     "of which run, at which tick and with what change a run is a branch, or null",
     lambda value: (
@@ -93,7 +98,8 @@ class Manifest(folders.FolderManifest):
             checkpoint says.
         interventions: what is done to it on its way, in order: the ``tick``, and of a shock the
             ``function``, the ``file`` (the copy in the run's folder) and its ``sources``; of a
-            change the ``parameters`` and ``schemes``.
+            change the ``parameters`` and ``schemes``; of an edit the ``population``, ``agent``,
+            ``part`` and ``value``.
         branch: of a branch: the ``run`` that it left, as a path, that run's ``identity``, the
             ``tick`` and the ``change``, in words.
         status: ``running``, ``interrupted``, ``failed`` or ``finished``.
@@ -143,7 +149,9 @@ class Manifest(folders.FolderManifest):
     def _check(cls, content: Mapping[str, Any], path: Path) -> None:
         check_record(content["ticks_done"], kinds.whole(0, content["ticks"]), f"{path}: ticks_done")
         for number, one in enumerate(content.get("interventions", ())):
-            needed = _OF_SHOCKS if "function" in one else _OF_CHANGES
+            needed: tuple[str, ...] = _OF_EDITS if "agent" in one else _OF_CHANGES
+            if "function" in one:
+                needed = _OF_SHOCKS
             place = f"{path}: interventions[{number}]"
             check_record(one, kinds.Fields(dict.fromkeys(needed, kinds.ANY)), place)
         if content["status"] == folders.FINISHED:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coglogo_py import CognitiveScheme
 from socialmind.errors import SocialmindError
 from socialmind.interventions.change import Change
+from socialmind.interventions.edit import Edit
 from socialmind.interventions.following import Intervention, in_order
 from socialmind.interventions.shock import Shock, loaded
 from socialmind.runs.record import within
@@ -49,6 +51,8 @@ def copies_of(
         if isinstance(one, Shock):
             home = f"{FOLDER}/{number:02d}-{re.sub(r'[^0-9A-Za-z_]', '_', one.name)}"
             record, own = _kept_shock(one, home)
+        elif isinstance(one, Edit):
+            record, own = asdict(one), {}
         else:
             record, own = _kept_change(one, f"{FOLDER}/{number:02d}", model_class)
         records.append(record)
@@ -107,10 +111,13 @@ def interventions_of(capsule: Made, trust: bool = False) -> tuple[Intervention, 
     Raises:
         SocialmindError: a copy is missing or was changed, or holds unknown programs.
     """
-    return in_order(
-        _shock_of(capsule, one, trust) if "function" in one else _change_of(capsule, one)
-        for one in capsule.manifest.interventions
-    )
+    return in_order(_intervention(capsule, one, trust) for one in capsule.manifest.interventions)
+
+
+def _intervention(capsule: Made, record: Mapping[str, Any], trust: bool) -> Intervention:
+    if "function" in record:
+        return _shock_of(capsule, record, trust)
+    return Edit(**record) if "agent" in record else _change_of(capsule, record)
 
 
 def _shock_of(capsule: Made, record: Mapping[str, Any], trust: bool) -> Shock:

@@ -1,0 +1,64 @@
+// Colours that the colour-blind tell apart, on light and on dark ground.
+
+export type Colour = [number, number, number];
+
+/** For words: after Okabe and Ito (2008), the yellow darkened so that it is seen on white. */
+const WORDS: Colour[] = [
+  [0, 114, 178],
+  [213, 94, 0],
+  [0, 158, 115],
+  [204, 121, 167],
+  [86, 180, 233],
+  [200, 160, 0],
+  [120, 120, 120],
+  [110, 60, 140],
+];
+export const NONE: Colour = [150, 150, 150];
+
+/** Viridis at nine places (BSD, van der Walt and Smith); between them colours are mixed. */
+const SCALE: Colour[] = [
+  [68, 1, 84],
+  [71, 44, 122],
+  [59, 81, 139],
+  [44, 113, 142],
+  [33, 144, 141],
+  [39, 173, 129],
+  [92, 200, 99],
+  [170, 220, 50],
+  [253, 231, 37],
+];
+
+export function ofWord(place: number): Colour {
+  return place === 255 ? NONE : WORDS[place % WORDS.length];
+}
+
+/** A table of 256 colours, RGB. */
+export const TABLE = new Uint8Array(256 * 3);
+for (let step = 0; step < 256; step += 1) {
+  const along = (step / 255) * (SCALE.length - 1);
+  const low = Math.min(Math.floor(along), SCALE.length - 2);
+  for (let part = 0; part < 3; part += 1) {
+    const mixed = SCALE[low][part] + (along - low) * (SCALE[low + 1][part] - SCALE[low][part]);
+    TABLE[3 * step + part] = Math.round(mixed);
+  }
+}
+
+export function ofNumber(value: number, low: number, high: number): Colour {
+  if (!Number.isFinite(value)) return NONE;
+  const share = high > low ? (value - low) / (high - low) : 0.5;
+  const at = 3 * Math.max(0, Math.min(255, Math.round(255 * share)));
+  return [TABLE[at], TABLE[at + 1], TABLE[at + 2]];
+}
+
+export function css([red, green, blue]: Colour): string {
+  return `rgb(${red} ${green} ${blue})`;
+}
+
+/** A number as people read it. */
+export function shown(value: unknown): string {
+  if (value === null || value === undefined) return "–";
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  if (typeof value !== "number") return String(value);
+  if (Number.isInteger(value) && Math.abs(value) < 1e7) return value.toLocaleString("en").replaceAll(",", "\u202f");
+  return Number(value.toPrecision(4)).toString().replace("-", "−");
+}

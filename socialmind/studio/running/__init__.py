@@ -1,0 +1,1 @@
+"""A society that runs under somebody's eyes, in a process of its own."""

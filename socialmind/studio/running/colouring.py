@@ -1,0 +1,128 @@
+"""Colourings: what a page can colour agents and patches by, as a number or a word for each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.errors import SocialmindError, nearest
+from socialmind.model import Model
+
+NOTHING = 255
+"""The place of who has none of the words."""
+
+
+@dataclass(frozen=True)
+class Coloured:
+    """A value for each of many.
+
+    Attributes:
+        values: u1, places among the words, `NOTHING` for none; or f4, NaN for none.
+        words: what can be; none where values are numbers.
+    """
+
+    values: NDArray[Any]
+    words: Sequence[str] = ()
+
+
+def colourings(society: Model, population: str) -> list[str]:
+    """Return what the agents of a population can be coloured by.
+
+    "one" is one colour for all; "plan"; for a group "role GROUP"; "cogniton NAME" and "field NAME".
+    """
+    table = society.tables[population]
+    found = ["one"]
+    if table.society is not None:
+        names = table.society.names
+        found += ["plan", *(f"role {group}" for group in names.groups)]
+        found += [f"cogniton {one.name}" for one in table.society.scheme.cognitons]
+    return found + [f"field {name}" for name in _shown(table.shape.fields)]
+
+
+def of_agents(society: Model, population: str, colouring: str) -> Coloured:
+    """Return a value for each of the living, in order of birth.
+
+    Args:
+        society: as it is.
+        population: of it.
+        colouring: one of `colourings`.
+
+    Raises:
+        SocialmindError: it is none.
+    """
+    table = society.tables[population]
+    if colouring not in (known := colourings(society, population)):
+        raise SocialmindError(
+            f"{population!r} coloured by {colouring!r}; {nearest(colouring, known)}"
+        )
+    what, _, name = colouring.partition(" ")
+    if what == "one":
+        return Coloured(np.zeros(len(table), np.uint8), (population,))
+    if what == "plan":
+        plans = table.columns["_plan"][table.slots]
+        return Coloured(_places(plans), society.schemes[population].plans)
+    if what == "cogniton":
+        return Coloured(table.cogniton(name).astype(np.float32))
+    if what == "role":
+        return _roles(table, name)
+    return _field(table.shape.fields[name], table.columns, table.slots, table)
+
+
+def of_patches(society: Model, name: str) -> Coloured:
+    """Return a value for each patch, column by column from the south-west.
+
+    Args:
+        society: in a world of patches.
+        name: a field of the patches.
+    """
+    world = society.ground.world
+    if name not in (known := _shown(world.fields)):
+        raise SocialmindError(f"patches coloured by {name!r}; {nearest(name, known)}")
+    return _field(world.fields[name], world.columns, slice(None), None)
+
+
+def patch_fields(society: Model) -> list[str]:
+    """Return the fields by which patches can be coloured."""
+    return _shown(getattr(getattr(society.ground, "world", None), "fields", {}))
+
+
+def _shown(fields: Mapping[str, Any]) -> list[str]:
+    placing = ("x", "y", "heading", "angle")
+    return [n for n, one in fields.items() if one.size is None and n not in placing]
+
+
+def _field(field: Any, columns: Mapping[str, Any], slots: Any, table: Any) -> Coloured:
+    from socialmind.fields import presence
+
+    values = columns[field.name][slots]
+    there = columns[presence(field.name)][slots] if field.optional else None
+    if field.choices or field.kind is bool:
+        places = _places(values.astype(np.int64))
+        words = field.choices or ("no", "yes")
+        if there is not None:
+            places[~there] = NOTHING
+        return Coloured(places, words)
+    numbers = values.astype(np.float32)
+    if there is not None:
+        numbers[~there] = np.nan
+    return Coloured(numbers)
+
+
+def _roles(table: Any, group: str) -> Coloured:
+    names, minds = table.society.names, table.society.minds
+    slots, place = table.columns["_mind"][table.slots], names.groups[group]
+    roles = names.roles[group]
+    words = tuple(roles)
+    position = {at: number for number, at in enumerate(roles.values())}
+    held = np.where(minds.group_slot[slots, place] >= 0, minds.role[slots, place], -1)
+    return Coloured(
+        np.array([position.get(one, NOTHING) for one in held.tolist()], np.uint8), words
+    )
+
+
+def _places(values: NDArray[Any]) -> NDArray[np.uint8]:
+    return np.where((values >= 0) & (values < NOTHING), values, NOTHING).astype(np.uint8)

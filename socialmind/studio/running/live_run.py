@@ -1,0 +1,172 @@
+"""A run that goes on as somebody says, and back: from any tick to any other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import NDArray
+
+from socialmind.interventions.following import Intervention, begun_for, next_after
+from socialmind.model import Model
+from socialmind.runs.branching.kept import interventions_of
+from socialmind.runs.capsule import Capsule
+from socialmind.runs.execution import run
+from socialmind.runs.sources import model_of
+
+STATES = 64
+"""How many states are kept at most; each second one is dropped when there are more."""
+ROOM = 256 * 2**20
+"""Bytes that kept states may take."""
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A state to repeat from.
+
+    Attributes:
+        tick: of the state, before the interventions there.
+        arrays: by name.
+    """
+
+    tick: int
+    arrays: Mapping[str, NDArray[Any]]
+
+
+class LiveRun:
+    """A run of a model in memory, which can be gone back in.
+
+    It is the run that the command line makes of the same model, seed, parameters and
+    interventions, tick for tick: `save` makes it.
+
+    Args:
+        first: the society before its first tick.
+        interventions: what is done to it on its way, in order.
+
+    Attributes:
+        society: as it is now.
+        interventions: what was done to it, and what is to be done, in order.
+    """
+
+    def __init__(self, first: Model, interventions: Iterable[Intervention] = ()) -> None:
+        self.society = self._first = first
+        self.interventions: list[Intervention] = list(interventions)
+        self._met = 0
+        """How many interventions the society has met."""
+        self._kept: list[Kept] = []
+        self._apart = 1
+        self._furthest = 0
+        self._keep()
+
+    @classmethod
+    def of_folder(cls, folder: str | Path) -> LiveRun:
+        """Return the run that a folder holds, at tick 0.
+
+        Raises:
+            SocialmindError: no run's folder, or its model was changed since.
+        """
+        capsule = Capsule(folder)
+        return cls(model_of(capsule), interventions_of(capsule))
+
+    @property
+    def tick(self) -> int:
+        """Where the society stands."""
+        return self.society.tick
+
+    @property
+    def furthest(self) -> int:
+        """The last tick that it has been at, since something was last done to it."""
+        return max(self.tick, self._furthest)
+
+    def advance(self, ticks: int = 1) -> None:
+        """Let it go on through the interventions that stand there.
+
+        Args:
+            ticks: at most; it may stop earlier.
+
+        Raises:
+            SocialmindError: a rule or an intervention failed.
+        """
+        end = self.tick + ticks
+        while self.tick < end and not self.society.stopped:
+            self._leave()
+            due = self.tick - self.tick % self._apart + self._apart
+            stop = next_after(self.tick, self.interventions[self._met :], min(end, due))
+            self.society.advance(stop - self.tick)
+            if self.tick % self._apart == 0 and self.tick > self._kept[-1].tick:
+                self._keep()
+
+    def go_to(self, tick: int) -> None:
+        """Go to a tick, before or ahead; the society is there as it was, or will be.
+
+        Args:
+            tick: 0 or more.
+        """
+        self._furthest = self.furthest
+        if tick < self.tick or any(self.tick < one.tick <= tick for one in self._kept):
+            last = max((one for one in self._kept if one.tick <= tick), key=lambda one: one.tick)
+            self.society = begun_for(self._first.fresh(), self.interventions, last.tick)
+            self.society.restore(last.arrays)
+            self._met = sum(one.tick < last.tick for one in self.interventions)
+        self.advance(tick - self.tick)
+
+    def intervene(self, intervention: Intervention) -> None:
+        """Do something to the society now; what lay ahead is forgotten.
+
+        Args:
+            intervention: at the tick where the society stands.
+
+        Raises:
+            SocialmindError: it failed; the society is as it was.
+        """
+        before = self.society.state()
+        try:
+            self._leave()
+            society = intervention.applied(self.society)
+        except Exception:
+            self.society.restore(before)
+            raise
+        self.society = society
+        self.interventions[self._met :] = [intervention]
+        self._met += 1
+        self._furthest = self.tick
+        self._kept = [one for one in self._kept if one.tick <= self.tick]
+
+    def save(self, folder: str | Path | None = None, every: int | None = None) -> Path:
+        """Make the run up to here as a folder of its own, by repeating it.
+
+        Args:
+            folder: to make; by default the next number under ``runs/``.
+            every: ticks between two rows of the series.
+        """
+        scheme, hierarchy = self._first._given
+        return run(
+            type(self._first),
+            self.tick,
+            self._first.seed,
+            self._first.parameter_values(),
+            scheme,
+            hierarchy,
+            every=every,
+            out=folder,
+            interventions=self.interventions[: self._met],
+        )
+
+    def _leave(self) -> None:
+        """Meet the interventions that stand at this tick."""
+        while self._met < len(self.interventions):
+            one = self.interventions[self._met]
+            if one.tick != self.tick:
+                return
+            self.society = one.applied(self.society)
+            self._met += 1
+
+    def _keep(self) -> None:
+        self._kept.append(Kept(self.tick, self.society.state()))
+        size = sum(array.nbytes for array in self._kept[-1].arrays.values())
+        if len(self._kept) > max(2, min(STATES, ROOM // max(size, 1))):
+            # The first stays: tick 0 is a multiple of all.
+            self._apart *= 2
+            self._kept = [one for one in self._kept if one.tick % self._apart == 0]

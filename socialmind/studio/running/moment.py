@@ -1,0 +1,124 @@
+"""A moment of a society as a page sees it: who stands where, and in which colour."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from socialmind.model import Model
+from socialmind.studio.running.colouring import (
+    Coloured,
+    colourings,
+    of_agents,
+    of_patches,
+    patch_fields,
+)
+from socialmind.studio.running.frames import packed
+from socialmind.worlds.plane.arena import Arena
+from socialmind.worlds.plane.scene import scene_of
+
+TURNED = ("heading", "angle")
+
+
+@dataclass
+class Shown:
+    """What of a society is shown.
+
+    Attributes:
+        agents: by population, what its agents are coloured by.
+        patches: the field that patches are coloured by; "" for none.
+        networks: whose links are drawn.
+    """
+
+    agents: dict[str, str] = field(default_factory=dict)
+    patches: str = ""
+    networks: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, society: Model) -> Shown:
+        """Return what is shown unless somebody chooses: plans, the first field, all networks."""
+        agents = {}
+        for name in society.populations:
+            agents[name] = "plan" if "plan" in colourings(society, name) else "one"
+        fields = patch_fields(society)
+        return cls(agents, fields[0] if fields else "", tuple(society.networks))
+
+
+def frame_of(society: Model, shown: Shown, **said: Any) -> bytes:
+    """Return a society at this moment as a frame.
+
+    Args:
+        society: whose moment.
+        shown: what of it.
+        said: what else the header says.
+    """
+    header: dict[str, Any] = {"tick": society.tick, "populations": {}, **said}
+    columns: dict[str, NDArray[Any]] = {}
+    if isinstance(society.ground, Arena):
+        _plane(society, header, columns)
+    else:
+        for name in society.populations:
+            _population(society, name, shown.agents.get(name, "one"), header, columns)
+    if shown.patches:
+        found = of_patches(society, shown.patches)
+        header["patches"] = {"field": shown.patches, **_colours(found)}
+        columns["patches"] = found.values
+    for name in shown.networks:
+        columns[f"{name}.links"] = _links(society, name)
+    return packed(header, columns)
+
+
+def _population(
+    society: Model, name: str, colouring: str, header: dict[str, Any], columns: dict[str, Any]
+) -> None:
+    table = society.tables[name]
+    slots, fields = table.slots, table.shape.fields
+    found = of_agents(society, name, colouring)
+    header["populations"][name] = {"count": len(slots), "by": colouring, **_colours(found)}
+    columns[f"{name}.id"] = table.columns["_id"][slots].astype(np.uint32)
+    for axis in ("x", "y"):
+        if axis in fields:
+            columns[f"{name}.{axis}"] = table.columns[axis][slots].astype(np.float32)
+    if "heading" in fields:
+        columns[f"{name}.heading"] = table.columns["heading"][slots].astype(np.float32)
+    columns[f"{name}.colour"] = found.values
+
+
+def _plane(society: Model, header: dict[str, Any], columns: dict[str, Any]) -> None:
+    scene = scene_of(society)
+    header["plane"] = {"half_width": scene.half_width, "over": scene.over}
+    teams = list(dict.fromkeys(one.team for one in scene.robots))
+    header["populations"] = {team: {"count": 0} for team in teams}
+    for team in teams:
+        robots = [one for one in scene.robots if one.team == team]
+        header["populations"][team] = {"count": len(robots), "kind": "robots"}
+        rows = [(one.x, one.y, one.angle, one.radius, one.emits) for one in robots]
+        columns[f"{team}.robots"] = np.array(rows, np.float32).reshape(-1, 5)
+        columns[f"{team}.id"] = np.array([one.identity for one in robots], np.uint32)
+    for part in ("rays", "lines"):
+        segments = [getattr(one, part).reshape(-1, 4) for one in scene.robots]
+        joined = np.concatenate([np.zeros((0, 4)), *segments])
+        columns[part] = joined.astype(np.float32)
+    for kind, bodies in (("objects", scene.objects), ("zones", scene.zones)):
+        for name, found in bodies.items():
+            header["populations"][name] = {"count": len(found), "kind": kind}
+            columns[f"{name}.{kind}"] = found.astype(np.float32)
+            columns[f"{name}.id"] = np.asarray(society.tables[name].id, np.uint32)
+    columns["obstacles"] = scene.obstacles.astype(np.float32)
+
+
+def _links(society: Model, name: str) -> NDArray[np.uint32]:
+    """Return the identities of both ends of each link, (links, 2)."""
+    table: Any = society.tables[name]
+    return np.column_stack([table.source, table.target]).astype(np.uint32)
+
+
+def _colours(found: Coloured) -> Mapping[str, Any]:
+    if found.words:
+        return {"words": list(found.words)}
+    known = found.values[np.isfinite(found.values)]
+    return {"range": [float(known.min()), float(known.max())] if len(known) else [0.0, 1.0]}

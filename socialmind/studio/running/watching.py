@@ -1,0 +1,162 @@
+"""The agent watcher: all that an agent is at a moment, its body, its mind, its groups."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from coglogo_py.receipts.receipt import Receipt
+from socialmind.errors import SocialmindError
+from socialmind.mind.evaluation.agent_state import AgentState, Readings
+from socialmind.mind.views.plan import Plan, planned, values_of
+from socialmind.model import Model
+
+
+def watched(society: Model, population: str, identity: int) -> dict[str, Any]:
+    """Return an agent as data: fields, mind with the receipt of its next decision, groups, skills.
+
+    Nothing is drawn or changed.
+
+    Args:
+        society: as it is.
+        population: of the agent.
+        identity: of the agent.
+
+    Raises:
+        SocialmindError: there is no such agent alive.
+    """
+    table = society.tables.get(population)
+    if table is None or not table.contains(identity):
+        raise SocialmindError(f"no living agent of {population!r} has the identity {identity}")
+    agent = table[identity]
+    seen: dict[str, Any] = {
+        "population": population,
+        "id": identity,
+        "tick": society.tick,
+        "fields": {
+            name: _plain(getattr(agent, name))
+            for name, one in table.shape.fields.items()
+            if one.size is None and not name.startswith("_")
+        },
+    }
+    if table.society is not None:
+        mind = agent.mind
+        seen["plan"] = agent.plan
+        seen["cognitons"] = mind.cognitons()
+        seen["links"] = _links(society.schemes[population])
+        seen["groups"] = _groups(table, mind)
+        if not table.shape.weighed:
+            receipt = mind.explain()
+            seen["receipt"] = receipt.to_dict()
+            seen["words"] = _words(receipt)
+    if table.minds is not None:
+        seen["skills"] = _skills(AgentState(table.minds, agent._slot))
+    return seen
+
+
+def _links(scheme: Any) -> list[dict[str, Any]]:
+    """Return the links of a scheme's cognitons, with their kinds."""
+    found: list[dict[str, Any]] = []
+    for one in scheme.cognitons:
+        for kind in ("influence", "reinforcement"):
+            for plan, weight in getattr(one, kind).items():
+                found.append({"from": one.name, "to": plan, "kind": kind, "weight": weight})
+        found += [{"from": one.name, "to": plan, "kind": "conditional"} for plan in one.conditional]
+    return found
+
+
+def _groups(table: Any, mind: Any) -> list[dict[str, Any]]:
+    """Return the groups that a mind is in, with its role there and their culturons."""
+    names, minds, slot = table.society.names, table.society.minds, mind.slot
+    found = []
+    for group, place in names.groups.items():
+        row = int(minds.group_slot[slot, place])
+        if row < 0:
+            continue
+        at = int(minds.role[slot, place])
+        found.append(
+            {
+                "group": group,
+                "instance": int(minds.instance_id[row]),
+                "role": next((r for r, p in names.roles[group].items() if p == at), None),
+                "participation": float(minds.participation[slot, place]),
+                "members": int(minds.members[row]),
+                "culturons": {
+                    name: float(minds.culturons[row, column])
+                    for name, column in names.culturons[group].items()
+                },
+            }
+        )
+    return found
+
+
+def _words(receipt: Receipt) -> list[str]:
+    """Say what spoke for and against the plan of a receipt, and what would have turned it."""
+    names = [plan.name for plan in receipt.plans]
+    if receipt.choice is None:
+        return ["No plan is available."]
+    at = names.index(receipt.choice)
+    parts = [(one, one.contributions[at]) for one in receipt.influences if one.contributions[at]]
+    parts.sort(key=lambda part: -abs(part[1]))
+    said = [f"The next decision is {receipt.choice}, chosen by {receipt.decision_maker}."]
+    for word, sign in (("For", 1), ("Against", -1)):
+        some = [f"{one.name} {part:+.3g}" for one, part in parts if part * sign > 0]
+        if some:
+            said.append(f"{word} it: {', '.join(some)}.")
+    change = receipt.smallest_change
+    if change is not None:
+        line = str(receipt).rstrip().splitlines()[-1]
+        said.append(line)
+    return said
+
+
+def _skills(hierarchy: Readings) -> dict[str, Any]:
+    """Return a hierarchy as a drawing: boxes with values, links with influence."""
+    plan: Plan = planned(hierarchy, key=False)
+    known = hierarchy.tick > 0
+    values = values_of(hierarchy) if known else {}
+    sent = {(f"SK:{skill}", to): value for (skill, to), value in hierarchy.links().items()}
+    gave = {(f"SK:{skill}", to): value for (skill, to), value in hierarchy.outputs().items()}
+    return {
+        "width": plan.width,
+        "height": plan.height,
+        "boxes": [
+            {
+                "name": name,
+                "x": box.x,
+                "y": box.y,
+                "width": box.width,
+                "height": box.height,
+                "lines": list(plan.lines[name]),
+                "value": float(values[name]) if name in values else None,
+            }
+            for name, box in plan.boxes.items()
+        ],
+        "links": [
+            {
+                "from": link[0],
+                "to": link[1],
+                "curve": [coordinate for point in curve for coordinate in point],
+                "sent": _plain(sent.get(link)) if known else None,
+                "gave": _plain(gave.get(link)) if known else None,
+            }
+            for link, curve in plan.routes.items()
+        ],
+        "readings": [
+            {"from": a, "to": b, "curve": [c for point in curve for c in point]}
+            for (a, b), curve in plan.readings.items()
+        ],
+    }
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as JSON has it: whatever is no number or text becomes one, or None."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    return str(value)

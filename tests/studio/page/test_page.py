@@ -1,0 +1,167 @@
+"""The page in a real browser: what a user does, by mouse and keyboard.
+
+Chromium is found as Debian has it (`apt install chromium`) or as Playwright installs it; without a
+browser these tests say so and are skipped.
+"""
+
+import shutil
+import socket
+import subprocess
+import sys
+import time
+
+import pytest
+
+from socialmind.experiments import Run, replay
+
+playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+SECONDS = 120_000
+TICK = "Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, ''))"
+SCRUB = """tick => {
+  const slider = document.querySelector("[data-test=scrub]");
+  slider.value = tick ?? slider.max;
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+}"""
+COLOURS = """() => {
+  const world = document.querySelector("[data-test=world]");
+  const copy = document.createElement("canvas");
+  copy.width = world.width;
+  copy.height = world.height;
+  const drawn = copy.getContext("2d");
+  drawn.drawImage(world, 0, 0);
+  const pixels = drawn.getImageData(0, 0, copy.width, copy.height).data;
+  const seen = new Set();
+  for (let at = 0; at < pixels.length; at += 4)
+    seen.add((pixels[at] << 16) | (pixels[at + 1] << 8) | pixels[at + 2]);
+  return seen.size;
+}"""
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with playwright.sync_playwright() as driver:
+        flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+        try:
+            found = driver.chromium.launch(executable_path=CHROMIUM, args=flags)
+        except playwright.Error:
+            pytest.skip("no Chromium here: the page is not tested")
+        yield found
+        found.close()
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+class Program:
+    """`socialmind studio` in a process of its own."""
+
+    def __init__(self, folder, *words):
+        self.port = free_port()
+        command = [sys.executable, "-m", "socialmind", "studio", *words]
+        command += ["--port", str(self.port), "--no-browser"]
+        self.process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL)
+        for _ in range(600):
+            try:
+                socket.create_connection(("127.0.0.1", self.port), 1).close()
+                return
+            except OSError:
+                time.sleep(0.1)
+        raise TimeoutError("the studio does not listen")
+
+    def page(self, browser):
+        page = browser.new_page(viewport={"width": 1280, "height": 720})
+        page.set_default_timeout(SECONDS)
+        page.failures = []
+        page.on("pageerror", lambda error: page.failures.append(str(error)))
+        page.goto(f"http://127.0.0.1:{self.port}/")
+        page.wait_for_selector("[data-test=setup]:not([disabled])")
+        return page
+
+    def end(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("studio")
+    program = Program(folder, "farmer-artisan", "--seed", "5", "--set", "n_agents=12")
+    program.folder = folder
+    yield program
+    program.end()
+
+
+def wait_for_tick(page, tick, how="=="):
+    page.wait_for_function(f"{TICK} {how} {tick}")
+
+
+def test_a_society_is_run_looked_into_changed_saved_and_found_again(browser, studio):
+    page = studio.page(browser)
+    # Run, and stand.
+    page.select_option("[data-test=pace]", label="100 ticks a frame")
+    page.click("[data-test=go]")
+    wait_for_tick(page, 1000, ">=")
+    page.click("[data-test=go]")
+    page.wait_for_selector("[data-test=step]:not([disabled])")
+    page.click("[data-test=step]")
+    page.wait_for_function(f"{TICK} % 100 == 1")
+    stood = page.evaluate(TICK)
+    # Open an agent by the keyboard, and change what it believes.
+    page.focus("[data-test=world]")
+    page.keyboard.press("n")
+    page.wait_for_selector("[data-test=watched]")
+    assert page.inner_text("[data-test=watched]").startswith("humans")
+    page.click("aside[aria-label=Agent] button[aria-label^='Farmer:']")
+    page.fill("aside[aria-label=Agent] input[aria-label=Farmer]", "21")
+    page.keyboard.press("Enter")
+    page.wait_for_selector("button[aria-label='Farmer: 21, change it']")
+    # Go on, back and forth.
+    page.click("[data-test=step]")
+    wait_for_tick(page, stood + 1)
+    page.evaluate(SCRUB, 200)
+    wait_for_tick(page, 200)
+    page.evaluate(SCRUB)
+    wait_for_tick(page, stood + 1)
+    # Save: the run of the command line, with what was done.
+    page.click("[data-test=save]")
+    page.fill("input[aria-label=folder]", "kept")
+    page.keyboard.press("Enter")
+    page.wait_for_selector("text=Saved in")
+    run = Run(studio.folder / "kept")
+    assert (run.seed, run.ticks, run.parameters["n_agents"]) == (5, stood + 1, 12)
+    assert [one["part"] for one in run.manifest.interventions] == ["cogniton Farmer"]
+    assert replay(studio.folder / "kept").equal
+    # Another tab, and the same one after a reload, find the society as it stands.
+    other = studio.page(browser)
+    wait_for_tick(other, stood + 1)
+    assert page.failures == other.failures == []
+    page.close()
+    other.close()
+
+
+def test_a_wrong_parameter_is_refused_where_it_stands(browser, studio):
+    page = studio.page(browser)
+    page.fill("[data-test=parameter-n_agents]", "0")
+    page.click("[data-test=setup]")
+    assert page.is_visible("text=1 or more is needed")
+    page.fill("[data-test=parameter-n_agents]", "2.5")
+    page.click("[data-test=setup]")
+    assert page.is_visible("text=a whole number is needed")
+    page.close()
+
+
+def test_every_kind_of_world_is_drawn(browser, studio):
+    page = studio.page(browser)
+    for model in ("schelling", "boids", "braitenberg"):
+        page.select_option("[data-test=model]", model)
+        page.wait_for_selector(f"h2:text-is('{model}')")
+        page.wait_for_selector("[data-test=setup]:not([disabled])")
+        page.click("[data-test=step]")
+        wait_for_tick(page, 1)
+        assert page.evaluate(COLOURS) > 2  # something else than the ground
+    assert page.failures == []
+    page.close()
