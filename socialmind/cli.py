@@ -36,6 +36,7 @@ from socialmind.commands.console.terminal import (
 from socialmind.commands.learning import learn
 from socialmind.commands.rendering import render
 from socialmind.commands.scoring import score
+from socialmind.commands.sensitivity import sensitivity
 from socialmind.commands.sweeping import sweep
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.version import __version__
@@ -132,7 +133,7 @@ def list_(
 
 
 for one in (
-    running.run, sweep, branch, compare, learn, score, running.plot, render, running.replay,
+    running.run, sweep, sensitivity, branch, compare, learn, score, running.plot, render, running.replay,
 ):  # fmt: skip
     command(one)
 
