@@ -133,7 +133,8 @@ def list_(
 
 
 for one in (
-    running.run, sweep, sensitivity, branch, compare, learn, score, running.plot, render, running.replay,
+    running.run, sweep, sensitivity, branch, compare, learn, score, running.plot, render,
+    running.replay,
 ):  # fmt: skip
     command(one)
 

@@ -29,7 +29,7 @@ def steps_of(
         ranges: of its columns.
 
     Returns:
-        Shares of the ranges; None where points are no trajectories, in which each column steps once.
+        Shares of the ranges; None where points are no trajectories in which each column steps once.
     """
     count, columns = points.shape
     if count % (columns + 1):

@@ -262,7 +262,7 @@ class _Regression(_Analysis):
 
 
 def _varying(swept: Swept, notes: list[str]) -> list[Response]:
-    """Return the outputs that differ between points; refuses one that was asked for and does not."""
+    """Return the outputs that differ between points; refuses what was asked for and does not."""
     constant = [one for one in swept.outputs if one.constant]
     varying = [one for one in swept.outputs if not one.constant]
     said = [f"{one.name} is {np.nanmean(one.means):g}" for one in constant]
@@ -298,7 +298,7 @@ def _whole(
 def _not_the_design(swept: Swept) -> SocialmindError:
     name = swept.made["name"]
     return SocialmindError(
-        f"{swept.folder}: its manifest says {name}, but its points are not those that {name} makes, "
+        f"{swept.folder}: its manifest says {name}, but its points are not those that {name} makes "
         "in their order (rows or columns were moved, changed, left out or added); sweep over the "
         "design as it is made, or take what regression tells: --regression"
     )
@@ -323,8 +323,8 @@ def _about_runs(swept: Swept, outputs: Sequence[Response], luck: pd.DataFrame) -
             )
     if luck["luck_of_a_run"].isna().any():
         notes.append(
-            "Points have one run each, so nobody knows how much is luck: it looks like interactions "
-            "of all parameters. Sweep with --seeds 0:5, or more."
+            "Points have one run each, so nobody knows how much is luck: it looks like "
+            "interactions of all parameters. Sweep with --seeds 0:5, or more."
         )
     elif outputs and outputs[0].common:
         notes.append(

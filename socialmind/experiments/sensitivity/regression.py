@@ -42,25 +42,28 @@ def regressors(points: pd.DataFrame) -> Regressors:
 
     Left out is what has one value, and what follows from the columns before it.
     """
-    notes, numbers, texts, groups = [], [], [], []
+    notes: list[str] = []
+    numbers: list[str] = []
+    texts: list[str] = []
+    groups: list[NDArray[np.int64]] = []
     columns: list[NDArray[np.float64]] = []
     dummies: list[NDArray[np.float64]] = []
-    in_order = sorted(points.columns, key=lambda name: not _is_number(points[name]))
-    for name in in_order:
+    names = [str(name) for name in points.columns]
+    for name in sorted(names, key=lambda name: not _is_number(points, name)):
         column = points[name]
         if column.nunique() < 2:
             notes.append(f"{name} is {column.iloc[0]} at all points: nothing is known of it.")
-        elif _is_number(column):
+        elif _is_number(points, name):
             values = column.to_numpy(np.float64)
             if _follows(values, columns):
                 others = ", ".join(numbers)
                 notes.append(f"{name} follows from {others} in this design: left out.")
                 continue
-            numbers.append(str(name))
+            numbers.append(name)
             columns.append(values)
         else:
             codes, values_of = pd.factorize(column)
-            texts.append(str(name))
+            texts.append(name)
             groups.append(codes.astype(np.int64))
             for code in range(1, len(values_of)):
                 dummy = (codes == code).astype(np.float64)
@@ -77,8 +80,8 @@ def regressors(points: pd.DataFrame) -> Regressors:
     return Regressors(tuple(numbers), tuple(texts), matrix, tuple(groups), tuple(notes))
 
 
-def _is_number(column: pd.Series) -> bool:
-    return bool(pd.api.types.is_numeric_dtype(column.dtype))
+def _is_number(points: pd.DataFrame, name: str) -> bool:
+    return bool(pd.api.types.is_numeric_dtype(points[name].dtype))
 
 
 def correlated(found: Regressors) -> str:

@@ -85,7 +85,8 @@ def fast_indices(means: NDArray[np.float64], names: Sequence[str], level: float,
 def is_saltelli(points: NDArray[np.float64]) -> bool:
     """Return whether points are blocks of Saltelli's design: A, its k crossings with B, B's, B.
 
-    >>> is_saltelli(np.array([[1.0, 2.0], [5.0, 2.0], [1.0, 6.0], [1.0, 6.0], [5.0, 2.0], [5.0, 6.0]]))
+    >>> a, b = [1.0, 2.0], [5.0, 6.0]
+    >>> is_saltelli(np.array([a, [5.0, 2.0], [1.0, 6.0], [1.0, 6.0], [5.0, 2.0], b]))
     True
     """
     count, columns = points.shape

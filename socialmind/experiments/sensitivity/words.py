@@ -37,9 +37,9 @@ TELLS = {
     FAST: "FAST shares out the variance of an output as Sobol indices do, without pairs, for "
     "parameters that vary independently and evenly over these ranges; its intervals are indicative "
     "alone, and the indices themselves are off by some hundredths.",
-    MORRIS: "Morris's design screens: mu* says how far an output moves over a parameter's range, and "
-    "a sigma beside it that this depends on where and on other parameters, but not what share of "
-    "the variance is whose; that is for saltelli, with the parameters that count.",
+    MORRIS: "Morris's design screens: mu* says how far an output moves over a parameter's range, "
+    "and a sigma beside it that this depends on where and on other parameters, but not what share "
+    "of the variance is whose; that is for saltelli, with the parameters that count.",
     REGRESSION: "Coefficients tell of a straight line and rank correlations of what only rises or "
     "only falls: an effect that turns back, or hangs on another parameter, can hide from both, and "
     "R² says how much is left over; that is for saltelli.",
@@ -75,13 +75,11 @@ def _heading(found: Sensitivity, output: str) -> list[str]:
         index = "mu*" if found.method == MORRIS else "total order"
         lines.append(f"a parameter without effect has a {index} of {luck['floor']:.3g} by luck")
     if found.method == REGRESSION:
-        held = {
-            index: found.of(output, index)
-            for index in (regression.R_SQUARED, regression.RANK_R_SQUARED)
-        }
-        if len(held[regression.R_SQUARED]):
-            straight, monotone = (_cell(rows.iloc[0]) for rows in held.values())
-            lines.append(f"R² of the line {straight}, of the ranks {monotone}")
+        straight = found.of(output, regression.R_SQUARED)
+        monotone = found.of(output, regression.RANK_R_SQUARED)
+        if len(straight):
+            both = _cell(straight.iloc[0]), _cell(monotone.iloc[0])
+            lines.append(f"R² of the line {both[0]}, of the ranks {both[1]}")
     return lines
 
 
