@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from socialmind.commands.console import options
+from socialmind.errors import SocialmindError, nearest
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -57,6 +58,9 @@ def sensitivity(
 
     units = dict(pair(one) for one in unit or ())
     found = sensitivity_of(folder, of or None, level, seed, regress)
+    for name in units:
+        if name not in found.outputs:
+            raise SocialmindError(f"--unit: unit of {name}; {nearest(name, found.outputs)}")
     lines = report(found)
     if not quiet:
         typer.echo("\n".join(lines))

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from socialmind.drawing import style as paper
 from socialmind.experiments.sensitivity import effects, regression, variance
@@ -106,10 +107,11 @@ def figure_of(found: Sensitivity, units: Mapping[str, str] | None = None) -> Fig
         for place, output in enumerate(found.outputs):
             axes = panels[2 * place if pairs else place]
             draw_indices(axes, found, output, (units or {}).get(output, ""))
-            axes.set_title(output.replace("_", " "))
+            title = output.replace("_", " ")
+            axes.set_title(title)
             if pairs:
                 draw_pairs(panels[2 * place + 1], found, output)
-                panels[2 * place + 1].set_title("pairs, beyond each alone")
+                panels[2 * place + 1].set_title(f"{title}: pairs, beyond each alone")
         for axes in panels[count:]:
             axes.set_visible(False)
         marks, names = panels[0].get_legend_handles_labels()
@@ -126,7 +128,8 @@ def _dots(axes: Axes, rows: pd.DataFrame, places: Sequence[float], index: str) -
 
 
 def _dressed(axes: Axes, names: Sequence[str], label: str) -> Axes:
-    axes.axvline(0.0, color=paper.INK, linewidth=0.6)
+    axes.axvline(0.0, color=paper.INK, linewidth=0.6, zorder=0)
+    axes.xaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
     axes.set_ylim(len(names) - 0.4, -0.6)
     axes.set_yticks(range(len(names)), [name.replace("_", " ") for name in names])
     axes.tick_params(axis="y", length=0)
