@@ -31,7 +31,12 @@ THESIS = {
     "demand_intensity": 1.01,
 }
 """What the thesis has (section 3.3); each varies between half of it and one and a half."""
-WHOLE = {"plan_duration": (20, 60), "n_agents": (13, 37), "world_size": (17, 49), "n_villages": (1, 3)}
+WHOLE = {
+    "plan_duration": (20, 60),
+    "n_agents": (13, 37),
+    "world_size": (17, 49),
+    "n_villages": (1, 3),
+}
 """Whole numbers: the same, but for the villages, of which the thesis has one."""
 COUNTING = ("tool_price", "food_decay", "tool_durability", "max_tool_production")
 """What is left after the screening."""
@@ -82,4 +87,4 @@ def ranges() -> dict[str, tuple[float, float]]:
 
 
 SCREENING = Plan("morris", (*THESIS, *WHOLE), 10, 2)
-SHARES = Plan("saltelli", COUNTING, 64, 2)
+SHARES = Plan("saltelli", COUNTING, 32, 2)
