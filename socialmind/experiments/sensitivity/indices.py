@@ -137,7 +137,7 @@ def sensitivity_of(
         method,
         name,
         tuple(map(str, swept.points.columns)),
-        {one: (low, high) for one, (low, high) in swept.made.get("ranges", {}).items()},
+        sampled_ranges(swept.made),
         tuple(output.name for output in varying),
         pd.DataFrame(rows, columns=columns),
         told_luck,
@@ -145,6 +145,26 @@ def sensitivity_of(
         seed,
         tuple(dict.fromkeys(notes)),
     )
+
+
+def sampled_ranges(made: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
+    """Return the ranges that a design was sampled in; nothing where it says none.
+
+    A design's word is whatever stood in its data frame's `attrs`.
+
+    >>> sampled_ranges({"name": "lhs", "ranges": {"a": [0.0, 1.0]}})
+    {'a': (0.0, 1.0)}
+    >>> sampled_ranges({"name": "lhs", "ranges": {"a": "wide"}})
+    {}
+    """
+    found = {}
+    ranges = made.get("ranges")
+    for name, bounds in ranges.items() if isinstance(ranges, Mapping) else ():
+        good = isinstance(bounds, Sequence) and len(bounds) == 2 and all(map(is_number, bounds))
+        if not good or not bounds[0] < bounds[1]:
+            return {}
+        found[str(name)] = float(bounds[0]), float(bounds[1])
+    return found
 
 
 class _Analysis:
@@ -178,11 +198,11 @@ class _Analysis:
 
     def _sampled(self) -> NDArray[np.float64]:
         """Return the points in the order of the design's ranges; refuses other columns."""
-        ranges, points = self._swept.made["ranges"], self._swept.points
-        if sorted(ranges) != sorted(points.columns):
+        points = self._swept.points
+        self.ranges = sampled_ranges(self._swept.made)
+        if sorted(self.ranges) != sorted(points.columns):
             raise _not_the_design(self._swept)
-        self.names = list(ranges)
-        self.ranges = [tuple(one) for one in ranges.values()]
+        self.names = list(self.ranges)
         return points[self.names].to_numpy(np.float64)
 
 
@@ -214,7 +234,7 @@ class _Morris(_Analysis):
     def __init__(self, swept: Swept, level: float, seed: int) -> None:
         super().__init__(swept, level, seed)
         points = self._sampled()
-        steps = effects.steps_of(points, self.ranges)
+        steps = effects.steps_of(points, list(self.ranges.values()))
         if steps is None:
             raise _not_the_design(swept)
         if len(steps) < 2:

@@ -58,27 +58,22 @@ def luck_of(response: Response, size: int, level: float, seed: int) -> Luck:
         rest = values - means[:, None] - values.mean(axis=0) + values.mean()
         apart = (rest**2).sum(axis=1)
         apart_free = free * (len(values) - 1) / len(values)
-    inverse = 1.0 / counts
+    centred = means - means.mean()
+    of_points = (squares, free, apart, apart_free, 1.0 / counts, centred, centred**2)
+    of_units = np.stack([one.reshape(-1, size).sum(axis=1) for one in of_points])
 
     def statistic(drawn: NDArray[np.int64]) -> NDArray[np.float64]:
-        points = points_of(drawn, size)
-        within = squares[points].sum(axis=0) / np.maximum(free[points].sum(axis=0), 1e-300)
-        own = apart[points].sum(axis=0) / np.maximum(apart_free[points].sum(axis=0), 1e-300)
-        spread = means[points].var(axis=0, ddof=1)
-        error = own * inverse[points].mean(axis=0)
+        points = len(drawn) * size
+        within, freedom, own, own_freedom, inverse, total, square = (
+            one[drawn].sum(axis=0) for one in of_units
+        )
+        spread = (square - total**2 / points) / (points - 1)
         with np.errstate(divide="ignore", invalid="ignore"):
-            of_a_run = within / (within + np.maximum(spread - error, 0.0))
+            variance = within / freedom
+            error = own / own_freedom * inverse / points
+            of_a_run = variance / (variance + np.maximum(spread - error, 0.0))
             of_means = np.minimum(error / spread, 1.0)
-        return np.stack([within, of_a_run, of_means])
+        return np.stack([variance, of_a_run, of_means])
 
     found = with_intervals(statistic, len(values) // size, level, seed)
     return Luck(*found)
-
-
-def points_of(units: NDArray[np.int64], size: int) -> NDArray[np.int64]:
-    """Return the points of units of so many points each.
-
-    >>> points_of(np.array([[1], [0]]), 2).ravel().tolist()
-    [2, 3, 0, 1]
-    """
-    return (units[:, None] * size + np.arange(size)[:, None]).reshape(-1, units.shape[1])

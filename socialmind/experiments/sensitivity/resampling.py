@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from socialmind.experiments.designs import MissingLibraryError
 
 RESAMPLES = 1_000
-"""How often a design's units are drawn from themselves."""
+"""How often a design's units are drawn from themselves, unless there are very many."""
+FEWEST, _ALL = 200, 10_000_000
 FEW = 16
 """Fewer units give rough intervals."""
-_AT_ONCE = 1_000_000
+_AT_ONCE = 250_000
 
 Statistic = Callable[[NDArray[np.int64]], NDArray[np.float64]]
 """Of units by number, (units, draws), some numbers of each draw: (numbers, draws)."""
@@ -44,10 +45,11 @@ def with_intervals(
     if units < 2:
         return np.column_stack([value, np.full((len(value), 2), np.nan)])
     rng = np.random.default_rng(seed)
-    batch = max(1, min(RESAMPLES, _AT_ONCE // units))
+    count = max(FEWEST, min(RESAMPLES, _ALL // units))
+    batch = max(1, min(count, _AT_ONCE // units))
     parts = []
-    for begin in range(0, RESAMPLES, batch):
-        drawn = rng.integers(0, units, (units, min(batch, RESAMPLES - begin)))
+    for begin in range(0, count, batch):
+        drawn = rng.integers(0, units, (units, min(batch, count - begin)))
         parts.append(statistic(drawn))
     draws = np.concatenate(parts, axis=1)
     bounds = np.full((len(value), 2), np.nan)

@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.experiments.designs import HARMONICS, reseeding
+from socialmind.errors import SocialmindError
+from socialmind.experiments.designs import HARMONICS, MissingLibraryError, fast, reseeding
 from socialmind.experiments.sensitivity.resampling import RESAMPLES, library, with_intervals
 
 FIRST, TOTAL, SECOND = "first", "total", "second"
@@ -65,14 +66,14 @@ def sobol_indices(
 
 def fast_indices(means: NDArray[np.float64], names: Sequence[str], level: float, seed: int) -> Rows:
     """Return the indices of first and total order of FAST; arguments as above."""
-    fast = library("SALib.analyze.fast")
+    analyze = library("SALib.analyze.fast").analyze
     problem = {"num_vars": len(names), "names": list(names)}
     scaled = (means - means.mean()) / means.std()
     with warnings.catch_warnings():  # that its intervals are rough, which we say in our words
         warnings.simplefilter("ignore")
         # It seeds NumPy's own generator, and takes 0 for no seed.
         found = reseeding(
-            fast.analyze, problem, scaled, HARMONICS, RESAMPLES, level, seed=_not_zero(seed)
+            analyze, problem, scaled, HARMONICS, RESAMPLES, level, seed=_not_zero(seed)
         )
     rows: Rows = []
     for index, key in ((FIRST, "S1"), (TOTAL, "ST")):
@@ -104,10 +105,12 @@ def is_saltelli(points: NDArray[np.float64]) -> bool:
 
 def is_fast(points: NDArray[np.float64], made: Mapping[str, Any]) -> bool:
     """Return whether points are those that FAST's design has, as it was made."""
-    from socialmind.experiments.designs import fast
-
-    ranges = {name: tuple(one) for name, one in made["ranges"].items()}
-    again = fast(ranges, made["size"], made["seed"], made["whole"]).to_numpy(np.float64)
+    try:
+        again = fast(made["ranges"], made["size"], made["seed"], made["whole"]).to_numpy(np.float64)
+    except MissingLibraryError:
+        raise
+    except (KeyError, SocialmindError):
+        return False
     return again.shape == points.shape and bool(np.allclose(again, points))
 
 

@@ -2,6 +2,7 @@
 
 import math
 import random
+import sys
 
 import numpy as np
 import pandas as pd
@@ -320,3 +321,18 @@ def test_no_warning_reaches_the_user(swept, recwarn):
         assert np.isfinite(found.table["value"]).any()
     assert [str(one.message) for one in recwarn] == []
     assert any("intervals are rough" in note for note in found.notes)
+
+
+@pytest.mark.parametrize("made", [{}, {"ranges": 3}, {"ranges": {"a": [1, 0], "b": [0, 1]}}])
+@pytest.mark.parametrize("name", ["saltelli", "morris", "fast"])
+def test_a_table_that_only_says_it_is_a_design_is_not_believed(swept, name, made):
+    table = designs.lhs({"a": (0.0, 1.0), "b": (0.0, 1.0)}, 12)
+    table.attrs["design"] = {"name": name, **made}
+    with pytest.raises(SocialmindError, match=f"its manifest says {name}, but its points are not"):
+        sensitivity_of(swept(table), ["linear"])
+
+
+def test_a_missing_library_is_said(sobol_sweep, monkeypatch):
+    monkeypatch.setitem(sys.modules, "SALib.analyze.sobol", None)
+    with pytest.raises(SocialmindError, match=r"needs SALib: pip install 'socialmind\[sensitiv"):
+        sensitivity_of(sobol_sweep, ["linear"])

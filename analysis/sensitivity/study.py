@@ -1,0 +1,122 @@
+"""The study: three sweeps, what they say, and whether screening and shares agree."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+from socialmind.drawing import style as paper
+from socialmind.experiments import Sensitivity, Sweep, sensitivity_of
+from socialmind.experiments.measures.intervals import interval_of
+from socialmind.experiments.sensitivity.figure import figure_of
+from socialmind.experiments.sensitivity.words import report
+
+from .sweeps import OUTPUTS, SCREENING, SETTLING, SHARES, UNITS, Plan
+
+WINDOW = 25_000
+"""Ticks over which the society's numbers are averaged, to see whether they still move."""
+NUMBERS = {"artisan_share": "artisans", "wheat_each": "wheat", "tools_each": "tools"}
+
+
+def make(out: Path, quick: bool = False, workers: int | None = None) -> list[Path]:
+    """Sweep, and write what comes of it; sweeps that were stopped are gone on with.
+
+    Args:
+        out: the folder; the sweeps lie in `sweeps` of it.
+        quick: whether few and short runs will do.
+        workers: processes.
+
+    Returns:
+        The files written.
+    """
+    out.mkdir(parents=True, exist_ok=True)
+    swept = {
+        plan.name: plan.swept(out / "sweeps" / plan.name, quick, workers)
+        for plan in (SETTLING, SCREENING, SHARES)
+    }
+    long = swept[SETTLING.name]
+    written = [_write(windows(long, WINDOW // (25 if quick else 1)), out / "settling.csv")]
+    found = {}
+    for plan in (SCREENING, SHARES):
+        found[plan.name] = sensitivity_of(swept[plan.name], [*OUTPUTS, "artisan_share_before"])
+        written += told(plan, swept[plan.name], found[plan.name], out)
+    both = agreement(found[SCREENING.name], found[SHARES.name])
+    return [*written, _write(both, out / "agreement.csv")]
+
+
+def told(plan: Plan, swept: Sweep, found: Sensitivity, out: Path) -> list[Path]:
+    """Write what a sweep says: its runs, indices, luck, report and figure."""
+    runs = swept.runs.drop(columns=["status", "error", "ticks"])
+    kept = [name for name in runs if name not in swept.manifest.series_columns]
+    text = out / f"{plan.name}.txt"
+    text.write_text("\n".join(report(found)) + "\n", "utf-8")
+    shown = figure_of(sensitivity_of(swept, OUTPUTS), UNITS)
+    return [
+        _write(runs[kept], out / f"{plan.name}_runs.csv"),
+        _write(found.table, out / f"{plan.name}_indices.csv"),
+        _write(found.luck, out / f"{plan.name}_luck.csv"),
+        text,
+        *paper.save({plan.name: shown}, out),
+    ]
+
+
+def windows(swept: Sweep, width: int) -> pd.DataFrame:
+    """Return the society's numbers in stretches of time: means over all runs, with intervals.
+
+    Args:
+        swept: a sweep with its series.
+        width: of a stretch, in ticks.
+
+    Returns:
+        A row for each output and stretch: `output`, `begin`, `end`, `mean`, `low`, `high`, and
+        `correlation`, over runs, with the last four stretches.
+    """
+    series = swept.series[swept.series["tick"] > 0]
+    place = (series["tick"] - 1) // width
+    rows = []
+    for output, column in NUMBERS.items():
+        each = series[column] / series["population"] * (100 if output == "artisan_share" else 1)
+        table = each.groupby([series["run"], place]).mean().unstack()
+        last = table.iloc[:, -4:].mean(axis=1)
+        for number in table:
+            one = interval_of(table[number])
+            rows.append(
+                {
+                    "output": output, "begin": number * width, "end": (number + 1) * width,
+                    "mean": one.mean, "low": one.low, "high": one.high,
+                    "correlation": table[number].corr(last),
+                }
+            )  # fmt: skip
+    return pd.DataFrame(rows)
+
+
+def agreement(screening: Sensitivity, shares: Sensitivity) -> pd.DataFrame:
+    """Return, side by side, what both designs say of each output and parameter.
+
+    Returns:
+        A row each: `mu_star` and `total` with their bounds and what luck alone gives; `screened`
+        and `counts` say whether an interval lies above that. Empty where a design has it not.
+    """
+    rows = []
+    for output in OUTPUTS:
+        parts = []
+        for found, index, above in (
+            (screening, "mu_star", "screened"),
+            (shares, "total", "counts"),
+        ):
+            floor = float(found.luck.set_index("output").loc[output, "floor"])
+            part = found.of(output, index).set_index("parameter")[["value", "low", "high"]]
+            part.columns = [index, f"{index}_low", f"{index}_high"]
+            part[f"{index}_floor"] = floor
+            part[above] = (part[f"{index}_low"] > floor).astype(object)
+            parts.append(part)
+        both = parts[0].join(parts[1], how="left").sort_values("mu_star", ascending=False)
+        rows.append(both.reset_index().assign(output=output))
+    table = pd.concat(rows, ignore_index=True)
+    return table[["output", *(name for name in table if name != "output")]]
+
+
+def _write(table: pd.DataFrame, path: Path) -> Path:
+    table.to_csv(path, index=False, float_format="%.6g")
+    return path
