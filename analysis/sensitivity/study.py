@@ -12,10 +12,12 @@ from socialmind.experiments.measures.intervals import interval_of
 from socialmind.experiments.sensitivity.figure import figure_of
 from socialmind.experiments.sensitivity.words import report
 
-from .sweeps import OUTPUTS, SCREENING, SETTLING, SHARES, UNITS, Plan
+from .sweeps import OUTPUTS, QUICK, SCREENING, SETTLING, SHARES, UNITS
 
 WINDOW = 25_000
 """Ticks over which the society's numbers are averaged, to see whether they still move."""
+ENDS = ("artisans", "wheat", "tools")
+"""Outputs of the long runs: what their series end with."""
 NUMBERS = {"artisan_share": "artisans", "wheat_each": "wheat", "tools_each": "tools"}
 
 
@@ -36,28 +38,32 @@ def make(out: Path, quick: bool = False, workers: int | None = None) -> list[Pat
         for plan in (SETTLING, SCREENING, SHARES)
     }
     long = swept[SETTLING.name]
-    written = [_write(windows(long, WINDOW // (25 if quick else 1)), out / "settling.csv")]
+    written = [_write(windows(long, WINDOW // (QUICK if quick else 1)), out / "settling.csv")]
+    written += told("ends", long, sensitivity_of(long, ENDS), out)
     found = {}
-    for plan in (SCREENING, SHARES):
-        found[plan.name] = sensitivity_of(swept[plan.name], [*OUTPUTS, "artisan_share_before"])
-        written += told(plan, swept[plan.name], found[plan.name], out)
+    for name in (SCREENING.name, SHARES.name):
+        found[name] = sensitivity_of(swept[name], OUTPUTS)
+        written += told(name, swept[name], found[name], out)
+    settled = [*OUTPUTS[:1], "artisan_share_before"]
+    before = sensitivity_of(swept[SHARES.name], settled)
+    written.append(_write(before.table, out / "before.csv"))
     both = agreement(found[SCREENING.name], found[SHARES.name])
     return [*written, _write(both, out / "agreement.csv")]
 
 
-def told(plan: Plan, swept: Sweep, found: Sensitivity, out: Path) -> list[Path]:
+def told(name: str, swept: Sweep, found: Sensitivity, out: Path) -> list[Path]:
     """Write what a sweep says: its runs, indices, luck, report and figure."""
     runs = swept.runs.drop(columns=["status", "error", "ticks"])
-    kept = [name for name in runs if name not in swept.manifest.series_columns]
-    text = out / f"{plan.name}.txt"
+    ends = swept.manifest.series_columns
+    kept = [one for one in runs if one not in ends or one in found.outputs]
+    text = out / f"{name}.txt"
     text.write_text("\n".join(report(found)) + "\n", "utf-8")
-    shown = figure_of(sensitivity_of(swept, OUTPUTS), UNITS)
     return [
-        _write(runs[kept], out / f"{plan.name}_runs.csv"),
-        _write(found.table, out / f"{plan.name}_indices.csv"),
-        _write(found.luck, out / f"{plan.name}_luck.csv"),
+        _write(runs[kept], out / f"{name}_runs.csv"),
+        _write(found.table, out / f"{name}_indices.csv"),
+        _write(found.luck, out / f"{name}_luck.csv"),
         text,
-        *paper.save({plan.name: shown}, out),
+        *paper.save({name: figure_of(found, UNITS)}, out),
     ]
 
 

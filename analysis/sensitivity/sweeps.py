@@ -91,6 +91,6 @@ class Plan:
         )  # fmt: skip
 
 
-SETTLING = Plan("settling", "lhs", tuple(RANGES)[:6], 32, 4, ticks=LONG, every=SELDOM, measures={})
+SETTLING = Plan("settling", "lhs", tuple(RANGES)[:6], 32, 9, ticks=LONG, every=SELDOM, measures={})
 SCREENING = Plan("screening", "morris", tuple(RANGES), 10, 2)
 SHARES = Plan("shares", "saltelli", COUNTING, 32, 2)
