@@ -18,6 +18,8 @@ WINDOW = 25_000
 """Ticks over which the society's numbers are averaged, to see whether they still move."""
 ENDS = ("artisans", "wheat", "tools")
 """Outputs of the long runs: what their series end with."""
+BEFORE = "artisan_share_before"
+"""The share of artisans in the third of a run before the last."""
 NUMBERS = {"artisan_share": "artisans", "wheat_each": "wheat", "tools_each": "tools"}
 
 
@@ -44,11 +46,11 @@ def make(out: Path, quick: bool = False, workers: int | None = None) -> list[Pat
     for name in (SCREENING.name, SHARES.name):
         found[name] = sensitivity_of(swept[name], OUTPUTS)
         written += told(name, swept[name], found[name], out)
-    settled = [*OUTPUTS[:1], "artisan_share_before"]
-    before = sensitivity_of(swept[SHARES.name], settled)
-    written.append(_write(before.table, out / "before.csv"))
     both = agreement(found[SCREENING.name], found[SHARES.name])
-    return [*written, _write(both, out / "agreement.csv")]
+    before = sensitivity_of(swept[SHARES.name], [BEFORE])
+    page = out / "findings.md"
+    page.write_text("\n".join(findings(both, found[SHARES.name], before)) + "\n", "utf-8")
+    return [*written, _write(both, out / "agreement.csv"), page]
 
 
 def told(name: str, swept: Sweep, found: Sensitivity, out: Path) -> list[Path]:
@@ -121,6 +123,90 @@ def agreement(screening: Sensitivity, shares: Sensitivity) -> pd.DataFrame:
         rows.append(both.reset_index().assign(output=output))
     table = pd.concat(rows, ignore_index=True)
     return table[["output", *(name for name in table if name != "output")]]
+
+
+def findings(both: pd.DataFrame, shares: Sensitivity, before: Sensitivity) -> list[str]:
+    """Return what the tables say, in sentences.
+
+    Args:
+        both: screening and shares side by side, as `agreement` gives them.
+        shares: indices of Saltelli's design.
+        before: those of the share of artisans in the third before.
+    """
+    lines = ["# What the sweeps say", "", "Brackets: intervals of 95 %.", ""]
+    for output in OUTPUTS:
+        rows = both[both["output"] == output]
+        known = rows.dropna(subset=["total"]).sort_values("total", ascending=False)
+        luck = shares.luck.set_index("output").loc[output]
+        lines += [
+            f"## {output.replace('_', ' ')} ({UNITS[output]})",
+            "",
+            f"- Mean {luck['mean']:.3g}, deviation of the points {luck['deviation']:.2g}. Luck: "
+            f"{100 * luck['luck_of_a_run']:.0f} % of the variance of single runs "
+            f"({100 * luck['luck_of_a_run_low']:.0f} … {100 * luck['luck_of_a_run_high']:.0f} %); "
+            f"a parameter without effect has a total order of {luck['floor']:.2f}.",
+            f"- Total order: {_told(known, 'total')}. Above luck: {_names(known, 'counts')}.",
+            f"- Pairs above 0: {_pairs(shares, output)}.",
+            f"- Screening, mu*: {_told(rows, 'mu_star')}; {rows['mu_star_floor'].iloc[0]:.2g} by "
+            f"luck. Above luck: {_names(rows, 'screened')}.",
+            f"- {_compared(known)}",
+            "",
+        ]
+    last = shares.of(OUTPUTS[0], "total")
+    apart = (last["value"] - before.of(BEFORE, "total")["value"]).abs().max()
+    means = [one.luck.set_index("output")["mean"] for one in (shares, before)]
+    lines += [
+        "## Settled?",
+        "",
+        f"The share of artisans is {means[0][OUTPUTS[0]]:.1f} % in the last third of the runs "
+        f"of `shares` and {means[1][BEFORE]:.1f} % in the third before; no total order differs by "
+        f"more than {apart:.2f}.",
+    ]
+    return lines
+
+
+def _told(rows: pd.DataFrame, index: str) -> str:
+    return ", ".join(
+        f"`{row['parameter']}` {row[index]:.2g} ({row[f'{index}_low']:.2g} … "
+        f"{row[f'{index}_high']:.2g})"
+        for _, row in rows.iterrows()
+    )
+
+
+def _names(rows: pd.DataFrame, which: str) -> str:
+    names = rows.loc[rows[which].eq(True), "parameter"]
+    return ", ".join(f"`{one}`" for one in names) or "none"
+
+
+def _pairs(shares: Sensitivity, output: str) -> str:
+    rows = shares.of(output, "second")
+    sure = rows[rows["low"] > 0]
+    return (
+        ", ".join(
+            f"`{row['parameter']}` × `{row['other']}` {row['value']:.2f} ({row['low']:.2f} … "
+            f"{row['high']:.2f})"
+            for _, row in sure.iterrows()
+        )
+        or f"none of {len(rows)}"
+    )
+
+
+def _compared(known: pd.DataFrame) -> str:
+    """Return whether both designs order the parameters that both have alike."""
+    shares = known["parameter"].tolist()
+    screened = known.sort_values("mu_star", ascending=False)["parameter"].tolist()
+    apart = known[known["screened"].astype(bool) != known["counts"].astype(bool)]["parameter"]
+    if shares == screened:
+        order = "Both order the four alike"
+    elif shares[0] == screened[0]:
+        order = f"Both put `{shares[0]}` first, and order the others differently"
+    else:
+        order = f"They differ in what comes first: `{screened[0]}` screened, `{shares[0]}` by share"
+    return (
+        f"{order}; they differ on whether it is above luck for: "
+        + (", ".join(f"`{one}`" for one in apart) or "none")
+        + "."
+    )
 
 
 def _write(table: pd.DataFrame, path: Path) -> Path:

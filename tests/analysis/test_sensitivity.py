@@ -60,6 +60,15 @@ def test_both_designs_stand_side_by_side():
         found("mu_star", {"a": 0.3, "b": 2.0, "c": 0.2}, 0.25),
         found("total", {"a": 0.5, "b": 0.9}, 0.1),
     )
+    for order, words in (
+        (
+            [0.9, 0.5],
+            "Both order the four alike; they differ on whether it is above luck for: `a`.",
+        ),
+        ([0.5, 0.9], "They differ in what comes first: `b` screened, `a` by share"),
+    ):
+        known = both[both["output"] == "wheat_each"].iloc[:2].assign(total=order)
+        assert STUDY._compared(known.sort_values("total", ascending=False)).startswith(words)
     rows = both[both["output"] == "wheat_each"].set_index("parameter")
     assert rows.index.tolist() == ["b", "a", "c"]
     assert rows["screened"].tolist() == [True, False, False]

@@ -12,7 +12,14 @@ from matplotlib.ticker import MaxNLocator
 
 from socialmind.drawing import style as paper
 from socialmind.experiments.sensitivity import effects, regression, variance
-from socialmind.experiments.sensitivity.indices import FAST, MORRIS, REGRESSION, SOBOL, Sensitivity
+from socialmind.experiments.sensitivity.indices import (
+    FAST,
+    MAIN,
+    MORRIS,
+    REGRESSION,
+    SOBOL,
+    Sensitivity,
+)
 
 LOOKS = {
     variance.FIRST: ("first order", paper.BLUE, "o"),
@@ -41,7 +48,7 @@ ROW, AROUND = 5.0, 22.0
 def draw_indices(axes: Axes, found: Sensitivity, output: str, unit: str = "") -> Axes:
     """Draw the indices of all parameters, those of most effect above, with their intervals.
 
-    A grey band is what a parameter without any effect has by luck.
+    A grey band is the total order, or mu*, that a parameter without any effect has by luck.
 
     Args:
         axes: the panel.
@@ -62,7 +69,8 @@ def draw_indices(axes: Axes, found: Sensitivity, output: str, unit: str = "") ->
         _dots(axes, rows, [places[one] + shift for one in rows["parameter"]], index)
     floor = float(found.luck.loc[found.luck["output"] == output, "floor"].iloc[0])
     if math.isfinite(floor) and floor > 0:
-        axes.axvspan(0.0, floor, color=paper.GREY, alpha=0.18, linewidth=0, label="luck alone")
+        label = f"{LOOKS[MAIN[found.method]][0]} by luck alone"
+        axes.axvspan(0.0, floor, color=paper.GREY, alpha=0.18, linewidth=0, label=label)
     label = {
         MORRIS: "change over a parameter's range" + (f" ({unit})" if unit else ""),
         REGRESSION: "coefficient, correlation",

@@ -132,6 +132,8 @@ def sensitivity_of(
         luck.append(told)
     columns = ["output", "index", "parameter", "other", "value", "low", "high"]
     told_luck = pd.DataFrame(luck)
+    if name == "sobol":
+        notes.append("sobol is the sequence that fills a space; Sobol indices need saltelli.")
     notes += [*analysis.notes, *_about_runs(swept, varying, told_luck)]
     return Sensitivity(
         method,

@@ -48,7 +48,7 @@ def test_effects_have_a_unit_and_luck_a_band(swept):
     assert axes.patches[0].get_extents().transformed(axes.transData.inverted()).x1 == (
         pytest.approx(floor)
     )
-    assert "luck alone" in axes.get_legend_handles_labels()[1]
+    assert "mu* by luck alone" in axes.get_legend_handles_labels()[1]
 
 
 def test_names_stand_below_numbers(swept):

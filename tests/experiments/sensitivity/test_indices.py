@@ -142,6 +142,20 @@ def test_regression_of_a_hypercube_agrees_with_theory(swept):
     assert abs(row(found, "square", "partial_rank_correlation", "a").value) < 0.2
 
 
+def test_the_sequence_called_sobol_is_not_taken_for_the_indices(swept):
+    found = sensitivity_of(swept(designs.sobol(RANGES, 16)), ["linear"])
+    assert found.method == "regression"
+    assert any("Sobol indices need saltelli" in note for note in found.notes)
+
+
+def test_replicates_that_were_added_where_it_was_wanted_are_averaged(swept):
+    options = {"seeds": range(5), "until": "1.5:linear", "at_most": 20, "fixed": {"luck": 2.0}}
+    found = sensitivity_of(swept(designs.morris(RANGES, 4), **options), ["linear"])
+    (luck,) = found.luck.itertuples()
+    assert 16 * 5 < luck.runs < 16 * 20
+    assert not any("fewer runs" in note for note in found.notes)
+
+
 def test_a_perfect_line_is_told_without_luck(swept):
     found = sensitivity_of(swept(designs.lhs({"a": (0.0, 1.0), "b": (0.0, 1.0)}, 30)), ["linear"])
     assert row(found, "linear", "r_squared").value == 1.0
