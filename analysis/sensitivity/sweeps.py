@@ -92,5 +92,5 @@ class Plan:
 
 
 SETTLING = Plan("settling", "lhs", tuple(RANGES)[:6], 32, 9, ticks=LONG, every=SELDOM, measures={})
-SCREENING = Plan("screening", "morris", tuple(RANGES), 10, 2)
-SHARES = Plan("shares", "saltelli", COUNTING, 32, 2)
+SCREENING = Plan("screening", "morris", tuple(RANGES), 10, 4)
+SHARES = Plan("shares", "saltelli", COUNTING, 32, 8)

@@ -34,19 +34,19 @@ def swept(socialmind, grazers, tmp_path_factory):
 
 
 def test_tables_a_figure_and_a_sentence(socialmind, swept):
-    folder = swept("--sample", "saltelli:4", *RANGES, "--seeds", "0:2")
+    folder = swept("--sample", "saltelli:8", *RANGES, "--seeds", "0:2")
     result = socialmind("sensitivity", folder)
     assert result.exit_code == 0, result.output
     assert result.stderr == ""
     lines = result.stdout.splitlines()
     names = ["indices.csv", "luck.csv", "sensitivity.txt", "sensitivity.pdf", "sensitivity.png"]
     assert lines[-5:] == [str(folder / "sensitivity" / name) for name in names]
-    assert "24 points (saltelli), 48 runs, mean " in lines[0]
+    assert "48 points (saltelli), 96 runs, mean " in lines[0]
     assert lines[1].startswith("luck: ") and "of the variance of single runs" in lines[1]
     assert any(line.startswith("parameter") and "total order" in line for line in lines)
     assert any(line.startswith("Sobol indices share out the variance") for line in lines)
     assert "Ranges: n_grazers 2 … 9, regrowth 0.01 … 0.2." in lines
-    assert "4 blocks alone: the intervals are rough, 16 or more would do." in lines
+    assert "8 blocks alone: the intervals are rough, 16 or more would do." in lines
     told = (folder / "sensitivity" / "sensitivity.txt").read_text("utf-8")
     assert told.splitlines() == lines[:-5]
     table = pd.read_csv(folder / "sensitivity" / "indices.csv")

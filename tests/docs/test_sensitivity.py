@@ -20,12 +20,12 @@ def test_its_commands_run(tmp_path, monkeypatch):
     assert [line.split()[0] for line in lines] == ["sweep", "sensitivity"]
     for line in lines:
         words = shlex.split(line)
-        for old, new in {"20000": "4", "morris:20": "morris:3", "0:3": "0:2"}.items():
+        for old, new in {"20000": "4", "morris:20": "morris:4", "0:3": "0:2"}.items():
             words = [new if word == old else word for word in words]
         words += ["--interpreted", "--workers", "1", "--quiet"] if "--sample" in words else []
         result = CliRunner().invoke(app, words)
         assert result.exit_code == 0, (line, result.output)
-    assert "wheat_each: 15 points (morris), 30 runs" in result.stdout
+    assert "wheat_each: 20 points (morris), 40 runs" in result.stdout
     named = re.search(r"writes `(\S+)/`: (.*?)and the figure", PAGE, re.DOTALL)
     files = {path.name for path in (tmp_path / named[1]).iterdir()}
     assert files == {*re.findall(r"`(\w+\.\w+)`", named[2]), "sensitivity.pdf", "sensitivity.png"}
@@ -36,7 +36,7 @@ def test_its_code_ends_in_a_figure(tmp_path, monkeypatch):
     short = (
         BLOCK.replace("50_000", "30")
         .replace("artisans[", "tools[")
-        .replace("256)", "4)")
+        .replace("256)", "8)")
         .replace("range(3)", "range(2)")
     )
     short = short.replace("every=500", "every=1, compiled=False, workers=1")

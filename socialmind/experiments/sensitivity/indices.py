@@ -217,11 +217,13 @@ class _Variance(_Analysis):
         if swept.made["name"] == "saltelli":
             good, self.size = variance.is_saltelli(points), 2 * len(self.names) + 2
             self._of = variance.sobol_indices
-            _note_few(self.notes, len(points) // self.size, "blocks")
         else:
             good, self._of = variance.is_fast(points, swept.made), variance.fast_indices
         if not good:
             raise _not_the_design(swept)
+        if swept.made["name"] == "saltelli":
+            _refuse_few(swept, len(points) // self.size, 8, "blocks")
+            _note_few(self.notes, len(points) // self.size, "blocks")
 
     def _indices(self, means: NDArray[np.float64]) -> Rows:
         return self._of(means, self.names, self._level, self._seed)
@@ -239,11 +241,7 @@ class _Morris(_Analysis):
         steps = effects.steps_of(points, list(self.ranges.values()))
         if steps is None:
             raise _not_the_design(swept)
-        if len(steps) < 2:
-            raise SocialmindError(
-                f"{swept.folder}: one trajectory alone shows no spread of effects; sweep with "
-                f"--sample morris:{FEW} or more"
-            )
+        _refuse_few(swept, len(steps), 4, "trajectories")
         self._steps, self.size = steps, len(self.names) + 1
         _note_few(self.notes, len(steps), "trajectories")
 
@@ -324,6 +322,16 @@ def _not_the_design(swept: Swept) -> SocialmindError:
         "in their order (rows or columns were moved, changed, left out or added); sweep over the "
         "design as it is made, or take what regression tells: --regression"
     )
+
+
+def _refuse_few(swept: Swept, units: int, fewest: int, what: str) -> None:
+    """Refuse a design of so few units that drawing them anew tells nothing of others."""
+    if units < fewest:
+        name = swept.made["name"]
+        raise SocialmindError(
+            f"{swept.folder}: {what} of the design: found {units}; expected {fewest} or more, else "
+            f"intervals tell nothing; sweep with --sample {name}:{4 * fewest}, or more"
+        )
 
 
 def _note_few(notes: list[str], units: int, what: str) -> None:

@@ -215,8 +215,12 @@ def test_what_cannot_be_told_is_refused(sobol_sweep, swept):
         sensitivity_of(swept(None))
     with pytest.raises(SocialmindError, match="3 points with a value of linear for a line through"):
         sensitivity_of(swept(designs.lhs(RANGES, 3)), ["linear"])
-    with pytest.raises(SocialmindError, match="one trajectory alone"):
+    with pytest.raises(
+        SocialmindError, match=r"trajectories of the design: found 1; expected 4 or more"
+    ):
         sensitivity_of(swept(designs.morris(RANGES, 1)), ["linear"])
+    with pytest.raises(SocialmindError, match=r"blocks of the design: found 4; expected 8 .* saltelli:32"):
+        sensitivity_of(swept(designs.saltelli(RANGES, 4)), ["linear"])
 
 
 def test_regression_goes_on_without_what_is_missing(sobol_sweep):
@@ -330,7 +334,7 @@ def test_the_unit_of_an_output_changes_no_share(swept):
 
 
 def test_no_warning_reaches_the_user(swept, recwarn):
-    for design in (designs.saltelli(RANGES, 2), designs.fast(RANGES, 65), designs.lhs(RANGES, 8)):
+    for design in (designs.saltelli(RANGES, 8), designs.fast(RANGES, 65), designs.lhs(RANGES, 8)):
         found = sensitivity_of(swept(design), ["linear"])
         assert np.isfinite(found.table["value"]).any()
     assert [str(one.message) for one in recwarn] == []
