@@ -202,7 +202,8 @@ class _Analysis:
         """Return the points in the order of the design's ranges; refuses other columns."""
         points = self._swept.points
         self.ranges = sampled_ranges(self._swept.made)
-        if sorted(self.ranges) != sorted(points.columns):
+        numbers = [pd.api.types.is_numeric_dtype(kind) for kind in points.dtypes]
+        if sorted(self.ranges) != sorted(points.columns) or not all(numbers):
             raise _not_the_design(self._swept)
         self.names = list(self.ranges)
         return points[self.names].to_numpy(np.float64)

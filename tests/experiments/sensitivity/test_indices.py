@@ -219,7 +219,9 @@ def test_what_cannot_be_told_is_refused(sobol_sweep, swept):
         SocialmindError, match=r"trajectories of the design: found 1; expected 4 or more"
     ):
         sensitivity_of(swept(designs.morris(RANGES, 1)), ["linear"])
-    with pytest.raises(SocialmindError, match=r"blocks of the design: found 4; expected 8 .* saltelli:32"):
+    with pytest.raises(
+        SocialmindError, match=r"blocks of the design: found 4; expected 8 .* saltelli:32"
+    ):
         sensitivity_of(swept(designs.saltelli(RANGES, 4)), ["linear"])
 
 
@@ -345,9 +347,11 @@ def test_no_warning_reaches_the_user(swept, recwarn):
 @pytest.mark.parametrize("name", ["saltelli", "morris", "fast"])
 def test_a_table_that_only_says_it_is_a_design_is_not_believed(swept, name, made):
     table = designs.lhs({"a": (0.0, 1.0), "b": (0.0, 1.0)}, 12)
-    table.attrs["design"] = {"name": name, **made}
-    with pytest.raises(SocialmindError, match=f"its manifest says {name}, but its points are not"):
-        sensitivity_of(swept(table), ["linear"])
+    words = table.assign(word="high")
+    for one, said in ((table, made), (words, {"ranges": {key: [0, 1] for key in words}})):
+        one.attrs["design"] = {"name": name, **said}
+        with pytest.raises(SocialmindError, match=f"manifest says {name}, but its points are not"):
+            sensitivity_of(swept(one), ["linear"])
 
 
 def test_a_missing_library_is_said(sobol_sweep, monkeypatch):
