@@ -11,7 +11,8 @@ from SALib.analyze import morris as salib_morris
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Sweep, designs, resume_sweep, sensitivity_of
-from socialmind.experiments.sweeps import sweep as sweeping
+from socialmind.experiments.sweeps import leading
+from socialmind.experiments.sweeps.tables import window
 
 RANGES = dict.fromkeys("abc", (-math.pi, math.pi))
 
@@ -260,8 +261,8 @@ class Enough(Exception):
 
 
 def test_a_stopped_sweep_is_refused_until_it_is_gone_on_with(swept, monkeypatch, tmp_path):
-    monkeypatch.setattr(sweeping, "JOB_SECONDS", 0.0)
-    monkeypatch.setattr(sweeping, "WINDOW_SECONDS", (0.0, 0.0))
+    monkeypatch.setattr(leading, "JOB_SECONDS", 0.0)
+    monkeypatch.setattr(window, "WINDOW_SECONDS", (0.0, 0.0))
 
     def tell(done, _):
         if done >= 20:
