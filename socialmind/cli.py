@@ -37,6 +37,7 @@ from socialmind.commands.learning import learn
 from socialmind.commands.plotting import plot
 from socialmind.commands.rendering import render
 from socialmind.commands.scoring import score
+from socialmind.commands.sensitivity import sensitivity
 from socialmind.commands.sweeping import sweep
 from socialmind.commands.watching import studio
 from socialmind.errors import IdleWarning, SocialmindError
@@ -134,7 +135,8 @@ def list_(
 
 
 for one in (
-    running.run, studio, sweep, branch, compare, learn, score, plot, render, running.replay,
+    running.run, studio, sweep, sensitivity, branch, compare, learn, score, plot, render,
+    running.replay,
 ):  # fmt: skip
     command(one)
 

@@ -8,7 +8,8 @@
 - `draw_figures`: draw a run's figures into its folder;
 - `score`: measure minds on a plane in many worlds;
 - `sweep`, `resume_sweep`: run a model over a design into one folder, go on with it;
-- `Sweep`: read a sweep's tables; `remake_run`: make one of its runs again as a capsule.
+- `Sweep`: read a sweep's tables; `remake_run`: make one of its runs again as a capsule;
+- `sensitivity_of`: what the outputs of a sweep depend on.
 """
 
 from typing import TYPE_CHECKING
@@ -16,6 +17,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from socialmind.experiments.scoring import Score as Score
     from socialmind.experiments.scoring import score as score
+    from socialmind.experiments.sensitivity.indices import Sensitivity as Sensitivity
+    from socialmind.experiments.sensitivity.indices import sensitivity_of as sensitivity_of
     from socialmind.experiments.sweeps.leading import SweepInterrupted as SweepInterrupted
     from socialmind.experiments.sweeps.remaking import remake_run as remake_run
     from socialmind.experiments.sweeps.result import Sweep as Sweep
@@ -39,6 +42,7 @@ else:
         __name__,
         {
             "socialmind.experiments.scoring": "Score score",
+            "socialmind.experiments.sensitivity.indices": "Sensitivity sensitivity_of",
             "socialmind.experiments.sweeps.remaking": "remake_run",
             "socialmind.experiments.sweeps.result": "Sweep",
             "socialmind.experiments.sweeps.leading": "SweepInterrupted",

@@ -131,7 +131,7 @@ def morris(
     """
     _count("morris", trajectories)
     sample = _salib("morris").sample
-    unit = _reseeding(sample, _problem(ranges), trajectories, num_levels=LEVELS, seed=seed)
+    unit = reseeding(sample, _problem(ranges), trajectories, num_levels=LEVELS, seed=seed)
     return _made("morris", unit, ranges, trajectories, seed, whole, levels=LEVELS)
 
 
@@ -146,7 +146,7 @@ def fast(ranges: Ranges, points: int, seed: int = 0, whole: Collection[str] = ()
     """
     whole_number(points, "fast", 4 * HARMONICS**2 + 1, None, SocialmindError)
     sample = _salib("fast_sampler").sample
-    unit = _reseeding(sample, _problem(ranges), points, M=HARMONICS, seed=seed)
+    unit = reseeding(sample, _problem(ranges), points, M=HARMONICS, seed=seed)
     return _made("fast", unit, ranges, points, seed, whole, harmonics=HARMONICS)
 
 
@@ -223,7 +223,7 @@ def _problem(ranges: Ranges) -> dict[str, Any]:
     return {"num_vars": len(names), "names": names, "bounds": [[0.0, 1.0]] * len(names)}
 
 
-def _reseeding(sample: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
+def reseeding(sample: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
     """Call a sampler that may seed NumPy's or Python's own generator, which others use."""
     import random
 

@@ -1,0 +1,1 @@
+"""What the outputs of a sweep depend on: indices of sensitivity, luck, tables, figures."""
