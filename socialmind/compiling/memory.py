@@ -14,14 +14,13 @@ import numpy as np
 from llvmlite import ir  # type: ignore[import-untyped]  # it carries no types
 from numba import types
 from numba.extending import intrinsic, register_jitable
-from numpy.typing import NDArray
 
 CACHE_LINE = 64
 """Bytes that processors fetch at once."""
 _PLACE = ctypes.c_char * 0
 
 
-def address(array: NDArray[Any]) -> int:
+def address(array: Any) -> int:
     """Return where an array lies in memory."""
     try:  # `array.ctypes` takes five times as long, the interface of an array of records more
         return ctypes.addressof(_PLACE.from_buffer(array))

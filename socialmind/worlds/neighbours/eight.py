@@ -51,11 +51,11 @@ def _all_eight(builder: Any, number: Any) -> Any:
     return builder.shuffle_vector(one, one, places)
 
 
-def _bits(builder: Any, theirs_x: Any, theirs_y: Any, numbers: Any) -> Any:
+def _bits(builder: Any, theirs: Any, numbers: Any) -> Any:
     """Return as bits which of eight places are near; the numbers are as `push_near` has them."""
     x, y, round_x, round_y, limit = (_all_eight(builder, one) for one in numbers)
-    way_x = _short_way(builder, builder.fsub(theirs_x, x), round_x)
-    way_y = _short_way(builder, builder.fsub(theirs_y, y), round_y)
+    way_x = _short_way(builder, builder.fsub(theirs[0], x), round_x)
+    way_y = _short_way(builder, builder.fsub(theirs[1], y), round_y)
     square = builder.fadd(builder.fmul(way_x, way_x), builder.fmul(way_y, way_y))
     near = builder.fcmp_ordered("<=", square, limit)
     return builder.zext(builder.bitcast(near, ir.IntType(EIGHT)), _WHOLE)
@@ -85,7 +85,7 @@ def _near_bits(
             which = [word + _WORDS * number for number in range(EIGHT)]
             taken = ir.Constant(ir.VectorType(ir.IntType(32), EIGHT), which)
             theirs.append(builder.shuffle_vector(read, read, taken))
-        return _bits(builder, *theirs, numbers)
+        return _bits(builder, theirs, numbers)
 
     number = types.float64
     return types.int64(entries, types.int64, number, number, number, number, number), generate
@@ -106,7 +106,7 @@ def near_bits_apart(
             )
             for first in (first_x, first_y)
         ]
-        return _bits(builder, *theirs, numbers)
+        return _bits(builder, theirs, numbers)
 
     whole, number = types.int64, types.float64
     return whole(places, whole, whole, number, number, number, number, number), generate
