@@ -392,12 +392,22 @@ class Cluster(_Elsewhere):
 
     @property
     def count(self) -> int:
-        """How many threads its workers have now, 1 at least."""
-        return max(1, sum(self._client.ncores().values()))
+        """How many threads its workers have now, 1 at least.
+
+        Raises:
+            SocialmindError: the scheduler is gone.
+        """
+        try:
+            return max(1, sum(self._client.ncores().values()))
+        except OSError:  # Dask's own for a broken connection is one
+            raise self._gone() from None
 
     def _check(self) -> None:
         if self._client.status in ("closing", "closed"):
-            raise SocialmindError(f"{self._address}: the Dask scheduler answers no more")
+            raise self._gone()
+
+    def _gone(self) -> SocialmindError:
+        return SocialmindError(f"{self._address}: the Dask scheduler answers no more")
 
     def close(self) -> None:
         """Let them go; the cluster stays."""

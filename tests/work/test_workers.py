@@ -196,6 +196,16 @@ def test_a_cluster_whose_scheduler_has_ended_is_said_to_be_gone():
         cluster._check()
 
 
+def test_a_cluster_whose_connection_breaks_is_said_to_be_gone():
+    def broken():
+        raise ConnectionResetError(104, "Connection reset by peer")
+
+    cluster = Cluster.__new__(Cluster)
+    cluster._address, cluster._client = "tcp://10.0.0.5:8786", SimpleNamespace(ncores=broken)
+    with pytest.raises(SocialmindError, match=r"10\.0\.0\.5:8786: the Dask scheduler answers no"):
+        cluster.count  # noqa: B018
+
+
 def test_a_script_without_a_main_guard_ends_with_an_error_and_does_not_hang(tmp_path):
     script = tmp_path / "script.py"
     script.write_text(

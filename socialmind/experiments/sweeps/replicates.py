@@ -204,10 +204,6 @@ class Waiting:
             return self._further.pop()
         return next(self._coming)
 
-    def again(self, run: int) -> None:
-        """Have a run done again."""
-        self._further.append(run)
-
     def note(self, run: int, value: float | None) -> None:
         """Take down what came of a run; it may ask for more at its point."""
         if self._replicates.until is None:
