@@ -109,7 +109,7 @@ class Deliveries(DELIVERIES.Deliveries):
 
 
 class DeliveryEconomy(DELIVERIES.DeliveryEconomy):
-    """The economy of deliveries of the model, in worlds like bodies'; its parameters are `Terms`."""
+    """The model's economy of deliveries in worlds like bodies'; its parameters are `Terms`."""
 
     def __init__(self, parameters: Mapping[str, Any], *others: Any, **named: Any) -> None:
         known = {name: one for name, one in parameters.items() if name not in OWN}

@@ -22,8 +22,7 @@ from .worlds import TRAINING
 
 MODEL = model_folder("foraging_roles")
 LESSONS = load_file(MODEL / "role_lessons.py")
-ATTEMPTS, CANDIDATES = 10, 3
-"""Of a lesson; and trainings among which `chosen_in_bodies` chooses each of its attempts."""
+ATTEMPTS = 10
 FEW, NARROW = 3, 5
 """Of lessons that are kept to show why `delivered_anew` is as it is."""
 
@@ -56,7 +55,7 @@ PLANS = TrainingPlans(
         ),
         "like_bodies": TrainingPlan(
             "judged by what is brought home, in an economy whose trips are as in bodies",
-            CANDIDATES * ATTEMPTS,
+            ATTEMPTS,
             LESSONS.choosing,
             lambda: like_bodies,
             "foraging_roles",
