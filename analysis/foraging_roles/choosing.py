@@ -2,11 +2,16 @@
 
 python -m analysis.foraging_roles.choosing      # judges what is not judged yet
 
-A row of `results/chosen_in_bodies.csv` is a mind that an attempt has come to: in which lesson, and
+A row of `results/chosen_in_bodies.csv` is a mind that a training has come to: in which lesson, and
 as what, the winner of its finals or the best of a generation. It says the share of worlds that stay
 within one robot of the wanted split, by what robots bring home, all through the last quarter:
-undisturbed, after the ratio turns round, and after three robots in A are taken away. The mind with
-the greatest least share is the attempt's; of equals that with the greater sum, then the later one.
+undisturbed, after the ratio turns round, and after three robots in A are taken away.
+
+The winner of the last lesson is judged first; the others as long as none of the training's minds
+has shares of `ENOUGH` or more. The mind with the greatest least share is the attempt's; of equals
+that with the greater sum, then the later one. An attempt has one training, the one with its number.
+As long as some fall short of `ENOUGH` and trainings are left, the one with the least share of all
+begins anew: it has the next training too.
 """
 
 from __future__ import annotations
@@ -14,6 +19,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -33,7 +39,7 @@ from .worlds import CHOOSING
 RULES = load_file(MODEL / "by_deliveries.py")
 OUT = Path(__file__).parent / "results" / "chosen_in_bodies.csv"
 NAME, TRAINED = "chosen_in_bodies", "like_bodies"
-KEYS = ["attempt", "lesson", "what"]
+KEYS = ["training", "lesson", "what"]
 TICKS, WORLDS = 60_000, 12
 HALF = TICKS // 2 - 1
 CONDITIONS: Mapping[str, Mapping[str, int]] = {
@@ -42,22 +48,25 @@ CONDITIONS: Mapping[str, Mapping[str, int]] = {
     "removed": {"remove_at": HALF},
 }
 CANDIDATES = ((2, "best"), (2, "winner"), (3, "best"), (3, "winner"))
-"""Lessons of the curriculum, and what is a mind of an attempt in each."""
+"""Lessons of the curriculum, and what is a mind of a training in each."""
+ATTEMPTS, ENOUGH = 10, 0.9
+"""How many there are, and the least share of worlds from which one has no further training."""
 
-Candidate = tuple[int, str]
+Candidate = tuple[int, int, str]
+"""Training, lesson, and what it is there."""
 
 
-def candidates(training: Training, attempt: int) -> dict[Candidate, MindDescription]:
-    """Return the minds that an attempt has come to, each once."""
-    mind, found = training.mind(attempt), {}
+def candidates(trainings: Training, number: int) -> dict[Candidate, MindDescription]:
+    """Return the minds that a training has come to, each once."""
+    mind, found = trainings.mind(number), {}
     genomes: list[np.ndarray] = []
     for lesson, what in reversed(CANDIDATES):
-        record, arrays = load_result(training.folder / "attempts" / str(attempt), lesson)
+        record, arrays = load_result(trainings.folder / "attempts" / str(number), lesson)
         one = individual_of(archive.part(arrays, f"{what}/"))
         if not any(np.array_equal(one.genome, other) for other in genomes):
             genomes.append(one.genome)
             learned = one.given_to([mind.skill(name) for name in record["skills"]])
-            found[lesson, what] = mind.with_modules(skills=learned)
+            found[number, lesson, what] = mind.with_modules(skills=learned)
     return found
 
 
@@ -84,19 +93,25 @@ def settles(
 
 def judge(path: Path = OUT) -> pd.DataFrame:
     """Judge all minds that are not judged yet, and keep what comes of it after each."""
-    training = Training(PLANS.kept / TRAINED)
+    trainings = Training(PLANS.kept / TRAINED)
     rows = read(path).to_dict("records")
-    known = {(row["attempt"], row["lesson"], row["what"]) for row in rows}
-    for attempt in training.finished:
-        for (lesson, what), mind in candidates(training, attempt).items():
-            if (attempt, lesson, what) in known:
+    known = {tuple(row[name] for name in KEYS) for row in rows}
+    for number in trainings.finished:
+        for one, mind in candidates(trainings, number).items():
+            own = [row for row in rows if row["training"] == number]
+            if one in known or any(least(row) >= ENOUGH for row in own):
                 continue
             shares = {name: settles(mind, given) for name, given in CONDITIONS.items()}
-            rows.append({"attempt": attempt, "lesson": lesson, "what": what, **shares})
+            rows.append({**dict(zip(KEYS, one, strict=True)), **shares})
             table = pd.DataFrame(rows).sort_values(KEYS)
             table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
             print(*rows[-1].values(), file=sys.stderr, flush=True)
     return read(path)
+
+
+def least(row: Mapping[Any, Any]) -> float:
+    """Return the least share of worlds of a mind that was judged."""
+    return min(float(row[name]) for name in CONDITIONS)
 
 
 def read(path: Path = OUT) -> pd.DataFrame:
@@ -106,20 +121,42 @@ def read(path: Path = OUT) -> pd.DataFrame:
     return pd.read_csv(path)
 
 
-def chosen(table: pd.DataFrame) -> dict[int, Candidate]:
-    """Return which mind is each attempt's.
+def chosen(
+    table: pd.DataFrame, attempts: int = ATTEMPTS, enough: float = ENOUGH
+) -> dict[int, Candidate]:
+    """Return which mind is each attempt's, by its number.
 
-    >>> chosen(pd.DataFrame({"attempt": [1, 1], "lesson": [2, 3], "what": "winner",
-    ...                      "undisturbed": 1.0, "turned": [0.75, 0.5], "removed": [0.75, 1.0]}))
-    {1: (2, 'winner')}
+    Args:
+        table: of minds that were judged.
+        attempts: how many.
+        enough: the least share of worlds from which an attempt has no further training.
+
+    >>> table = pd.DataFrame({"training": [1, 1, 2, 3], "lesson": [2, 3, 3, 3], "what": "winner",
+    ...                       "undisturbed": 1.0, "turned": [0.7, 0.5, 0.9, 0.8],
+    ...                       "removed": [0.7, 1.0, 1.0, 0.9]})
+    >>> chosen(table, 2, 0.9)
+    {1: (3, 3, 'winner'), 2: (2, 3, 'winner')}
     """
-    found: dict[int, Candidate] = {}
-    for attempt, part in table.groupby("attempt"):
-        shares = part[list(CONDITIONS)]
-        order = part.assign(least=shares.min(axis=1), sum=shares.sum(axis=1))
-        best = order.sort_values(["least", "sum", *KEYS]).iloc[-1]
-        found[int(str(attempt))] = int(best["lesson"]), str(best["what"])
-    return found
+    shares = table[list(CONDITIONS)]
+    order = table.assign(least=shares.min(axis=1), sum=shares.sum(axis=1))
+    order = order.sort_values(["least", "sum", *KEYS])
+    trained = set(table["training"])
+    own = {attempt: [attempt] for attempt in range(1, attempts + 1) if attempt in trained}
+    further = sorted(trained - set(range(1, attempts + 1)))
+
+    def best(attempt: int) -> Any:
+        return order[order["training"].isin(own[attempt])].iloc[-1]
+
+    for number in further:
+        short = min(own, key=lambda attempt: best(attempt)["least"])
+        if best(short)["least"] >= enough:
+            break
+        own[short].append(number)
+    picked = {attempt: best(attempt) for attempt in own}
+    return {
+        attempt: (int(one["training"]), int(one["lesson"]), str(one["what"]))
+        for attempt, one in picked.items()
+    }
 
 
 def minds(path: Path = OUT) -> dict[int, MindDescription]:
@@ -127,8 +164,8 @@ def minds(path: Path = OUT) -> dict[int, MindDescription]:
     choice = chosen(read(path))
     if not choice:
         return {}
-    training = Training(PLANS.kept / TRAINED)
-    return {attempt: candidates(training, attempt)[one] for attempt, one in choice.items()}
+    trainings = Training(PLANS.kept / TRAINED)
+    return {attempt: candidates(trainings, one[0])[one] for attempt, one in choice.items()}
 
 
 if __name__ == "__main__":

@@ -103,17 +103,34 @@ def test_errands_are_a_pair_for_two_trips_at_best(mind):
 
 def test_each_attempts_mind_is_the_one_that_the_table_chooses():
     table = choosing.read()
-    found = minds.minds_of("chosen_in_bodies")
-    assert sorted(found) == list(range(1, 11))
-    training = choosing.Training(choosing.PLANS.kept / choosing.TRAINED)
-    for attempt, choice in choosing.chosen(table).items():
-        several = choosing.candidates(training, attempt)
-        own = table[table["attempt"] == attempt]
-        assert set(several) == set(zip(own["lesson"], own["what"], strict=True))
-        assert several[choice] == found[attempt]
-        least = own[list(choosing.CONDITIONS)].min(axis=1)
-        one = own[(own["lesson"] == choice[0]) & (own["what"] == choice[1])]
-        assert one[list(choosing.CONDITIONS)].min(axis=1).item() == least.max()
+    found, choice = minds.minds_of("chosen_in_bodies"), choosing.chosen(table)
+    assert sorted(found) == list(range(1, choosing.ATTEMPTS + 1))
+    assert len(set(choice.values())) == len(found)
+    trainings = choosing.Training(choosing.PLANS.kept / choosing.TRAINED)
+    for attempt, one in choice.items():
+        assert choosing.candidates(trainings, one[0])[one] == found[attempt]
+    judged = set(table[choosing.KEYS].itertuples(index=False, name=None))
+    known = {one for number in trainings.finished for one in choosing.candidates(trainings, number)}
+    assert judged <= known
+    assert set(table["training"]) == set(trainings.finished)
+
+
+def judged(**shares):
+    rows = [
+        {"training": int(name[1:]), "lesson": 3, "what": "winner", "undisturbed": 1.0,
+         "turned": share, "removed": 1.0}
+        for name, share in shares.items()
+    ]  # fmt: skip
+    return pd.DataFrame(rows)
+
+
+def test_who_falls_shortest_begins_anew():
+    table = judged(t1=0.5, t2=1.0, t3=0.7, t4=0.6, t5=0.8, t6=0.9, t7=1.0)
+    found = choosing.chosen(table, attempts=3, enough=0.9)
+    # 4 and 5 go to attempt 1, then 6 to 3, then 7 to 1.
+    assert {attempt: one[0] for attempt, one in found.items()} == {1: 7, 2: 2, 3: 6}
+    found = choosing.chosen(table, attempts=3, enough=0.5)
+    assert {attempt: one[0] for attempt, one in found.items()} == {1: 1, 2: 2, 3: 3}
 
 
 def test_it_is_chosen_in_worlds_for_choosing():
