@@ -1,6 +1,7 @@
 """Which mind of each attempt at `like_bodies` counts: chosen in bodies, in worlds for choosing.
 
-python -m analysis.foraging_roles.choosing      # judges what is not judged yet
+python -m analysis.foraging_roles.choosing           # judges what is not judged yet
+python -m analysis.foraging_roles.choosing report    # then the attempts' minds in further worlds
 
 A row of `results/chosen_in_bodies.csv` is a mind that a training has come to: in which lesson, and
 as what, the winner of its finals or the best of a generation. It says the share of worlds that stay
@@ -12,6 +13,9 @@ has shares of `ENOUGH` or more. The mind with the greatest least share is the at
 that with the greater sum, then the later one. An attempt has one training, the one with its number.
 As long as some fall short of `ENOUGH` and trainings are left, the one with the least share of all
 begins anew: it has the next training too.
+
+A row of `results/chosen_reported.csv` is an attempt's mind in worlds for reporting other than those
+of `analysis/specialisation`, which tells of more, in ten worlds an attempt.
 """
 
 from __future__ import annotations
@@ -34,13 +38,16 @@ from socialmind.mind import MindDescription
 
 from .role_trainings import PLANS
 from .trainings import MODEL
-from .worlds import CHOOSING
+from .worlds import CHOOSING, REPORTED
 
 RULES = load_file(MODEL / "by_deliveries.py")
 OUT = Path(__file__).parent / "results" / "chosen_in_bodies.csv"
+REPORT = OUT.with_name("chosen_reported.csv")
 NAME, TRAINED = "chosen_in_bodies", "like_bodies"
 KEYS = ["training", "lesson", "what"]
 TICKS, WORLDS = 60_000, 12
+FURTHER = REPORTED[20:40]
+"""Worlds of the report, behind those of `analysis/specialisation`."""
 HALF = TICKS // 2 - 1
 CONDITIONS: Mapping[str, Mapping[str, int]] = {
     "undisturbed": {},
@@ -109,6 +116,17 @@ def judge(path: Path = OUT) -> pd.DataFrame:
     return read(path)
 
 
+def report(path: Path = REPORT) -> pd.DataFrame:
+    """Judge the attempts' minds in worlds for reporting, and keep what comes of it after each."""
+    rows: list[dict[str, Any]] = []
+    for attempt, mind in minds().items():
+        shares = {name: settles(mind, given, FURTHER) for name, given in CONDITIONS.items()}
+        rows.append({"attempt": attempt, **shares})
+        pd.DataFrame(rows).to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+        print(*rows[-1].values(), file=sys.stderr, flush=True)
+    return pd.DataFrame(rows)
+
+
 def least(row: Mapping[Any, Any]) -> float:
     """Return the least share of worlds of a mind that was judged."""
     return min(float(row[name]) for name in CONDITIONS)
@@ -169,4 +187,4 @@ def minds(path: Path = OUT) -> dict[int, MindDescription]:
 
 
 if __name__ == "__main__":
-    print(judge().to_string(index=False))
+    print((report() if sys.argv[1:] == ["report"] else judge()).to_string(index=False))

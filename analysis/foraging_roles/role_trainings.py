@@ -23,6 +23,8 @@ from .worlds import TRAINING
 MODEL = model_folder("foraging_roles")
 LESSONS = load_file(MODEL / "role_lessons.py")
 ATTEMPTS = 10
+FURTHER = 2
+"""Of `like_bodies`, for attempts that fall short of what `choosing` asks for."""
 FEW, NARROW = 3, 5
 """Of lessons that are kept to show why `delivered_anew` is as it is."""
 
@@ -55,7 +57,7 @@ PLANS = TrainingPlans(
         ),
         "like_bodies": TrainingPlan(
             "judged by what is brought home, in an economy whose trips are as in bodies",
-            ATTEMPTS,
+            ATTEMPTS + FURTHER,
             LESSONS.choosing,
             lambda: like_bodies,
             "foraging_roles",
