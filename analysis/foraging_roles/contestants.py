@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from socialmind.mind import MindDescription
 
+from . import choosing
 from .minds import minds_of
 from .role_trainings import PLANS
 from .threshold_scan import CONTROLLERS
@@ -33,9 +34,12 @@ class Contestant:
 
 
 def contestants() -> Iterator[Contestant]:
-    """Yield all that are judged: the model's mind, all attempts kept, and what is programmed."""
+    """Yield all that are judged: the model's mind, all attempts kept, and what is programmed.
+
+    Of each attempt at `like_bodies` the mind that was chosen is judged.
+    """
     yield Contestant(PICKED, 1)
-    for name in PLANS:
+    for name in (*(one for one in PLANS if one != choosing.TRAINED), choosing.NAME):
         for attempt, mind in minds_of(name).items():
             yield Contestant(name, attempt, mind)
     yield Contestant("programmed", 0, None, {"programmed": 1.0})

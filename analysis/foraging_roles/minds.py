@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from socialmind.learning import Training
 from socialmind.mind import MindDescription
 
+from . import choosing
 from .role_trainings import PLANS
 from .trainings import kept, mind_of
 
@@ -15,8 +16,11 @@ def minds_of(lesson: str) -> Mapping[int, MindDescription]:
     """Return the minds of a lesson's attempts by their numbers; none where none is kept.
 
     Args:
-        lesson: a plan of `role_trainings`, or of `trainings`, whose genomes are kept as a table.
+        lesson: a plan of `role_trainings`; or of `trainings`, whose genomes are kept as a table; or
+            `chosen_in_bodies`, what was chosen of each attempt at `like_bodies`.
     """
+    if lesson == choosing.NAME:
+        return choosing.minds()
     if lesson not in PLANS:
         genomes = kept().get(lesson, [])
         return {attempt: mind_of(lesson, genome) for attempt, genome in enumerate(genomes, 1)}
@@ -24,3 +28,11 @@ def minds_of(lesson: str) -> Mapping[int, MindDescription]:
         return {}
     training = Training(PLANS.kept / lesson)
     return {attempt: training.mind(attempt) for attempt in training.finished}
+
+
+def command_for(lesson: str) -> str:
+    """Return the command that makes a lesson's minds."""
+    if lesson == choosing.NAME:
+        return "python -m analysis.foraging_roles.choosing"
+    trained = "role_trainings" if lesson in PLANS else "trainings"
+    return f"python -m analysis.foraging_roles.{trained} {lesson}"

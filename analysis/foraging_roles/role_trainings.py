@@ -17,11 +17,14 @@ from socialmind.catalogue import load_file, model_folder
 from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
 from socialmind.learning import Curriculum
 
+from .lessons_like_bodies import like_bodies
 from .worlds import TRAINING
 
 MODEL = model_folder("foraging_roles")
 LESSONS = load_file(MODEL / "role_lessons.py")
 ATTEMPTS = 10
+FURTHER = 2
+"""Of `like_bodies`, for attempts that fall short of what `choosing` asks for."""
 FEW, NARROW = 3, 5
 """Of lessons that are kept to show why `delivered_anew` is as it is."""
 
@@ -49,6 +52,14 @@ PLANS = TrainingPlans(
             ATTEMPTS,
             LESSONS.choosing,
             lambda: LESSONS.anew,
+            "foraging_roles",
+            TRAINING,
+        ),
+        "like_bodies": TrainingPlan(
+            "judged by what is brought home, in an economy whose trips are as in bodies",
+            ATTEMPTS + FURTHER,
+            LESSONS.choosing,
+            lambda: like_bodies,
             "foraging_roles",
             TRAINING,
         ),

@@ -109,9 +109,7 @@ def attempts_at(lesson: str, size: Size) -> list[int]:
     found = sorted(MINDS.minds_of(lesson))[: size.attempts]
     if not found:
         what = f"no attempt at {lesson} is kept in analysis/foraging_roles/results"
-        raise SocialmindError(
-            f"{what}; python -m analysis.foraging_roles.role_trainings {lesson} makes them"
-        )
+        raise SocialmindError(f"{what}; {MINDS.command_for(lesson)} makes them")
     return found
 
 

@@ -81,6 +81,13 @@ SOCIETIES = {
             LEARNED, paper.BLUE, (0, (4, 2)), lesson="supervised_role",
         ),
         Society(
+            "chosen", "by deliveries, chosen",
+            "the same skill, learned by deliveries in an economy whose trips and distances are as "
+            "in bodies; which of an attempt's minds counts was chosen in bodies, in worlds for "
+            "choosing (lesson `like_bodies`)",
+            LEARNED, paper.BLUE, (0, (6, 1.5, 1, 1.5)), lesson="chosen_in_bodies",
+        ),
+        Society(
             "picked", "supervised, picked",
             "the mind of the model: one more attempt at the supervised lesson, picked because it "
             "came out well; shown for what picking does",

@@ -1,0 +1,190 @@
+"""Which mind of each attempt at `like_bodies` counts: chosen in bodies, in worlds for choosing.
+
+python -m analysis.foraging_roles.choosing           # judges what is not judged yet
+python -m analysis.foraging_roles.choosing report    # then the attempts' minds in further worlds
+
+A row of `results/chosen_in_bodies.csv` is a mind that a training has come to: in which lesson, and
+as what, the winner of its finals or the best of a generation. It says the share of worlds that stay
+within one robot of the wanted split, by what robots bring home, all through the last quarter:
+undisturbed, after the ratio turns round, and after three robots in A are taken away.
+
+The winner of the last lesson is judged first; the others as long as none of the training's minds
+has shares of `ENOUGH` or more. The mind with the greatest least share is the attempt's; of equals
+that with the greater sum, then the later one. An attempt has one training, the one with its number.
+As long as some fall short of `ENOUGH` and trainings are left, the one with the least share of all
+begins anew: it has the next training too.
+
+A row of `results/chosen_reported.csv` is an attempt's mind in worlds for reporting other than those
+of `analysis/specialisation`, which tells of more, in ten worlds an attempt.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from socialmind.catalogue import load_file
+from socialmind.learning import Training
+from socialmind.learning.episodes.plane_episodes import Episodes
+from socialmind.learning.training import archive
+from socialmind.learning.training.attempt import load_result
+from socialmind.learning.training.finalists import individual_of
+from socialmind.mind import MindDescription
+
+from .role_trainings import PLANS
+from .trainings import MODEL
+from .worlds import CHOOSING, REPORTED
+
+RULES = load_file(MODEL / "by_deliveries.py")
+OUT = Path(__file__).parent / "results" / "chosen_in_bodies.csv"
+REPORT = OUT.with_name("chosen_reported.csv")
+NAME, TRAINED = "chosen_in_bodies", "like_bodies"
+KEYS = ["training", "lesson", "what"]
+TICKS, WORLDS = 60_000, 12
+FURTHER = REPORTED[20:40]
+"""Worlds of the report, behind those of `analysis/specialisation`."""
+HALF = TICKS // 2 - 1
+CONDITIONS: Mapping[str, Mapping[str, int]] = {
+    "undisturbed": {},
+    "turned": {"reverse_at": HALF},
+    "removed": {"remove_at": HALF},
+}
+CANDIDATES = ((2, "best"), (2, "winner"), (3, "best"), (3, "winner"))
+"""Lessons of the curriculum, and what is a mind of a training in each."""
+ATTEMPTS, ENOUGH = 10, 0.9
+"""How many there are, and the least share of worlds from which one has no further training."""
+
+Candidate = tuple[int, int, str]
+"""Training, lesson, and what it is there."""
+
+
+def candidates(trainings: Training, number: int) -> dict[Candidate, MindDescription]:
+    """Return the minds that a training has come to, each once."""
+    mind, found = trainings.mind(number), {}
+    genomes: list[np.ndarray] = []
+    for lesson, what in reversed(CANDIDATES):
+        record, arrays = load_result(trainings.folder / "attempts" / str(number), lesson)
+        one = individual_of(archive.part(arrays, f"{what}/"))
+        if not any(np.array_equal(one.genome, other) for other in genomes):
+            genomes.append(one.genome)
+            learned = one.given_to([mind.skill(name) for name in record["skills"]])
+            found[number, lesson, what] = mind.with_modules(skills=learned)
+    return found
+
+
+def settles(
+    mind: MindDescription,
+    parameters: Mapping[str, int],
+    worlds: range = CHOOSING[:WORLDS],
+    ticks: int = TICKS,
+) -> float:
+    """Return the share of worlds within one robot of the wanted split all through the last quarter.
+
+    Args:
+        mind: the robots'.
+        parameters: of the model.
+        worlds: their seeds.
+        ticks: of a run.
+    """
+    episodes = Episodes(
+        RULES.ForagingByDeliveries, parameters, hierarchy=mind, ticks=ticks, record=("last_beyond",)
+    )
+    beyond = np.asarray(episodes.run(None, worlds).fields["last_beyond"])[0, :, 0]
+    return float((beyond < 0.75 * ticks).mean())
+
+
+def judge(path: Path = OUT) -> pd.DataFrame:
+    """Judge all minds that are not judged yet, and keep what comes of it after each."""
+    trainings = Training(PLANS.kept / TRAINED)
+    rows = read(path).to_dict("records")
+    known = {tuple(row[name] for name in KEYS) for row in rows}
+    for number in trainings.finished:
+        for one, mind in candidates(trainings, number).items():
+            own = [row for row in rows if row["training"] == number]
+            if one in known or any(least(row) >= ENOUGH for row in own):
+                continue
+            shares = {name: settles(mind, given) for name, given in CONDITIONS.items()}
+            rows.append({**dict(zip(KEYS, one, strict=True)), **shares})
+            table = pd.DataFrame(rows).sort_values(KEYS)
+            table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+            print(*rows[-1].values(), file=sys.stderr, flush=True)
+    return read(path)
+
+
+def report(path: Path = REPORT) -> pd.DataFrame:
+    """Judge the attempts' minds in worlds for reporting, and keep what comes of it after each."""
+    rows: list[dict[str, Any]] = []
+    for attempt, mind in minds().items():
+        shares = {name: settles(mind, given, FURTHER) for name, given in CONDITIONS.items()}
+        rows.append({"attempt": attempt, **shares})
+        pd.DataFrame(rows).to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+        print(*rows[-1].values(), file=sys.stderr, flush=True)
+    return pd.DataFrame(rows)
+
+
+def least(row: Mapping[Any, Any]) -> float:
+    """Return the least share of worlds of a mind that was judged."""
+    return min(float(row[name]) for name in CONDITIONS)
+
+
+def read(path: Path = OUT) -> pd.DataFrame:
+    """Return what is kept, or an empty table."""
+    if not path.is_file():
+        return pd.DataFrame(columns=[*KEYS, *CONDITIONS])
+    return pd.read_csv(path)
+
+
+def chosen(
+    table: pd.DataFrame, attempts: int = ATTEMPTS, enough: float = ENOUGH
+) -> dict[int, Candidate]:
+    """Return which mind is each attempt's, by its number.
+
+    Args:
+        table: of minds that were judged.
+        attempts: how many.
+        enough: the least share of worlds from which an attempt has no further training.
+
+    >>> table = pd.DataFrame({"training": [1, 1, 2, 3], "lesson": [2, 3, 3, 3], "what": "winner",
+    ...                       "undisturbed": 1.0, "turned": [0.7, 0.5, 0.9, 0.8],
+    ...                       "removed": [0.7, 1.0, 1.0, 0.9]})
+    >>> chosen(table, 2, 0.9)
+    {1: (3, 3, 'winner'), 2: (2, 3, 'winner')}
+    """
+    shares = table[list(CONDITIONS)]
+    order = table.assign(least=shares.min(axis=1), sum=shares.sum(axis=1))
+    order = order.sort_values(["least", "sum", *KEYS])
+    trained = set(table["training"])
+    own = {attempt: [attempt] for attempt in range(1, attempts + 1) if attempt in trained}
+    further = sorted(trained - set(range(1, attempts + 1)))
+
+    def best(attempt: int) -> Any:
+        return order[order["training"].isin(own[attempt])].iloc[-1]
+
+    for number in further:
+        short = min(own, key=lambda attempt: best(attempt)["least"])
+        if best(short)["least"] >= enough:
+            break
+        own[short].append(number)
+    picked = {attempt: best(attempt) for attempt in own}
+    return {
+        attempt: (int(one["training"]), int(one["lesson"]), str(one["what"]))
+        for attempt, one in picked.items()
+    }
+
+
+def minds(path: Path = OUT) -> dict[int, MindDescription]:
+    """Return the attempts' minds by number; none where none is chosen."""
+    choice = chosen(read(path))
+    if not choice:
+        return {}
+    trainings = Training(PLANS.kept / TRAINED)
+    return {attempt: candidates(trainings, one[0])[one] for attempt, one in choice.items()}
+
+
+if __name__ == "__main__":
+    print((report() if sys.argv[1:] == ["report"] else judge()).to_string(index=False))

@@ -1,0 +1,159 @@
+"""The economy that is like bodies, its lessons, and choosing in bodies among what they come to."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from socialmind.sources.loading import load_file
+
+FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
+minds = load_file(FOLDER / "minds.py")
+PACKAGE = minds.__name__
+choosing, like_bodies = (
+    sys.modules[f"{PACKAGE}.{name}"] for name in ("choosing", "economy_like_bodies")
+)
+trips_in_bodies = load_file(FOLDER / "trips_in_bodies.py")
+worlds = load_file(FOLDER / "worlds.py")
+TICKS = 12_000
+NINE = {"numbers": (9,), "ratios": (2 / 3,), "events": (0,)}
+
+
+@pytest.fixture(scope="module")
+def mind():
+    return minds.minds_of("delivered_anew")[1]
+
+
+def economy(mind, ticks=TICKS, **terms):
+    return like_bodies.DeliveryEconomy({**NINE, **terms}, mind, "Forage", "ForageRole", ticks=ticks)
+
+
+# Worlds like bodies' ------------------------------------------------------------------------------
+
+
+def test_a_seed_draws_the_same_society_as_in_the_models_economy():
+    terms = like_bodies.Terms()
+    for seed in (1, 2, 2**62):
+        one = like_bodies.World(seed, terms, TICKS)
+        other = like_bodies.DELIVERIES.DeliveryWorld(seed, terms, TICKS)
+        for name in ("robots", "most", "wanted", "event", "removed"):
+            assert getattr(one, name) == getattr(other, name)
+        assert (one.begun == other.begun).all()
+        assert one.trips.shape == other.trips.shape
+        assert one.away.shape == other.away.shape
+
+
+def test_trips_and_readings_are_near_what_bodies_do():
+    table = pd.read_csv(trips_in_bodies.OUT).set_index("what")["value"]
+    for share, took in list(zip(like_bodies.SHARES, like_bodies.TRIPS, strict=True))[1:-1]:
+        assert took == pytest.approx(table[f"trip, share {share:g}"], rel=0.05)
+    drawn = [like_bodies.World(seed, like_bodies.Terms(), 40_000) for seed in range(60)]
+    readings = np.concatenate([one.away.ravel() for one in drawn])
+    assert readings.mean() == pytest.approx(table["reading, mean"], abs=0.03)
+    for share in (0.05, 0.5, 0.95):
+        known = table[f"reading, share {share:g}"]
+        assert np.quantile(readings, share) == pytest.approx(known, abs=0.04)
+
+
+def test_robots_that_set_out_together_read_alike():
+    together, apart = [], []
+    for seed in range(40):
+        one = like_bodies.World(seed, like_bodies.Terms(**NINE), TICKS)
+        read = one.away[0] - one.away[0].mean()
+        first = read[:9, 0]  # all set out at tick 0
+        together += [(first[0], first[1]), (first[2], first[3])]
+        apart += [(read[0, 0], read[1, 8]), (read[2, 0], read[3, 8])]
+    alike, unlike = (np.corrcoef(np.array(pairs).T)[0, 1] for pairs in (together, apart))
+    assert alike > 0.25
+    assert alike > unlike + 0.15
+
+
+def test_what_changes_and_does_not_settle_costs_what_the_terms_say(mind):
+    genome, seeds = mind.skill("ForageRole").genome[None], [5, 6, 7]
+    free = economy(mind).run(genome, seeds)
+    turns = economy(mind, turns=1.0).run(genome, seeds)
+    unsettled = economy(mind, unsettled=1.0).run(genome, seeds)
+    assert (turns.fields["within"] == free.fields["within"]).all()
+    changes = (free.score - turns.score) * 9
+    assert changes == pytest.approx(changes.round())  # whole changes of nine robots
+    assert changes.max() >= 1
+    assert free.score - unsettled.score == pytest.approx(1.0 - free.fields["within"])
+
+
+def test_an_individual_comes_to_the_same_alone_as_among_others(mind):
+    genome = mind.skill("ForageRole").genome
+    several = np.stack([genome, genome + 0.3, genome - 0.3])
+    among = economy(mind).run(several, [3, 4])
+    alone = economy(mind).run(genome[None], [3, 4])
+    assert among.score[0].tolist() == alone.score[0].tolist()
+
+
+def test_errands_are_a_pair_for_two_trips_at_best(mind):
+    errands = like_bodies.Errands({}, mind, "Forage", "CollectSelect")
+    learned = mind.skill("CollectSelect").genome
+    found = errands.run(np.stack([learned, 0 * learned]), [1, 2])
+    assert (found.score <= 1).all()
+    assert found.score[0].mean() > found.score[1].mean()
+
+
+# Choosing -----------------------------------------------------------------------------------------
+
+
+def test_each_attempts_mind_is_the_one_that_the_table_chooses():
+    table = choosing.read()
+    found, choice = minds.minds_of("chosen_in_bodies"), choosing.chosen(table)
+    assert sorted(found) == list(range(1, choosing.ATTEMPTS + 1))
+    assert len(set(choice.values())) == len(found)
+    trainings = choosing.Training(choosing.PLANS.kept / choosing.TRAINED)
+    for attempt, one in choice.items():
+        assert choosing.candidates(trainings, one[0])[one] == found[attempt]
+    judged = set(table[choosing.KEYS].itertuples(index=False, name=None))
+    known = {one for number in trainings.finished for one in choosing.candidates(trainings, number)}
+    assert judged <= known
+    assert set(table["training"]) == set(trainings.finished)
+
+
+def judged(**shares):
+    rows = [
+        {"training": int(name[1:]), "lesson": 3, "what": "winner", "undisturbed": 1.0,
+         "turned": share, "removed": 1.0}
+        for name, share in shares.items()
+    ]  # fmt: skip
+    return pd.DataFrame(rows)
+
+
+def test_who_falls_shortest_begins_anew():
+    table = judged(t1=0.5, t2=1.0, t3=0.7, t4=0.6, t5=0.8, t6=0.9, t7=1.0)
+    found = choosing.chosen(table, attempts=3, enough=0.9)
+    # 4 and 5 go to attempt 1, then 6 to 3, then 7 to 1.
+    assert {attempt: one[0] for attempt, one in found.items()} == {1: 7, 2: 2, 3: 6}
+    found = choosing.chosen(table, attempts=3, enough=0.5)
+    assert {attempt: one[0] for attempt, one in found.items()} == {1: 1, 2: 2, 3: 3}
+
+
+def test_it_is_chosen_in_worlds_for_choosing():
+    assert set(choosing.CHOOSING[: choosing.WORLDS]) <= set(worlds.CHOOSING)
+    assert not set(worlds.CHOOSING) & set(worlds.REPORTED)
+
+
+def test_minds_are_judged_by_the_worlds_that_settle(mind):
+    share = choosing.settles(mind, {"reverse_at": 499}, range(3001, 3003), ticks=1000)
+    assert share in (0.0, 0.5, 1.0)
+
+
+def test_without_a_choice_there_is_no_mind(tmp_path):
+    assert choosing.minds(tmp_path / "none.csv") == {}
+    assert minds.command_for("chosen_in_bodies").endswith("foraging_roles.choosing")
+    assert minds.command_for("thesis").endswith("trainings thesis")
+
+
+def test_trips_are_measured_from_delivery_to_delivery():
+    found = trips_in_bodies.trips(3001, 3000)
+    later = found[~found["first"]]
+    assert len(later) > 0
+    for _, own in found.groupby("robot"):
+        assert (own["took"].cumsum() == own["tick"]).all()
+    assert found[["a", "b"]].to_numpy().min() > 0.25
+    assert set(found["kind"]) <= {"A", "B"}
