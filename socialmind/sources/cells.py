@@ -72,7 +72,7 @@ class Cells:
             imports += written[0]
             values.append(f"{name} = {written[1]}")
         names = [f"{name} = {known}" for name, known in self.names]
-        top = [*sorted(set(imports)), "", *values]
+        top = [*sorted(set(imports), key=lambda one: (one.startswith("from"), one)), "", *values]
         parts = ["\n".join(top), *(one.text.strip("\n") for one in self.definitions), *names]
         return "\n\n\n".join(parts).strip("\n") + "\n"
 
