@@ -73,7 +73,7 @@ def test_a_command_shows_one_on_a_terminal(tmp_path):
     import pty
 
     ours, theirs = pty.openpty()
-    words = ["run", "herds", "--interpreted", "--ticks", "200", "--out", str(tmp_path / "run")]
+    words = ["run", "herds", "--interpreted", "--ticks", "100", "--out", str(tmp_path / "run")]
     command = [sys.executable, "-m", "socialmind", *words]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=theirs) as process:
         os.close(theirs)
@@ -88,4 +88,4 @@ def test_a_command_shows_one_on_a_terminal(tmp_path):
             said += piece
     os.close(ours)
     assert process.returncode == 0
-    assert b"of 200 ticks |" in said and b" ticks/s, " in said
+    assert b"of 100 ticks |" in said and b" ticks/s, " in said
