@@ -21,6 +21,8 @@ from socialmind.language.syntax import compiled, parsed
 
 COMMAND = "<string>"
 """The file that Python names for what it was given with `-c`."""
+TIMED = "<timed exec>"
+"""The file that IPython names for a cell under `%%time`, whose text it does not keep."""
 _ABSENT = object()
 
 
@@ -166,7 +168,9 @@ def rule_source(function: Any) -> RuleSource:
         raise ModelError(
             f"the rule {function.__name__!r}, whose text Python did not keep",
             "a function of a file, of `python -c`, or of a cell of Jupyter, marimo or IPython",
-            "save the model in a file and run that, or paste it into `ipython`",
+            "write it in a cell of its own, without %%time"
+            if file == TIMED
+            else "save the model in a file and run that, or paste it into `ipython`",
             *place,
         )
     line = _line_of(code, whole)

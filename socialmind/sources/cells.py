@@ -138,7 +138,7 @@ def refuse_outdated(cls: Any) -> None:
     namespace = vars(sys.modules[MAIN])
     for name, value in getattr(cls, TOOK, {}).items():
         now = namespace.get(name, value)
-        if not _is_same(now, value):
+        if name != cls.__name__ and not _is_same(now, value):
             plain = getattr(now, "__code__", None)
             file = plain.co_filename if plain else getattr(now, PLACE, None)
             raise ModelError(
@@ -198,6 +198,14 @@ class _Gathering:
     def _define(self, something: Any) -> None:
         found = definition_of(something)
         at_once, later = needs(found.text)
+        if found.name in at_once:
+            raise ModelError(
+                f"{found.name}, which is made of another {found.name}",
+                "two names",
+                "call one of them otherwise",
+                found.file,
+                found.line,
+            )
         for name in at_once:
             self._take(name)
         self._definitions.append(found)

@@ -166,6 +166,21 @@ def test_what_cannot_go_there_is_named(kernel):
     assert "what other processes cannot load" in said and "lock" in said
 
 
+def test_a_cell_under_time_is_refused_with_a_way_out(kernel):
+    kernel(f"%%time\n{RULE}{MODEL}")
+    said = kernel("far()")
+    assert "whose text Python did not keep" in said and "without %%time" in said
+
+
+def test_a_lambda_and_a_class_made_of_its_namesake_are_refused_there(kernel):
+    asked = "ticks=1, workers=2, compiled=False"
+    said = kernel(f"sweep(Walk, {asked}, measures={{'m': lambda model: 1}})")
+    assert said.startswith("ModelError: cell In[") and "found a lambda" in said
+    kernel("class Walk(Walk):\n    ticks = 3")
+    assert kernel("far()") == "[3.0, 3.0, 3.0]"
+    assert "Walk, which is made of another Walk" in kernel(f"sweep(Walk, {asked})")
+
+
 def test_a_run_of_them_is_replayed_by_the_command_line(kernel, tmp_path):
     out = tmp_path / "run"
     assert kernel(f"run(Walk, 4, compiled=False, out={str(out)!r}).name") == "'run'"
