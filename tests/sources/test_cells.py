@@ -254,9 +254,7 @@ def test_python_c_takes_them_to_other_processes(tmp_path):
 @pytest.mark.parametrize("arguments", [("-",), ("-i", "-q")])
 @pytest.mark.skipif(sys.version_info >= (3, 13), reason="later prompts keep what is typed")
 def test_what_python_does_not_keep_is_refused_with_a_way_out(arguments):
-    typed = WHOLE.replace("\n    schedule", "\n    schedule") + "\n" + "Walk(compiled=False)\n"
-    typed = "\n".join(f"{one}\n" if not one.startswith(" ") else one for one in typed.split("\n"))
-    typed = typed.replace("Walker(Agent):\n\n", "Walker(Agent):\n").replace(":\n\n    ", ":\n    ")
+    typed = f"{WHOLE}\nWalk(compiled=False)\n"
     _, error = python(*arguments, said=typed)
     assert "found the rule 'walk', whose text Python did not keep" in error
     assert "save the model in a file and run that, or paste it into `ipython`" in error
