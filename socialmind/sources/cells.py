@@ -17,6 +17,7 @@ from functools import lru_cache
 from types import FunctionType, ModuleType
 from typing import Any
 
+from coglogo_py import CogLogoError, CognitiveScheme
 from coglogo_py.border import places
 from socialmind.errors import ModelError
 from socialmind.language.source import does, same
@@ -281,6 +282,8 @@ def _import_of(name: str, value: Any) -> str | None:
 
 def _written(value: Any) -> tuple[list[str], str] | None:
     """Return a value as Python text with the imports that this needs; None where it has none."""
+    if isinstance(value, CognitiveScheme):
+        return _written_scheme(value)
     text = repr(value)
     try:
         tree = parsed(text, "eval")
@@ -294,6 +297,21 @@ def _written(value: Any) -> tuple[list[str], str] | None:
         return None
     lines = [f"from {home.__name__} import {name}" for name, home in sorted(known.items())]
     return (lines, text) if same else None
+
+
+def _written_scheme(scheme: CognitiveScheme) -> tuple[list[str], str] | None:
+    """Return a scheme likewise; None where a decision maker of the modeller's own decides."""
+    from coglogo_py.files.yaml_file import written
+
+    try:
+        text = written(scheme)
+        if CognitiveScheme.parsed(text, "scheme.yaml") != scheme:
+            return None
+    except CogLogoError:
+        return None
+    quoted = repr(text) if '"""' in text or "\\" in text else f'"""{text}"""'
+    line = "from coglogo_py import CognitiveScheme"
+    return [line], f'CognitiveScheme.parsed({quoted}, "scheme.yaml")'
 
 
 def _homes(name: str) -> Iterator[ModuleType]:

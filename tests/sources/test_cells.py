@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from socialmind.experiments import replay
+
 AGENTS = """
 import math
 from socialmind import Agent, Model, Population, each, parameter
@@ -164,6 +166,37 @@ def test_what_cannot_go_there_is_named(kernel):
     kernel("def locked(model):\n    return LOCK is None")
     said = kernel("sweep(Walk, ticks=1, workers=2, compiled=False, measures={'m': locked})")
     assert "what other processes cannot load" in said and "lock" in said
+
+
+MINDED = """
+from coglogo_py import CognitiveScheme, Cogniton
+
+SCHEME = CognitiveScheme("folk", (Cogniton("Need", conditional=("go",), start_value=2),))
+
+def go(walker):
+    walker.far += walker.mind.get_cogniton_value("Need")
+
+def act(walker, model, rng):
+    walker.plan = walker.mind.choose_next_plan()
+    walker.run_plan(model, rng)
+
+class Walk(Model):
+    walkers = Population(Walker, 3, mind=SCHEME, plans={"go": go})
+    schedule = (each(walkers, act),)
+"""
+
+
+def test_a_scheme_of_cells_goes_along_and_is_kept(kernel, tmp_path):
+    kernel(MINDED)
+    assert kernel("far()") == "[3.0, 3.0, 3.0]"
+    said = kernel("print(Sweep(sweep(Walk, ticks=1, workers=2, compiled=False)).runs.status[0])")
+    assert said == "finished"
+    out = tmp_path / "run"
+    kernel(f"run(Walk, 2, compiled=False, out={str(out)!r})")
+    assert "CognitiveScheme.parsed(" in (out / "source/model/cells.py").read_text()
+    assert replay(out).exact and replay(out).equal
+    kernel(MINDED.replace("start_value=2", "start_value=4").partition("def go")[0])
+    assert "found SCHEME, which was written anew" in kernel("far()")
 
 
 def test_a_cell_under_time_is_refused_with_a_way_out(kernel):
