@@ -21,6 +21,8 @@ from socialmind.language.syntax import compiled, parsed
 
 COMMAND = "<string>"
 """The file that Python names for what it was given with `-c`."""
+TIMED = "<timed exec>"
+"""The file that IPython names for a cell under `%%time`, whose text it does not keep."""
 _ABSENT = object()
 
 
@@ -166,21 +168,21 @@ def rule_source(function: Any) -> RuleSource:
         raise ModelError(
             f"the rule {function.__name__!r}, whose text Python did not keep",
             "a function of a file, of `python -c`, or of a cell of Jupyter, marimo or IPython",
-            "save the model in a file and run that, or paste it into `ipython`",
+            "write it in a cell of its own, without %%time"
+            if file == TIMED
+            else "save the model in a file and run that, or paste it into `ipython`",
             *place,
         )
-    try:
-        lines = inspect.getblock(whole.splitlines(keepends=True)[code.co_firstlineno - 1 :])
-        tree = parsed(textwrap.dedent("".join(lines))).body[0]
-    except (SyntaxError, IndexError):
-        raise _changed(function) from None
-    ast.increment_lineno(tree, code.co_firstlineno - 1)
+    line = _line_of(code, whole)
+    if line is None:
+        raise _changed(function)
+    lines = inspect.getblock(whole.splitlines(keepends=True)[line - 1 :])
+    tree = parsed(textwrap.dedent("".join(lines))).body[0]
+    ast.increment_lineno(tree, line - 1)
     if isinstance(tree, ast.AsyncFunctionDef):
         raise ModelError("an async rule", "a plain function", "write `def`", file, tree.lineno)
     if not isinstance(tree, ast.FunctionDef):
         raise ModelError(f"{function!r}", "a plain function", "write `def`", *place)
-    if not _is_as_loaded(whole, code):
-        raise _changed(function)
     names = Names(function.__globals__)
     state = (code, function.__defaults__)
     return RuleSource(function, function.__name__, file, tree.lineno, tree, names, state)
@@ -197,9 +199,18 @@ def _changed(function: FunctionType) -> ModelError:
     )
 
 
-def _is_as_loaded(text: str, code: CodeType) -> bool:
-    """Say whether a function was loaded from a file of this text, which may have changed since."""
-    return any(does(one) == does(code) for one in _functions(text, code.co_filename))
+def _line_of(code: CodeType, text: str) -> int | None:
+    """Return the line at which a function stands in a text; None where another stands there.
+
+    The text may have changed since the function was loaded from it. One that was only moved, by
+    an edit above it, is the same (IPython's `%autoreload` leaves it as it is).
+    """
+    found = [
+        one.co_firstlineno
+        for one in _functions(text, code.co_filename)
+        if one.co_name == code.co_name and does(one) == does(code)
+    ]
+    return min(found, key=lambda line: abs(line - code.co_firstlineno), default=None)
 
 
 @lru_cache(maxsize=16)
@@ -226,13 +237,12 @@ def _functions(text: str, file: str) -> tuple[CodeType, ...]:
 
 
 def does(code: CodeType) -> tuple[Any, ...]:
-    """Return what a code object does and where it stands."""
+    """Return what a code object does, wherever it stands."""
     constants = [
         does(one) if isinstance(one, CodeType) else (type(one), repr(one)) for one in code.co_consts
     ]
     return (
         code.co_name,
-        code.co_firstlineno,
         code.co_code,
         constants,
         code.co_names,

@@ -17,6 +17,7 @@ from functools import lru_cache
 from types import FunctionType, ModuleType
 from typing import Any
 
+from coglogo_py import CogLogoError, CognitiveScheme
 from coglogo_py.border import places
 from socialmind.errors import ModelError
 from socialmind.language.source import does, same
@@ -72,7 +73,7 @@ class Cells:
             imports += written[0]
             values.append(f"{name} = {written[1]}")
         names = [f"{name} = {known}" for name, known in self.names]
-        top = [*sorted(set(imports)), "", *values]
+        top = [*sorted(set(imports), key=lambda one: (one.startswith("from"), one)), "", *values]
         parts = ["\n".join(top), *(one.text.strip("\n") for one in self.definitions), *names]
         return "\n\n\n".join(parts).strip("\n") + "\n"
 
@@ -138,7 +139,7 @@ def refuse_outdated(cls: Any) -> None:
     namespace = vars(sys.modules[MAIN])
     for name, value in getattr(cls, TOOK, {}).items():
         now = namespace.get(name, value)
-        if not _is_same(now, value):
+        if name != cls.__name__ and not _is_same(now, value):
             plain = getattr(now, "__code__", None)
             file = plain.co_filename if plain else getattr(now, PLACE, None)
             raise ModelError(
@@ -198,6 +199,14 @@ class _Gathering:
     def _define(self, something: Any) -> None:
         found = definition_of(something)
         at_once, later = needs(found.text)
+        if found.name in at_once:
+            raise ModelError(
+                f"{found.name}, which is made of another {found.name}",
+                "two names",
+                "call one of them otherwise",
+                found.file,
+                found.line,
+            )
         for name in at_once:
             self._take(name)
         self._definitions.append(found)
@@ -273,6 +282,8 @@ def _import_of(name: str, value: Any) -> str | None:
 
 def _written(value: Any) -> tuple[list[str], str] | None:
     """Return a value as Python text with the imports that this needs; None where it has none."""
+    if isinstance(value, CognitiveScheme):
+        return _written_scheme(value)
     text = repr(value)
     try:
         tree = parsed(text, "eval")
@@ -286,6 +297,21 @@ def _written(value: Any) -> tuple[list[str], str] | None:
         return None
     lines = [f"from {home.__name__} import {name}" for name, home in sorted(known.items())]
     return (lines, text) if same else None
+
+
+def _written_scheme(scheme: CognitiveScheme) -> tuple[list[str], str] | None:
+    """Return a scheme likewise; None where a decision maker of the modeller's own decides."""
+    from coglogo_py.files.yaml_file import written
+
+    try:
+        text = written(scheme)
+        if CognitiveScheme.parsed(text, "scheme.yaml") != scheme:
+            return None
+    except CogLogoError:
+        return None
+    quoted = repr(text) if '"""' in text or "\\" in text else f'"""{text}"""'
+    line = "from coglogo_py import CognitiveScheme"
+    return [line], f'CognitiveScheme.parsed({quoted}, "scheme.yaml")'
 
 
 def _homes(name: str) -> Iterator[ModuleType]:

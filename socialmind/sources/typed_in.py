@@ -91,6 +91,9 @@ def definition_of(something: Any) -> Definition:
     Raises:
         ModelError: Python does not keep what was typed.
     """
+    if something.__name__ == "<lambda>":
+        place = something.__code__.co_filename, something.__code__.co_firstlineno
+        raise ModelError("a lambda", "a function with a name", "write it with `def`", *place)
     for file, text in _places_of(something):
         nodes: Iterator[Any] = ast.walk(_tree(text))
         for node in nodes:

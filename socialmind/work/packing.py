@@ -15,6 +15,7 @@ import threading
 from pathlib import Path
 from types import FunctionType
 from typing import Any
+from weakref import WeakValueDictionary
 
 from socialmind.errors import ModelError
 from socialmind.sources.cells import cells_of
@@ -22,6 +23,8 @@ from socialmind.sources.folders import catalogue, digest
 from socialmind.sources.loading import PRIVATE, is_alone, load_file, modules_of
 from socialmind.sources.typed_in import CELLS, is_typed_in
 
+_packed_here = WeakValueDictionary[tuple[str, str], Any]()
+"""What was typed into this process and packed, by what it is called elsewhere."""
 _waiting = threading.local()
 """What is being packed: a value that it reads may hold it again."""
 
@@ -101,9 +104,11 @@ def _packed_cells(something: Any) -> bytes:
         raise pickle.PicklingError(f"a value that {something.__name__} reads holds itself of it")
     waiting.append(something)
     try:
-        return packed(cells_of(something))
+        cells = packed(cells_of(something))
     finally:
         waiting.pop()
+    _packed_here[_name_of(cells), something.__qualname__] = something
+    return cells
 
 
 def _typed_in(cells: bytes, qualified: str) -> Any:
@@ -113,10 +118,16 @@ def _typed_in(cells: bytes, qualified: str) -> Any:
         cells: with all that it needs.
         qualified: its name.
     """
-    name = f"{PRIVATE}cells_{digest(cells)[:24]}"
+    name = _name_of(cells)
+    if (name, qualified) in _packed_here:
+        return _packed_here[name, qualified]  # come home
     if name not in sys.modules:
         setattr(unpacked(cells).module(name), CELLS, cells)
     return getattr(sys.modules[name], qualified)
+
+
+def _name_of(cells: bytes) -> str:
+    return f"{PRIVATE}cells_{digest(cells)[:24]}"
 
 
 def _in_file(

@@ -9,6 +9,7 @@ import os
 import pickle
 import shutil
 import signal
+import sys
 import tempfile
 import threading
 import traceback
@@ -182,6 +183,8 @@ class _Hand:
     def begin(self, context: Any, folder: str) -> None:
         self.end()
         self.pipe, theirs = context.Pipe()
+        # What IPython's `%reset` leaves of the module lacks what Python looks at here.
+        vars(sys.modules["__main__"]).setdefault("__spec__", None)
         process = context.Process(target=_serve, args=(theirs, folder))
         process.start()
         self.process = process

@@ -5,10 +5,11 @@ tqdm draws them: on a terminal, in Jupyter with or without widgets, and in marim
 
 from __future__ import annotations
 
+import os
 import sys
 import warnings
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 Told = Callable[[int, int], None]
@@ -20,6 +21,8 @@ BAR = (
 WORDS = "{desc}"
 WAIT = 0.5
 """Seconds that work may take before a bar is drawn."""
+NARROW = (80, 24)
+"""Columns and rows of a terminal that says nothing of its size."""
 LARGE = 1_000_000
 """Such numbers are shortened."""
 
@@ -112,6 +115,15 @@ def _drawn_by(progress: bool | None) -> Any:
     return None
 
 
+def _width() -> dict[str, Any]:
+    """Return how wide tqdm draws: as the terminal is, unless it says that it is 0 wide."""
+    if sys.stderr.isatty():
+        with suppress(OSError, ValueError):
+            if os.get_terminal_size(sys.stderr.fileno()).columns == 0:
+                return {"ncols": NARROW[0], "nrows": NARROW[1]}
+    return {"dynamic_ncols": True}
+
+
 class _Bar:
     """One bar, made when there is something to show.
 
@@ -160,7 +172,7 @@ class _Bar:
         if self.takes_words:
             self._bar = self._drawn(
                 total=length, initial=done, unit=self._unit, unit_scale=(length or 0) >= LARGE,
-                bar_format=self._looks, delay=WAIT, leave=False, dynamic_ncols=True,
+                bar_format=self._looks, delay=WAIT, leave=False, **_width(),
                 file=sys.stderr,
             )  # fmt: skip
         else:

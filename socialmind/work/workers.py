@@ -325,7 +325,7 @@ class _Elsewhere(_Pool):
         except pickle.PicklingError as error:
             raise ModelError(
                 f"what other processes cannot load: {error}",
-                "a model, an environment and functions of files",
+                "a model, an environment and functions of files or cells",
                 "write them into a model's model.py or lessons.py, or use one worker",
             ) from None
         self._task, self._bytes = task, _Bytes(sha256(content).hexdigest(), content)

@@ -505,7 +505,10 @@ def test_a_file_that_has_changed_since_it_was_loaded(society, speeds, tmp_path):
     file = tmp_path / "model.py"
     file.write_text("def rule(person):\n    person.f = 1\n")
     rule = speeds.load(file).rule
+    moved = type("Moved", (society.Society,), {"schedule": (each(society.Society.persons, rule),)})
     file.write_text("def other(person, k):\n    person.g = k\n\n\n" + file.read_text())
+    moved(compiled=False).advance(1)  # the same, some lines below
+    file.write_text(file.read_text().replace("person.f = 1", "person.f = 2"))
     with pytest.raises(ModelError, match="it has changed since: load the model again"):
         type("Old", (society.Society,), {"schedule": (each(society.Society.persons, rule),)})()
 

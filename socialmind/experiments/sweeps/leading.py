@@ -48,7 +48,9 @@ class SweepInterrupted(KeyboardInterrupt):
     """
 
     def __init__(self, folder: Path, done: int, total: int, signal_number: int) -> None:
-        super().__init__(f"stopped after {done} of {total} runs")
+        super().__init__(
+            f"stopped after {done:,} of {total:,} runs; resume_sweep({str(folder)!r}) goes on"
+        )
         self.folder, self.done, self.total = folder, done, total
         self.signal_number = signal_number
 
