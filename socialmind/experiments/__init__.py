@@ -8,12 +8,17 @@
 - `draw_figures`: draw a run's figures into its folder;
 - `score`: measure minds on a plane in many worlds;
 - `sweep`, `resume_sweep`: run a model over a design into one folder, go on with it;
-- `Sweep`: read a sweep's tables; `remake_run`: make one of its runs again as a capsule.
+- `Sweep`: read a sweep's tables; `remake_run`: make one of its runs again as a capsule;
+- `fit`, `resume_fit`: fit a model to data, with recovery; `Fit`: read what came of it.
 """
 
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from socialmind.experiments.calibration.fit import FitInterrupted as FitInterrupted
+    from socialmind.experiments.calibration.fit import fit as fit
+    from socialmind.experiments.calibration.fit import resume_fit as resume_fit
+    from socialmind.experiments.calibration.result import Fit as Fit
     from socialmind.experiments.scoring import Score as Score
     from socialmind.experiments.scoring import score as score
     from socialmind.experiments.sweeps.leading import SweepInterrupted as SweepInterrupted
@@ -37,6 +42,8 @@ else:
     __getattr__, __dir__, __all__ = on_demand(
         __name__,
         {
+            "socialmind.experiments.calibration.fit": "FitInterrupted fit resume_fit",
+            "socialmind.experiments.calibration.result": "Fit",
             "socialmind.experiments.scoring": "Score score",
             "socialmind.experiments.sweeps.remaking": "remake_run",
             "socialmind.experiments.sweeps.result": "Sweep",
