@@ -4,20 +4,23 @@
 those of a recovery are, and a trial of them; how far the two are apart is luck alone. The 95 %
 quantile of that, over draws, is the distance beyond which values are not plausible.
 
-**Intervals.** A parameter's interval holds its values in all plausible trials, those no farther
-from the data than luck. Where the method gives a posterior (`abc`), it is the middle 95 % of that.
-Whether they hold the truth as often as they should is what recovery finds out.
+**Intervals.** A parameter's interval holds the values at which the smooth surface through the
+trials (`surface`) is no higher than luck, the other parameters being as good as they can be. Where
+the method gives a posterior (`abc`), it is the middle 95 % of that. Whether intervals hold the
+truth as often as they should is what recovery finds out.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.experiments.calibration.search import Record, Search, runs_of
+from socialmind.experiments.calibration.surface import Surface
 
 LEVEL = 0.95
 DRAWS = 400
@@ -67,18 +70,24 @@ def found_by(search: Search) -> Found:
     again, luck = _luck(search, search.new)
     plausible = [one for one in search.trials if one["distance"] <= luck]
     sample = search.method.sample()
-    intervals: tuple[Interval, ...] = none
+    ends: Sequence[tuple[float, float] | None] = none
     if sample is not None:
         ends = [_middle(column, sample[1]) for column in sample[0].T]
-        intervals = _in_units(search, ends)
-    elif plausible:
-        places = np.array([one["place"] for one in plausible])
-        ends = list(zip(places.min(axis=0).tolist(), places.max(axis=0).tolist(), strict=True))
-        intervals = _in_units(search, ends)
+    else:
+        surface = surface_of(search, luck)
+        if surface is not None:
+            ends = [surface.within(n, luck**2) for n in range(len(none))]
     return Found(
         search.number, truth, plan.space.values(best["place"]), best["number"], best["distance"],
-        again, luck, len(plausible), intervals,
+        again, luck, len(plausible), _in_units(search, ends),
     )  # fmt: skip
+
+
+def surface_of(search: Search, luck: float) -> Surface | None:
+    """Return the smooth surface through a search's trials."""
+    places = np.array([one["place"] for one in search.trials])
+    distances = np.array([one["distance"] for one in search.trials])
+    return Surface.through(places, distances, luck)
 
 
 def _luck(search: Search, new: Record) -> tuple[float, float]:
@@ -111,6 +120,6 @@ def _middle(values: NDArray[np.float64], weights: NDArray[np.float64]) -> tuple[
     return low, high
 
 
-def _in_units(search: Search, ends: list[tuple[float, float]]) -> tuple[Interval, ...]:
+def _in_units(search: Search, ends: Sequence[tuple[float, float] | None]) -> tuple[Interval, ...]:
     pairs = zip(search.plan.space.dimensions, ends, strict=True)
-    return tuple((one.value(low), one.value(high)) for one, (low, high) in pairs)
+    return tuple(one and (d.value(one[0]), d.value(one[1])) for d, one in pairs)

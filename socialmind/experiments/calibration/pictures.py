@@ -56,9 +56,12 @@ def draw_profiles(fit: Fit) -> Figure:
     top = _top(fit.profiles["distance"], luck)
     for axes, one in zip(panels, fit.manifest.vary, strict=False):
         name = one["name"]
-        rows = fit.profiles[fit.profiles["parameter"] == name].dropna(subset=["distance"])
+        every = fit.profiles[fit.profiles["parameter"] == name]
+        rows = every.dropna(subset=["distance"])
         axes.plot(trials[name], trials["distance"], ".", color=paper.PALE, markersize=2, zorder=1)
         axes.plot(rows["value"], rows["distance"], "o-", color=paper.BLUE, markersize=3)
+        middles = [_middle(row["from"], row["to"], one["log"]) for _, row in every.iterrows()]
+        axes.plot(middles, every["smooth"], color=paper.PURPLE, linewidth=0.8)
         axes.axvline(fit.values[name], color=paper.INK, linewidth=0.6)
         if luck is not None:
             axes.axhline(luck, color=paper.GOLD, linewidth=0.8)
@@ -80,9 +83,9 @@ def draw_best(fit: Fit) -> Figure:
             unit = paper.time_axis(axes, target.ticks)
             ticks = np.array(target.ticks) / unit
             if wide is not None and len(wide):
-                ends = [wide.quantile(q, axis=1) for q in (0.025, 0.975)]
+                low, high = wide.quantile(0.025, axis=1), wide.quantile(0.975, axis=1)
                 at = np.array(wide.index) / unit
-                axes.fill_between(at, *ends, color=paper.BLUE, alpha=0.2, linewidth=0)
+                axes.fill_between(at, low, high, color=paper.BLUE, alpha=0.2, linewidth=0)
                 axes.plot(at, wide.mean(axis=1), color=paper.BLUE)
             axes.plot(ticks, target.values[:, n], color=paper.INK, linewidth=0.8)
         else:
@@ -107,6 +110,10 @@ def _scaled(axes: Axes, one: Mapping[str, Any], both: bool = False) -> None:
         if one["log"]:
             axes.set_yscale("log")
         axes.set_ylim(one["low"], one["high"])
+
+
+def _middle(low: float, high: float, log: bool) -> float:
+    return math.sqrt(low * high) if log else (low + high) / 2
 
 
 def _top(distances: object, luck: float | None) -> float:

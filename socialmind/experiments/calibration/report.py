@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 UNCHECKED = (
     "**It was not checked whether such data can tell these parameters** (`--recover 0`). The "
-    "values below may be some of many that do as well; for half of published agent-based models not all "
-    "parameters could be told (Carrella 2021, JASSS 24(2) 7)."
+    "values below may be some of many that do as well: of 41 published models, half of those that "
+    "are agent-based could not be identified in full (Carrella 2021, JASSS 24(2) 7)."
 )
 
 
@@ -35,10 +35,11 @@ def report_of(fit: Fit) -> str:
         "![The data in black, the model in blue](figures/best.png)",
         *(_recovery(fit) if fit.manifest.recover else ()),
         "## Profiles",
-        "The best distance in each tenth of a parameter's range (blue), over the trials of the fit "
-        "(grey): a flat one says that the parameter hardly matters to these data. Below the golden "
-        "line trials are plausible. A search looks little where trials are bad, so there the line "
-        "lies too high rather than too low.",
+        "The best distance in each tenth of a parameter's range (blue) over the trials of the fit "
+        "(grey), and a smooth surface through all of them (purple). Where they are flat, the "
+        "parameter hardly matters to these data. Below the golden line values are plausible. A "
+        "search looks little where trials are bad: there the blue line lies too high rather than "
+        "too low.",
         "![Distance by each parameter](figures/profiles.png)",
         "## To repeat it",
         "In this folder:",
@@ -101,30 +102,29 @@ def _parameters(fit: Fit) -> list[dict[str, str]]:
 def _plausible(fit: Fit) -> Iterable[str]:
     best = fit.best
     luck, distance = best["luck"], best["distance"]
+    posterior = fit.manifest.method == "abc"
+    there = not posterior and any(best["intervals"].values())
     if luck is None:
         yield "**The best trial's runs failed on new seeds**, so nothing is known of luck."
         return
-    if best["plausible_trials"]:
+    if best["plausible_trials"] or there:
         yield (
-            f"{best['plausible_trials']:,} trials are plausible: they are no farther from the data "
-            f"than luck explains, {number(luck)} (the 95 % quantile of the distance between a "
-            "trial and data that are both made with the values found). "
-            + (
-                "Intervals are the middle 95 % of the posterior."
-                if fit.manifest.method == "abc"
-                else "Intervals hold their values."
-            )
+            f"Values are plausible that are no farther from the data than luck explains, "
+            f"{number(luck)}: the 95 % quantile of the distance between a trial and data that are "
+            f"both made with the values found. {best['plausible_trials']:,} trials are as near."
         )
     else:
         yield (
-            f"**No trial is plausible**: the nearest is {number(distance)} away, and luck explains "
-            f"{number(luck)}. In these ranges, and with this budget, the model does not come to "
-            "such data; "
-            + (
-                "the intervals are those of a posterior of the least bad."
-                if fit.manifest.method == "abc"
-                else "there are no intervals."
-            )
+            f"**No values are plausible**: the nearest trial is {number(distance)} away, and luck "
+            f"explains {number(luck)}. In these ranges, and with this budget, the model does not "
+            "come to such data."
+        )
+    if posterior:
+        yield "Intervals are the middle 95 % of the posterior's sample (column `weight` of trials)."
+    elif there:
+        yield (
+            "Intervals hold the plausible values of a parameter, the others being as good as they "
+            "can be, on a smooth surface through all trials. They are wide rather than narrow."
         )
 
 
@@ -161,13 +161,13 @@ def _recovery(fit: Fit) -> Iterable[str]:
     yield "## Recovery"
     yield (
         f"{manifest.recover} times, values were drawn all over the ranges, data were made with "
-        f"them ({data}{', and an error as given' if fit.target.errors else ''}), and the same fit was "
-        "made to these. What it finds of values that are known is what it can find of yours."
+        f"them ({data}{', and an error as given' if fit.target.errors else ''}), and the same fit "
+        "was made to these. What it finds of values that are known is what it can find of yours."
     )
     yield _table(_recovered(summary))
     yield (
         "*Gain*: 1 is perfect, at 0 one may as well name the middle of the range. *Told* is a gain "
-        "of 0.5 or more, *roughly* of 0.25 or more."
+        "of 0.5 or more, *roughly* of 0.35 or more."
     )
     yield from _verdicts(fit, summary)
     yield "![Found against true; red where the interval misses](figures/recovery.png)"

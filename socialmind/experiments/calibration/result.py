@@ -93,19 +93,14 @@ class Fit:
         """One row a parameter: what was found, its interval, and what recovery says of it."""
         import pandas as pd
 
-        rows = [
-            {"parameter": name, "found": value, "low": low, "high": high}
-            for (name, value), (low, high) in zip(
-                self.values.items(), self._intervals(), strict=True
-            )
-        ]
-        frame = pd.DataFrame(rows)
+        rows = []
+        for name, value in self.values.items():
+            low, high = self.best["intervals"][name] or (None, None)
+            rows.append({"parameter": name, "found": value, "low": low, "high": high})
+        frame = pd.DataFrame(rows).astype({"low": float, "high": float})
         if not self.manifest.recover:
             return frame.assign(verdict="not checked")
         return frame.merge(identifying.summary(self.recovery), on="parameter", how="left")
-
-    def _intervals(self) -> list[tuple[float | None, float | None]]:
-        return [tuple(one or (None, None)) for one in self.best["intervals"].values()]  # type: ignore[misc]
 
     def _table(self, name: str) -> pd.DataFrame:
         import pandas as pd

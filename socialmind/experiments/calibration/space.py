@@ -155,7 +155,8 @@ def _dimension(one: Varied, given: Range) -> Dimension:
                 f"{one.name}=LOW:HIGH"
             )
         given = one.parameter.low, one.parameter.high
-    low, high, *scale = given if 2 <= len(given) <= 3 else (None, None)
+    ends: Any = given if 2 <= len(given) <= 3 else (None, None)
+    low, high, *scale = ends
     if not is_number(low) or not is_number(high) or not math.isfinite(high - low):
         raise SocialmindError(f"range of {one.name}: found {shown(given)}; expected two numbers")
     if scale not in ([], [LOG]):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from socialmind.experiments.calibration.finding import Found
+from socialmind.experiments.calibration.finding import Found, surface_of
 from socialmind.experiments.calibration.plan import NEW, TRIAL, Plan
 from socialmind.experiments.calibration.search import Search
 from socialmind.experiments.calibration.target import SERIES, TICK
@@ -89,18 +89,24 @@ def recovery_table(plan: Plan, found: Sequence[Found]) -> pd.DataFrame:
     return frame.astype({"problem": "string", "parameter": "string"})
 
 
-def profiles_table(plan: Plan, search: Search) -> pd.DataFrame:
+def profiles_table(plan: Plan, search: Search, luck: float) -> pd.DataFrame:
     """Return a row for each parameter and piece of its range.
 
-    Columns: the piece, `from` and `to`; the `trials` of the fit there, the `distance` of the best of
-    them and its `value`, NaN where there was none.
+    Columns: the piece, `from` and `to`; the `trials` of the fit there, the `distance` of the best
+    of them and its `value`, NaN where there was none; and the `smooth` distance in its middle, of
+    the surface through all trials, the other parameters being as good as they can be.
     """
     import pandas as pd
 
     places = np.array([one["place"] for one in search.trials])
     distances = np.array([one["distance"] for one in search.trials])
+    surface = surface_of(search, luck)
     rows = []
     for n, dimension in enumerate(plan.space.dimensions):
+        middles = (np.arange(CELLS) + 0.5) / CELLS
+        smooth = np.full(CELLS, math.nan)
+        if surface is not None:
+            smooth = np.sqrt(np.maximum(np.interp(middles, *surface.profile(n)), 0.0))
         cells = np.minimum((places[:, n] * CELLS).astype(int), CELLS - 1)
         for cell in range(CELLS):
             inside = np.flatnonzero(cells == cell)
@@ -113,6 +119,7 @@ def profiles_table(plan: Plan, search: Search) -> pd.DataFrame:
                     "trials": len(inside),
                     "value": math.nan if best is None else float(dimension.value(places[best, n])),
                     "distance": math.nan if best is None else distances[best],
+                    "smooth": smooth[cell],
                 }
             )
     return pd.DataFrame(rows)

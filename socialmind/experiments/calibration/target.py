@@ -220,7 +220,8 @@ def _statistic(text: str) -> tuple[str, tuple[float, float]]:
 def _of_statistics(given: Mapping[Any, Any]) -> Target:
     found = {}
     for name, pair in given.items():
-        value, error = pair if isinstance(pair, Sequence) and len(pair) == 2 else (None, None)
+        both: Any = pair if isinstance(pair, Sequence) and len(pair) == 2 else (None, None)
+        value, error = both
         if not is_number(value) or not is_number(error) or not math.isfinite(value):
             raise SocialmindError(
                 f"target {name}: found {shown(pair)}; expected a value and its error"

@@ -52,7 +52,7 @@ def write_results(
     frames = {
         tables.TRIALS: tables.trials_table(plan, searches),
         tables.RECOVERY: tables.recovery_table(plan, found),
-        tables.PROFILES: tables.profiles_table(plan, searches[0]),
+        tables.PROFILES: tables.profiles_table(plan, searches[0], found[0].luck),
         tables.BEST_RUNS: tables.best_runs_table(plan, searches[0]),
     }
     for name, frame in frames.items():
