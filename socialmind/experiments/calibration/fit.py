@@ -281,7 +281,7 @@ class _Fitting:
             jobs = _Jobs(some.count)
             for search in searches:
                 self._open(search.begin(known), jobs)
-            self._done = sum(len(self._plan.seeds_of(number, kind)) for number, kind, _ in known)
+            self._done = sum(self._plan.runs_of(kind) for _, kind, _ in known)
             tell()
             # Which columns and ticks are looked at is the same for all searches.
             task = Trying(self._common, self._plan.target, lambda: bool(arrived))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.experiments.calibration import identifying
 from socialmind.experiments.calibration.pictures import plain_number as number
-from socialmind.experiments.calibration.plan import NEW_RUNS
+from socialmind.experiments.calibration.plan import NEW_RUNS, OFTENER
 from socialmind.experiments.calibration.result import Fit
 from socialmind.experiments.calibration.target import SERIES
 
@@ -52,7 +52,9 @@ def report_of(fit: Fit) -> str:
 
 def _made(fit: Fit) -> str:
     manifest, target = fit.manifest, fit.target
-    trials = manifest.budget // manifest.seeds
+    own = fit.trials[fit.trials["search"] == 0]
+    trials, finalists = len(own), int(own["final"].notna().sum())
+    final = f", the {finalists} nearest once more with {OFTENER} times as many" * bool(finalists)
     what = (
         f"the series {', '.join(target.columns)} at {len(target.ticks):,} ticks"
         f"{f' ({target.name})' if target.name else ''}"
@@ -74,7 +76,7 @@ def _made(fit: Fit) -> str:
         f"Fitted to {what}.",
         *([f"Measures: {measures}."] if measures else []),
         *([f"Fixed: {fixed}."] if fixed else []),
-        f"{trials:,} trials of {manifest.seeds} runs of {manifest.ticks:,} ticks; "
+        f"{trials:,} trials of {manifest.seeds} runs of {manifest.ticks:,} ticks{final}; "
         f"{manifest.runs:,} runs in all, with recovery and what is reported.",
     ]
     return " ".join(said)
@@ -133,7 +135,7 @@ def _again(fit: Fit) -> Iterable[str]:
     yield (
         f"Distance of the best trial: {number(best['distance'])} on its own seeds, "
         f"{number(best['distance_on_new_seeds'])} on new ones, as the mean of such trials from "
-        f"{NEW_RUNS} runs. The first is the least of many and so too good; report the second."
+        f"{NEW_RUNS} runs. The first was chosen for being small; report the second."
     )
     target, runs = fit.target, fit.best_runs
     if target.kind != SERIES and len(runs):

@@ -17,7 +17,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments.calibration.distance import Values
 from socialmind.experiments.calibration.log import Key
 from socialmind.experiments.calibration.methods.registry import method_called
-from socialmind.experiments.calibration.plan import DATA, NEW, TRIAL, Plan
+from socialmind.experiments.calibration.plan import DATA, FINAL, NEW, TRIAL, Plan
 from socialmind.experiments.calibration.target import Target
 from socialmind.experiments.calibration.trying import Tried
 from socialmind.learning.lessons.keys import seed_for
@@ -32,7 +32,7 @@ class Group:
 
     Attributes:
         search: whose.
-        kind: `DATA`, `TRIAL` or `NEW`.
+        kind: `DATA`, `TRIAL`, `FINAL` or `NEW`.
         number: of the trial.
         place: of the unit cube.
         values: there.
@@ -71,7 +71,7 @@ class Group:
             "failed": len(runs) - len(found),
             "error": next((one.error for one in runs if one.error is not None), None),
         }
-        if kind == TRIAL:
+        if kind in (TRIAL, FINAL):
             target, failed = self.search.target, said["failed"]
             mean = np.mean(found, axis=0) if found and not failed else None
             said["distance"] = np.inf if mean is None else target.distance(mean)
@@ -91,6 +91,7 @@ class Search:
     Attributes:
         target: the data; of a recovery those made with the truth, once they are.
         trials: the records of the trials, in order.
+        finals: those of the finalists, the nearest trials once more.
         new: the record of the runs at the best trial on new seeds.
         problem: why there is no result.
     """
@@ -99,6 +100,7 @@ class Search:
         self.plan, self.number, self.truth = plan, number, truth
         self.target: Target = plan.target
         self.trials: list[Record] = []
+        self.finals: list[Record] = []
         self.new: Record | None = None
         self.problem: str | None = None
         seed = seed_for("method", plan.seed, number)
@@ -125,9 +127,9 @@ class Search:
         return self._missing({}) if all(one.key in self._records for one in self._open) else []
 
     def best(self) -> Record | None:
-        """Return the nearest trial, the first of several; None where all failed."""
-        near = [one for one in self.trials if np.isfinite(one["distance"])]
-        return min(near, key=lambda one: one["distance"], default=None)
+        """Return the best trial: of the finalists the nearest, else of all; None if all failed."""
+        final = _nearest(self.finals)
+        return self.trials[final[0]["number"]] if final else next(iter(_nearest(self.trials)), None)
 
     def _missing(self, known: Mapping[Key, Record]) -> list[Group]:
         """Go on as far as what is known goes."""
@@ -162,6 +164,11 @@ class Search:
             self.trials += records
             if len(points) == len(asked):
                 self.method.tell(points, np.array([one["distance"] for one in records]))
+        finalists = _nearest(self.trials)[: self.plan.finalists]
+        if finalists:
+            self.finals += yield [
+                self._group(FINAL, one["number"], np.array(one["place"])) for one in finalists
+            ]
         best = self.best()
         if best is None:
             self.problem = f"no trial came to its end: {self.trials[0]['error']}"
@@ -171,6 +178,12 @@ class Search:
     def _group(self, kind: str, number: int, place: NDArray[np.float64]) -> Group:
         seeds = self.plan.seeds_of(self.number, kind, number)
         return Group(self, kind, number, place, self.plan.space.values(place), seeds)
+
+
+def _nearest(records: Sequence[Record]) -> list[Record]:
+    """Return the trials that came to their end, the nearest first."""
+    known = [one for one in records if np.isfinite(one["distance"])]
+    return sorted(known, key=lambda one: one["distance"])
 
 
 def runs_of(record: Record) -> Values:

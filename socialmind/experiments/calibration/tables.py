@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from socialmind.experiments.calibration.finding import Found, surface_of
-from socialmind.experiments.calibration.plan import NEW, TRIAL, Plan
+from socialmind.experiments.calibration.plan import DATA, FINAL, NEW, TRIAL, Plan
 from socialmind.experiments.calibration.search import Search
 from socialmind.experiments.calibration.target import SERIES, TICK
 
@@ -26,8 +26,8 @@ def trials_table(plan: Plan, searches: Sequence[Search]) -> pd.DataFrame:
     """Return a row a trial.
 
     Columns: `search` (0 for the fit, else the recovery), `trial`, what varies, and `distance`,
-    infinite where a run failed; `failed` runs, the first `error`; with `abc` the `weight` in the
-    posterior's sample, 0 for who is not in it.
+    infinite where a run failed; `failed` runs, the first `error`; the distance of finalists once
+    more, `final`; with `abc` the `weight` in the posterior's sample, 0 for who is not in it.
     """
     import pandas as pd
 
@@ -37,10 +37,12 @@ def trials_table(plan: Plan, searches: Sequence[Search]) -> pd.DataFrame:
         weights = {}
         if sample is not None:
             weights = dict(zip(map(tuple, sample[0].tolist()), sample[1].tolist(), strict=True))
+        finals = {one["number"]: one["distance"] for one in search.finals}
         for one in search.trials:
             values = dict(zip(plan.space.names, plan.space.values(one["place"]), strict=True))
             row = {"search": search.number, "trial": one["number"], **values}
             row |= {key: one[key] for key in ("distance", "failed", "error")}
+            row["final"] = finals.get(one["number"], math.nan)
             if sample is not None:
                 row["weight"] = weights.get(tuple(one["place"]), 0.0)
             rows.append(row)
@@ -148,15 +150,14 @@ def best_runs_table(plan: Plan, search: Search) -> pd.DataFrame:
 
 def seeds_in_use(plan: Plan) -> dict[str, set[int]]:
     """Return the seeds of the fit, of the recoveries, and of what is reported of the best."""
-    kinds = ("data", NEW, *[TRIAL] * plan.trials)
-    others = {
-        seed
-        for search in range(1, plan.recover + 1)
-        for number, kind in enumerate(kinds)
-        for seed in plan.seeds_of(search, kind, max(0, number - 2))
-    }
-    fit = {seed for number in range(plan.trials) for seed in plan.seeds_of(0, TRIAL, number)}
-    return {"fit": fit, "recovery": others, "reported": set(plan.seeds_of(0, NEW))}
+    trials = [(kind, number) for kind in (TRIAL, FINAL) for number in range(plan.trials)]
+
+    def used(search: int, *purposes: tuple[str, int]) -> set[int]:
+        return {seed for kind, n in purposes for seed in plan.seeds_of(search, kind, n)}
+
+    others = [used(n, (DATA, 0), (NEW, 0), *trials) for n in range(1, plan.recover + 1)]
+    reported = used(0, (NEW, 0))
+    return {"fit": used(0, *trials), "recovery": set().union(*others), "reported": reported}
 
 
 def parquet(frame: pd.DataFrame) -> bytes:
