@@ -119,7 +119,7 @@ def _plausible(fit: Fit) -> Iterable[str]:
         yield (
             f"**No values are plausible**: the nearest trial is {number(distance)} away, and luck "
             f"explains {number(luck)}. In these ranges, and with this budget, the model does not "
-            "come to such data."
+            "come to such data; more runs, other ranges or another method may come nearer."
         )
     if posterior:
         yield "Intervals are the middle 95 % of the posterior's sample (column `weight` of trials)."
@@ -201,7 +201,8 @@ def _verdicts(fit: Fit, summary: pd.DataFrame) -> Iterable[str]:
         way = "the other is found too low" if both < 0 else "so is the other"
         yield (
             f"`{one}` and `{other}` are mistaken for each other (where one is found too high, "
-            f"{way}; correlation of errors {both:.2f}): the data tell a combination of both."
+            f"{way}; correlation of errors {both:.2f}): the data tell a combination of both, and "
+            "not each."
         )
     narrow = summary[summary["coverage_high"] < 0.95]["parameter"].tolist()
     if narrow:
