@@ -113,7 +113,7 @@ def test_mixtures_and_doubles_are_refused(file):
 def test_what_the_model_has_not_is_refused(file):
     target = target_of(file)
     check_columns(target, ["place", "height"], [])
-    with pytest.raises(SocialmindError, match=r"seen.csv: the model's series has no column 'place'"):
+    with pytest.raises(SocialmindError, match=r"the model's series has no column 'place'"):
         check_columns(target, ["height"], ["place"])
     with pytest.raises(SocialmindError, match=r"say what it is: --measure settled=EXPRESSION"):
         check_columns(target_of(["settled=1±1"]), ["place"], [])
