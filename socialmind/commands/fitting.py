@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from socialmind.commands.console import options
-from socialmind.commands.console.progress import Told, progress_bar
 from socialmind.commands.console.terminal import quoted
 from socialmind.errors import SocialmindError
+from socialmind.work.progress import Told, progress_bar
 
 if TYPE_CHECKING:
     from socialmind.experiments.calibration.result import Fit
@@ -162,10 +162,10 @@ def _conclude(found: Fit) -> None:
 @contextmanager
 def _told(quiet: bool, kind: str = "fit") -> Iterator[Told | None]:
     """Show how far a fit has come, and say how to go on with one that is stopped."""
-    from socialmind.experiments.calibration.fit import FitInterrupted
+    from socialmind.experiments.calibration.leading import FitInterrupted
 
     try:
-        with progress_bar(quiet, kind, "runs") as on_progress:
+        with progress_bar(options.seen(quiet), "runs", kind) as on_progress:
             yield on_progress
     except FitInterrupted as stop:
         typer.echo(

@@ -15,9 +15,9 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from socialmind.experiments.calibration.fit import FitInterrupted as FitInterrupted
     from socialmind.experiments.calibration.fit import fit as fit
     from socialmind.experiments.calibration.fit import resume_fit as resume_fit
+    from socialmind.experiments.calibration.leading import FitInterrupted as FitInterrupted
     from socialmind.experiments.calibration.result import Fit as Fit
     from socialmind.experiments.scoring import Score as Score
     from socialmind.experiments.scoring import score as score
@@ -42,7 +42,8 @@ else:
     __getattr__, __dir__, __all__ = on_demand(
         __name__,
         {
-            "socialmind.experiments.calibration.fit": "FitInterrupted fit resume_fit",
+            "socialmind.experiments.calibration.fit": "fit resume_fit",
+            "socialmind.experiments.calibration.leading": "FitInterrupted",
             "socialmind.experiments.calibration.result": "Fit",
             "socialmind.experiments.scoring": "Score score",
             "socialmind.experiments.sweeps.remaking": "remake_run",
