@@ -33,15 +33,19 @@ COLUMNS = [
 TICKS, EVERY, FIRST = 6_000, 300, 600
 SEED = 2020
 """Of the run that the data are of."""
-METHODS = ("cmaes", "tpe", "lhs", "abc")
 BUDGET, SEEDS, RECOVER = 300, 2, 8
 
+METHODS = ("cmaes", "tpe", "lhs", "abc")
+COMPARED = ("influence.Artisan.ProduceTools", "reinforcement.Artisan.TradeToolsForWheat")
+COMPARED_TICKS, COMPARED_BUDGET, COMPARED_SEEDS, COMPARED_RECOVER = 3_000, 80, 1, 6
+"""Two of the weights, over fewer ticks: what four methods find at equal budget."""
 
-def data() -> pd.DataFrame:
+
+def data(ticks: int = TICKS) -> pd.DataFrame:
     """Return the series of one run with the known weights, every 300 ticks."""
     society = load_model(MODEL)(seed=SEED)
     rows = []
-    for tick in range(0, TICKS + 1, EVERY):
+    for tick in range(0, ticks + 1, EVERY):
         society.advance(tick - society.tick)
         if tick >= FIRST:
             row = society.series()
@@ -49,21 +53,30 @@ def data() -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def fitted(method: str, home: Path, quick: bool = False, workers: int | None = None) -> Fit:
-    """Fit the weights by a method, or go on with a fit that was begun.
+def six_weights(home: Path, quick: bool = False, workers: int | None = None) -> Fit:
+    """Fit all weights, or go on with the fit that was begun.
 
     Args:
-        method: its name.
         home: the folder of all fits.
         quick: a small one, which shows that all works.
         workers: processes; one for each processor by default.
     """
-    folder = home / method
-    if folder.exists():
-        return resume_fit(folder, workers)
-    size = (48, 2, 4) if quick else (BUDGET, SEEDS, RECOVER)
-    budget, seeds, recover = size
+    if (home / "weights").exists():
+        return resume_fit(home / "weights", workers)
+    budget, recover = (48, 2) if quick else (BUDGET, RECOVER)
     return fit(
-        MODEL, data(), RANGES, budget, TICKS, method=method, seeds=seeds, recover=recover,
-        workers=workers, out=folder,
+        MODEL, data(), RANGES, budget, seeds=SEEDS, recover=recover, workers=workers,
+        out=home / "weights",
+    )  # fmt: skip
+
+
+def two_weights(method: str, home: Path, quick: bool = False, workers: int | None = None) -> Fit:
+    """Fit two weights by a method, or go on with the fit that was begun; arguments as above."""
+    if (home / method).exists():
+        return resume_fit(home / method, workers)
+    ranges = {name: RANGES[name] for name in COMPARED}
+    budget, recover = (8, 1) if quick else (COMPARED_BUDGET, COMPARED_RECOVER)
+    return fit(
+        MODEL, data(COMPARED_TICKS), ranges, budget, method=method, seeds=COMPARED_SEEDS,
+        recover=recover, workers=workers, out=home / method,
     )  # fmt: skip

@@ -7,7 +7,7 @@ For each parameter, in shares of its range,
     gain  = 1 − error / guess
 
 A gain of 1 is perfect, at 0 one may as well not look at the data. The words are ours: *told* from
-a gain of 0.5, *roughly* from 0.35, *not told* below: who knows of two parameters their sum alone can
+a gain of 0.5, *roughly* from 0.35, *not told* below: who knows the sum of two parameters alone can
 gain 1 − √½ = 0.29 on each. *Not apart* are parameters whose errors go together, so that the data
 tell a combination of them, such as their sum or product, whatever the gain on each. Of 41 published
 models, half of those that are agent-based could not be identified in full, by any of nine methods
