@@ -27,8 +27,8 @@ from socialmind.experiments.calibration.target import (
     check_columns,
     target_of,
 )
+from socialmind.experiments.sweeps.beginning import begun as begun_sweep
 from socialmind.experiments.sweeps.one_run import Common
-from socialmind.experiments.sweeps.preparing import begun as begun_sweep
 from socialmind.experiments.sweeps.preparing import nameable, taken_up
 from socialmind.experiments.sweeps.replicates import Replicates
 from socialmind.runs import folders
