@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pandas as pd
+from matplotlib.figure import Figure
 
 from socialmind.drawing import style as paper
 from socialmind.experiments import Fit
@@ -39,10 +40,10 @@ def write_weights(found: Fit, out: Path) -> list[Path]:
         }  # fmt: skip
     files = paper.save(figures, out)
     report = out / "weights-report.md"
-    text = (found.folder / "report.md").read_text("utf-8")
-    report.write_text(text.replace("(figures/", "(weights-"), "utf-8")
-    best = paper.save({"weights-best": _best(found)}, out)
-    return [*files, *best, report, *_tables(tables, out)]
+    lines = (found.folder / "report.md").read_text("utf-8").splitlines(keepends=True)
+    kept = [one.replace("(figures/", "(weights-") for one in lines if "figures/best" not in one]
+    report.write_text("".join(kept), "utf-8")
+    return [*files, report, *_tables(tables, out)]
 
 
 def write_methods(fits: Mapping[str, Fit], out: Path) -> list[Path]:
@@ -58,14 +59,7 @@ def write_methods(fits: Mapping[str, Fit], out: Path) -> list[Path]:
     return [*_tables(tables, out), *paper.save({"methods": _gains(fits)}, out)]
 
 
-def _best(found: Fit):
-    from socialmind.experiments.calibration.pictures import draw_best
-
-    with paper.style():
-        return draw_best(found)
-
-
-def _gains(fits: Mapping[str, Fit]):
+def _gains(fits: Mapping[str, Fit]) -> Figure:
     """Draw what each method misses each weight by, beside a blind guess."""
     with paper.style():
         names = [one["name"] for one in next(iter(fits.values())).manifest.vary]

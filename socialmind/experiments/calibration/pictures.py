@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 WIDTH, HEIGHT = 60.0, 52.0
 """Of a panel, in millimetres."""
+LONGEST = 26
+"""Characters of a line over a panel."""
 
 
 def figures_of(fit: Fit) -> dict[str, Figure]:
@@ -44,7 +46,7 @@ def draw_recovery(fit: Fit) -> Figure:
         _scaled(axes, one, both=True)
         axes.set_xlabel("true")
         axes.set_ylabel("found")
-        axes.set_title(f"{name}\n{table.loc[name, 'verdict']}, gain {table.loc[name, 'gain']:.2f}")
+        axes.set_title(f"{_in_lines(name)}\n{table.loc[name, 'verdict']}, gain {table.loc[name, 'gain']:.2f}")
     return figure
 
 
@@ -67,7 +69,7 @@ def draw_profiles(fit: Fit) -> Figure:
             axes.axhline(luck, color=paper.GOLD, linewidth=0.8)
         _scaled(axes, one)
         axes.set_ylim(0, top)
-        axes.set_xlabel(name)
+        axes.set_xlabel(_in_lines(name))
         axes.set_ylabel("distance")
     return figure
 
@@ -110,6 +112,11 @@ def _scaled(axes: Axes, one: Mapping[str, Any], both: bool = False) -> None:
         if one["log"]:
             axes.set_yscale("log")
         axes.set_ylim(one["low"], one["high"])
+
+
+def _in_lines(name: str) -> str:
+    """Return a name that fits over a panel: what is long is broken behind its first full stop."""
+    return name if len(name) <= LONGEST else name.replace(".", ".\n", 1)
 
 
 def _middle(low: float, high: float, log: bool) -> float:
