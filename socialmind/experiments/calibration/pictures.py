@@ -46,7 +46,9 @@ def draw_recovery(fit: Fit) -> Figure:
         _scaled(axes, one, both=True)
         axes.set_xlabel("true")
         axes.set_ylabel("found")
-        axes.set_title(f"{_in_lines(name)}\n{table.loc[name, 'verdict']}, gain {table.loc[name, 'gain']:.2f}")
+        axes.set_title(
+            f"{_in_lines(name)}\n{table.loc[name, 'verdict']}, gain {table.loc[name, 'gain']:.2f}"
+        )
     return figure
 
 
