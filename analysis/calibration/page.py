@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 
 from socialmind.drawing import style as paper
 from socialmind.experiments import Fit
-from socialmind.experiments.calibration import identifying
-from socialmind.experiments.calibration.pictures import draw_profiles, draw_recovery
+from socialmind.experiments.calibration.reporting import identifying
+from socialmind.experiments.calibration.reporting.pictures import draw_profiles, draw_recovery
 
 from .weights import KNOWN
 

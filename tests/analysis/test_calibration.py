@@ -5,7 +5,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from socialmind.experiments.calibration import identifying
+from socialmind.experiments.calibration.reporting import identifying
 from socialmind.experiments.studies import find
 
 TOPIC = Path(__file__).parents[2] / "analysis" / "calibration"

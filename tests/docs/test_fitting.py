@@ -8,9 +8,9 @@ import pytest
 
 from socialmind.cli import app
 from socialmind.experiments import Fit
-from socialmind.experiments.calibration import pictures
 from socialmind.experiments.calibration.methods.registry import METHODS
 from socialmind.experiments.calibration.plan import Plan
+from socialmind.experiments.calibration.reporting import pictures
 from socialmind.experiments.calibration.space import Space
 from socialmind.experiments.calibration.target import target_of
 

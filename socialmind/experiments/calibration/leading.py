@@ -14,9 +14,9 @@ from socialmind.experiments.calibration.capsule import FitCapsule
 from socialmind.experiments.calibration.finding import found_by
 from socialmind.experiments.calibration.log import Log
 from socialmind.experiments.calibration.preparing import Prepared
+from socialmind.experiments.calibration.reporting.writing import write_results
 from socialmind.experiments.calibration.search import Group, Search
 from socialmind.experiments.calibration.trying import RunJob, Tried, Trying
-from socialmind.experiments.calibration.writing import write_results
 from socialmind.runs.folders import FAILED, FINISHED, INTERRUPTED, RUNNING
 from socialmind.runs.loop import NO_ROOM
 from socialmind.work.signals import deferred_signals

@@ -8,9 +8,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.calibration import identifying
 from socialmind.experiments.calibration.capsule import TARGET, FitCapsule, FitManifest
-from socialmind.experiments.calibration.tables import BEST_RUNS, PROFILES, RECOVERY, TRIALS
+from socialmind.experiments.calibration.reporting import identifying
+from socialmind.experiments.calibration.reporting.tables import (
+    BEST_RUNS,
+    PROFILES,
+    RECOVERY,
+    TRIALS,
+)
 from socialmind.experiments.calibration.target import Target
 from socialmind.runs.folders import FINISHED
 

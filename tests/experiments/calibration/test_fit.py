@@ -17,7 +17,7 @@ from socialmind.catalogue import load_model
 from socialmind.cli import app
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Fit, FitInterrupted, fit, resume_fit
-from socialmind.experiments.calibration import pictures
+from socialmind.experiments.calibration.reporting import pictures
 
 STATISTICS = {"start": (0.6, 0.02), "place": (2.0, 0.05)}
 OPTIONS = {
@@ -105,7 +105,7 @@ import signal
 import sys
 
 from socialmind.experiments import fit, resume_fit
-from socialmind.experiments.calibration import pictures
+from socialmind.experiments.calibration.reporting import pictures
 
 HILL, OUT, KILLS = sys.argv[1], sys.argv[2], (0, 19, 61, 130, 196)
 pictures.figures_of = lambda _: {}

@@ -7,12 +7,16 @@ import numpy as np
 import pytest
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.calibration import identifying
 from socialmind.experiments.calibration.finding import found_by
 from socialmind.experiments.calibration.methods.registry import METHODS
 from socialmind.experiments.calibration.plan import DATA, FINAL, NEW, TRIAL
+from socialmind.experiments.calibration.reporting import identifying
+from socialmind.experiments.calibration.reporting.tables import (
+    recovery_table,
+    seeds_in_use,
+    trials_table,
+)
 from socialmind.experiments.calibration.search import Search
-from socialmind.experiments.calibration.tables import recovery_table, seeds_in_use, trials_table
 
 
 def bowl(a, b, rng):

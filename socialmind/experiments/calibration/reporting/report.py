@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from socialmind.experiments.calibration import identifying
-from socialmind.experiments.calibration.pictures import plain_number as number
 from socialmind.experiments.calibration.plan import NEW_RUNS, OFTENER
+from socialmind.experiments.calibration.reporting import identifying
+from socialmind.experiments.calibration.reporting.pictures import plain_number as number
 from socialmind.experiments.calibration.result import Fit
 from socialmind.experiments.calibration.target import SERIES
 

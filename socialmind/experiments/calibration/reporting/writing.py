@@ -46,8 +46,8 @@ def write_results(
         found: what each found.
     """
     from socialmind.drawing import style as paper
-    from socialmind.experiments.calibration.pictures import figures_of
-    from socialmind.experiments.calibration.report import report_of
+    from socialmind.experiments.calibration.reporting.pictures import figures_of
+    from socialmind.experiments.calibration.reporting.report import report_of
 
     frames = {
         tables.TRIALS: tables.trials_table(plan, searches),
