@@ -11,10 +11,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from socialmind.experiments.calibration import tables
 from socialmind.experiments.calibration.capsule import FitCapsule
 from socialmind.experiments.calibration.finding import Found
 from socialmind.experiments.calibration.plan import Plan
+from socialmind.experiments.calibration.reporting import tables
 from socialmind.experiments.calibration.result import BEST, Fit
 from socialmind.experiments.calibration.search import Search
 from socialmind.experiments.sweeps.one_run import Common
