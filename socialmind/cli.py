@@ -1,4 +1,4 @@
-"""The command line: `socialmind list, run, sweep, branch, learn, score, plot, check, …`.
+"""The command line: `socialmind list, run, sweep, fit, branch, learn, score, plot, check, …`.
 
 The commands stand in `socialmind.commands`, the small ones here. What they work with is imported
 when they run, so that a run starts fast. What the user can put right goes to stderr in one line,
@@ -33,6 +33,7 @@ from socialmind.commands.console.terminal import (
     silence_what_is_broken,
     write_plainly,
 )
+from socialmind.commands.fitting import fit
 from socialmind.commands.learning import learn
 from socialmind.commands.plotting import plot
 from socialmind.commands.rendering import render
@@ -135,7 +136,7 @@ def list_(
 
 
 for one in (
-    running.run, studio, sweep, sensitivity, branch, compare, learn, score, plot, render,
+    running.run, studio, sweep, sensitivity, fit, branch, compare, learn, score, plot, render,
     running.replay,
 ):  # fmt: skip
     command(one)

@@ -9,12 +9,17 @@
 - `score`: measure minds on a plane in many worlds;
 - `sweep`, `resume_sweep`: run a model over a design into one folder, go on with it;
 - `Sweep`: read a sweep's tables; `remake_run`: make one of its runs again as a capsule;
-- `sensitivity_of`: what the outputs of a sweep depend on.
+- `sensitivity_of`: what the outputs of a sweep depend on;
+- `fit`, `resume_fit`: fit a model to data, with recovery; `Fit`: read what came of it.
 """
 
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from socialmind.experiments.calibration.fit import fit as fit
+    from socialmind.experiments.calibration.fit import resume_fit as resume_fit
+    from socialmind.experiments.calibration.leading import FitInterrupted as FitInterrupted
+    from socialmind.experiments.calibration.result import Fit as Fit
     from socialmind.experiments.scoring import Score as Score
     from socialmind.experiments.scoring import score as score
     from socialmind.experiments.sensitivity.indices import Sensitivity as Sensitivity
@@ -41,6 +46,9 @@ else:
     __getattr__, __dir__, __all__ = on_demand(
         __name__,
         {
+            "socialmind.experiments.calibration.fit": "fit resume_fit",
+            "socialmind.experiments.calibration.leading": "FitInterrupted",
+            "socialmind.experiments.calibration.result": "Fit",
             "socialmind.experiments.scoring": "Score score",
             "socialmind.experiments.sensitivity.indices": "Sensitivity sensitivity_of",
             "socialmind.experiments.sweeps.remaking": "remake_run",

@@ -27,7 +27,7 @@ MANIFEST = "manifest.json"
 FORMAT = 1
 RUNNING, INTERRUPTED, FAILED, FINISHED = "running", "interrupted", "failed", "finished"
 STATUS = one_of(RUNNING, INTERRUPTED, FAILED, FINISHED)
-GOES_ON = {"run": "run", "training": "learn", "sweep": "sweep"}
+GOES_ON = {"run": "run", "training": "learn", "sweep": "sweep", "fit": "fit"}
 """The command that goes on with what a folder is of."""
 PATIENCE = 0.5
 """Seconds that a lock may take: who asks whether a folder is held, holds it for a moment."""

@@ -1,0 +1,1 @@
+"""Fitting a model to data, and finding out by the same fit what such data can tell."""

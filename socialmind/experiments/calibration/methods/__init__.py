@@ -1,0 +1,1 @@
+"""Methods of fitting: who says which trials are made next, given how far the others were."""

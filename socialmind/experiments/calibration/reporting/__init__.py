@@ -1,0 +1,1 @@
+"""What a fit leaves: tables, what recovery says, figures, the page."""

@@ -1,0 +1,50 @@
+"""The study of calibration: what its page says is what its kept tables hold."""
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from socialmind.experiments.calibration.reporting import identifying
+from socialmind.experiments.studies import find
+
+TOPIC = Path(__file__).parents[2] / "analysis" / "calibration"
+
+
+@pytest.fixture(scope="module")
+def kept():
+    recovery = pd.read_csv(TOPIC / "results" / "weights-recovery.csv")
+    return pd.read_csv(TOPIC / "results" / "weights.csv").set_index("parameter"), recovery
+
+
+def test_its_page_says_what_its_tables_hold(kept):
+    table, recovery = kept
+    page = (TOPIC / "README.md").read_text("utf-8").replace("−", "-")
+    rows = [line.split("|") for line in page.splitlines() if line.startswith("| `")]
+    assert len(rows) == len(table) == 6
+    for _, name, known, found, _, missed, verdict, _ in rows:
+        row = table.loc[name.strip().strip("`")]
+        assert float(known) == row["known"]
+        assert float(found) == pytest.approx(row["found"], rel=0.02)
+        assert int(missed.split("%")[0]) == round(100 * row["error"])
+        assert verdict.strip() == row["verdict"]
+    assert recovery["covers"].all() and len(recovery) == 48
+    inside = (table["low"] <= table["known"]) & (table["known"] <= table["high"])
+    assert inside.sum() == 5
+
+
+def test_its_verdicts_follow_from_its_recoveries(kept):
+    table, recovery = kept
+    summary = identifying.summary(recovery).set_index("parameter")
+    assert summary["verdict"].to_dict() == table["verdict"].to_dict()
+    ((one, other, both),) = identifying.combinations(recovery)
+    assert {one, other} == {
+        "reinforcement.Farmer.TradeWheatForTools", "reinforcement.Farmer.TradeToolsForWheat",
+    }  # fmt: skip
+    assert both == pytest.approx(-0.89, abs=0.005)
+
+
+@pytest.mark.study
+def test_small_versions_can_be_made(tmp_path):
+    for study, _ in find("calibration"):
+        assert all(path.stat().st_size > 0 for path in study.quick(tmp_path))
