@@ -104,6 +104,8 @@ import os
 import signal
 import sys
 
+import cmaes, pandas, scipy.stats  # at once, rather than in each fork
+
 from socialmind.experiments import fit, resume_fit
 from socialmind.experiments.calibration.reporting import pictures
 
