@@ -107,17 +107,20 @@ class Store:
                 there = [RUN, *(one for one in columns if one in file.schema_arrow.names)]
                 for batch in file.iter_batches(ROW_GROUP, columns=there, use_threads=False):
                     for row in batch.to_pylist():
-                        if latest[row[RUN]] == number:
+                        if latest.get(row[RUN]) == number:
                             yield row
 
     def so_far(self, name: str) -> list[pa.Table]:
-        """Return the rows of a table, as far as they are safe, part by part."""
+        """Return the rows of a table, as far as they are safe, part by part.
+
+        A part that another process writes in the meantime is left out.
+        """
         latest = self._latest()
         found = []
         for number in self.numbers():
             if self._part(name, number).is_file():
                 rows = rows_of(self._part(name, number))
-                counts = [latest[run] == number for run in runs_in(rows).tolist()]
+                counts = [latest.get(run) == number for run in runs_in(rows).tolist()]
                 found.append(rows.filter(to_arrow(np.array(counts, bool))))
         return found
 

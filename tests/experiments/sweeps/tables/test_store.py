@@ -100,3 +100,13 @@ def test_a_part_that_was_cut_off_is_named(tmp_path):
     part.write_bytes(part.read_bytes()[:-9])
     with pytest.raises(SocialmindError, match=r"000000\.parquet: cannot be read as a table"):
         list(one.rows([]))
+
+
+def test_a_part_that_comes_while_others_are_read_is_left_out(tmp_path, monkeypatch):
+    one = Store(tmp_path)
+    one.begin()
+    one.write(window([0, 1]))
+    latest = one._latest()
+    one.write(window([2]))
+    monkeypatch.setattr(one, "_latest", lambda: latest)
+    assert [run for rows in one.so_far(RUNS) for run in rows["run"].to_pylist()] == [0, 1]
