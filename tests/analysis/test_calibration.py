@@ -20,7 +20,8 @@ def kept():
 def test_its_page_says_what_its_tables_hold(kept):
     table, recovery = kept
     page = (TOPIC / "README.md").read_text("utf-8").replace("−", "-")
-    rows = [line.split("|") for line in page.splitlines() if line.startswith("| `")]
+    first, second = page.split("## Four methods")
+    rows = [line.split("|") for line in first.splitlines() if line.startswith("| `")]
     assert len(rows) == len(table) == 6
     for _, name, known, found, _, missed, verdict, _ in rows:
         row = table.loc[name.strip().strip("`")]
@@ -31,6 +32,9 @@ def test_its_page_says_what_its_tables_hold(kept):
     assert recovery["covers"].all() and len(recovery) == 48
     inside = (table["low"] <= table["known"]) & (table["known"] <= table["high"])
     assert inside.sum() == 5
+    methods = pd.read_csv(TOPIC / "results" / "methods-recovery.csv")
+    for name, some in methods.groupby("method"):
+        assert f"| `{name}` |" in second and f"{some['covers'].sum()} of {len(some)} |" in second
 
 
 def test_its_verdicts_follow_from_its_recoveries(kept):
