@@ -52,7 +52,7 @@ def _all_eight(builder: Any, number: Any) -> Any:
 
 
 def _bits(builder: Any, theirs: Any, numbers: Any) -> Any:
-    """Return as bits which of eight places are near; the numbers are as `push_near` has them."""
+    """Return as bits which of eight places, their x and y, are near; numbers as of `push_near`."""
     x, y, round_x, round_y, limit = (_all_eight(builder, one) for one in numbers)
     way_x = _short_way(builder, builder.fsub(theirs[0], x), round_x)
     way_y = _short_way(builder, builder.fsub(theirs[1], y), round_y)
