@@ -24,8 +24,6 @@ from typing import Annotated, Any
 import typer
 
 from socialmind.commands import papers, running
-from socialmind.commands.branching import branch
-from socialmind.commands.comparing import compare
 from socialmind.commands.console.options import FROM_0, Folder, Source, Trust, is_kept
 from socialmind.commands.console.terminal import (
     open_what_is_closed,
@@ -33,13 +31,15 @@ from socialmind.commands.console.terminal import (
     silence_what_is_broken,
     write_plainly,
 )
-from socialmind.commands.fitting import fit
+from socialmind.commands.experiments.branching import branch
+from socialmind.commands.experiments.comparing import compare
+from socialmind.commands.experiments.fitting import fit
+from socialmind.commands.experiments.scoring import score
+from socialmind.commands.experiments.sensitivity import sensitivity
+from socialmind.commands.experiments.sweeping import sweep
 from socialmind.commands.learning import learn
 from socialmind.commands.plotting import plot
 from socialmind.commands.rendering import render
-from socialmind.commands.scoring import score
-from socialmind.commands.sensitivity import sensitivity
-from socialmind.commands.sweeping import sweep
 from socialmind.commands.watching import studio
 from socialmind.errors import IdleWarning, SocialmindError
 from socialmind.version import __version__
@@ -206,7 +206,7 @@ def reproduce(
     ] = False,
 ) -> None:
     """Make figures and tables of the thesis again: PDF, PNG and the numbers as CSV."""
-    from socialmind.commands import reproducing
+    from socialmind.commands.experiments import reproducing
 
     if list_names:
         reproducing.print_studies()

@@ -38,6 +38,7 @@ LAYERS = (
     "experiments",
     "documents",
     "envs",
+    "studio",
     "commands",
     "cli",
 )

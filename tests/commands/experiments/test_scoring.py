@@ -9,7 +9,7 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.experiments.scoring import Score, score
 
-ROVERS = Path(__file__).parents[1] / "runs" / "rovers"
+ROVERS = Path(__file__).parents[2] / "runs" / "rovers"
 
 
 def test_json_is_all_that_goes_to_stdout(socialmind):

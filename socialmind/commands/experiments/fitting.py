@@ -111,7 +111,7 @@ def fit(
             )
     else:
         from socialmind.catalogue import load_model
-        from socialmind.commands.sweeping import read_fixed
+        from socialmind.commands.experiments.sweeping import read_fixed
         from socialmind.experiments.calibration.space import read_vary
         from socialmind.experiments.sweeps.measures.of_runs import read_measures
         from socialmind.experiments.sweeps.preparing import nameable

@@ -1,0 +1,1 @@
+"""The commands of experiments: many runs, what they come to, and what they say."""
