@@ -21,6 +21,8 @@ BAR = (
 WORDS = "{desc}"
 WAIT = 0.5
 """Seconds that work may take before a bar is drawn."""
+INTERVAL = 0.1
+"""Seconds between two drawings of a bar."""
 NARROW = (80, 24)
 """Columns and rows of a terminal that says nothing of its size."""
 LARGE = 1_000_000
@@ -40,11 +42,12 @@ def progress_bar(
         told: the caller's own, who is told as well.
 
     Yields:
-        Who is to be told; None where nobody wants to know.
+        Who is to be told; None where nobody looks. Where no bar is wanted, somebody who shows
+        nothing is told, so that whoever is called with it draws none of its own.
     """
     drawn = None if progress is None and told is not None else _drawn_by(progress)
     if drawn is None:
-        yield told
+        yield _nobody if told is None and progress is False else told
         return
     from socialmind.work.compile_times import told_of_compiling
 
@@ -57,6 +60,10 @@ def progress_bar(
 
     with bar, told_of_compiling(kind, bar.say):
         yield tell
+
+
+def _nobody(done: int, length: int) -> None:
+    """Hear what is done, and show nothing."""
 
 
 @contextmanager
@@ -172,8 +179,8 @@ class _Bar:
         if self.takes_words:
             self._bar = self._drawn(
                 total=length, initial=done, unit=self._unit, unit_scale=(length or 0) >= LARGE,
-                bar_format=self._looks, delay=WAIT, leave=False, **_width(),
-                file=sys.stderr,
+                bar_format=self._looks, delay=WAIT, leave=False, mininterval=INTERVAL,
+                file=sys.stderr, **_width(),
             )  # fmt: skip
         else:
             self._bar = self._drawn(total=length)

@@ -19,6 +19,12 @@ LIMIT = 600
 """Seconds that a cell may take on a busy machine."""
 
 
+@pytest.fixture(autouse=True)
+def as_in_a_shell(monkeypatch):
+    """Leave out what commands that draw set in the process of the tests."""
+    monkeypatch.delenv("MPLBACKEND", raising=False)
+
+
 def run_cells(cells, folder):
     """Run the cells of a notebook in a folder of its own, and return them with their outputs."""
     notebook = nbformat.v4.new_notebook(cells=cells)

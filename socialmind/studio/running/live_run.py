@@ -152,6 +152,7 @@ class LiveRun:
             every=every,
             out=folder,
             interventions=self.interventions[: self._met],
+            progress=False,
         )
 
     def _leave(self) -> None:

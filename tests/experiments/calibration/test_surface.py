@@ -18,7 +18,7 @@ def test_a_quadratic_form_is_found_again(best, tilt):
     found = Surface.through(PLACES, np.sqrt(squares), 1.0)
     assert found.at(PLACES) == pytest.approx(squares, abs=1e-6)
     grid, least = found.profile(1)
-    assert least == pytest.approx(0.5 + 3 * (grid - best[1]) ** 2, abs=1e-5)
+    assert least == pytest.approx(0.5 + 3 * (grid - best[1]) ** 2, abs=1e-4)
 
 
 def test_its_ends_are_where_it_crosses_a_limit_or_the_range_ends():
