@@ -18,14 +18,10 @@ from typing import Any
 import llvmlite  # type: ignore[import-untyped]  # it carries no types
 import numba
 import numpy as np
-from llvmlite.binding import Linkage  # type: ignore[import-untyped]
 from numba.core import sigutils
 from numba.core.ccallback import CFunc
-from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
-from numba.core.compiler_machinery import LoweringPass, register_pass
+from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
-from numba.core.typed_passes import IRLegalization
 
 from coglogo_py.compiled import code_folder
 from coglogo_py.compiled.reached import reached_files
@@ -45,7 +41,7 @@ def kept(key: str, **options: Any) -> Callable[[Callable[..., Any]], Any]:
     """
 
     def compiled(function: Callable[..., Any]) -> Any:
-        dispatcher = numba.njit(pipeline_class=_Whole, **options)(function)
+        dispatcher = numba.njit(**options)(function)
         dispatcher._cache = _KeptCode(function, key)
         return dispatcher
 
@@ -62,9 +58,7 @@ def kept_callback(key: str, signature: str, **options: Any) -> Callable[[Callabl
     """
 
     def compiled(function: Callable[..., Any]) -> Any:
-        made: Any = CFunc(
-            function, sigutils.normalize_signature(signature), {}, options, pipeline_class=_Whole
-        )
+        made: Any = CFunc(function, sigutils.normalize_signature(signature), {}, options)
         made._cache = _KeptCode(function, key)
         made.compile()
         return made
@@ -110,44 +104,6 @@ def check_memory() -> None:
             f"compiled code needs addresses for about {needed:,} MB, and the limit is "
             f"{allowed // 10**6:,} MB; raise it with `ulimit -v`"
         )
-
-
-class _WholeLibrary(JITCodeLibrary):
-    """The machine code of a function and of all that it calls, which nothing else calls into.
-
-    numba leaves open that other libraries use what a function calls. A process that compiles would
-    then call the first version of it, made before its callers were known: up to twice as slow as
-    the code that is kept.
-    """
-
-    def _optimize_final_module(self) -> None:
-        for function in self._final_module.functions:
-            if not function.is_declaration and function.linkage == Linkage.linkonce_odr:
-                function.linkage = "internal"
-        super()._optimize_final_module()
-
-
-@register_pass(mutates_CFG=False, analysis_only=False)
-class _IntoOneLibrary(LoweringPass):
-    _name = "into_one_library"
-
-    def __init__(self) -> None:
-        LoweringPass.__init__(self)
-
-    def run_pass(self, state: Any) -> bool:
-        state.library = _WholeLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
-        state.library.enable_object_caching()
-        return True
-
-
-class _Whole(CompilerBase):
-    """numba's compiler, which puts what a function calls into one library with it."""
-
-    def define_pipelines(self) -> list[Any]:
-        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
-        passes.add_pass_after(_IntoOneLibrary, IRLegalization)
-        passes.finalize()
-        return [passes]
 
 
 class _KeptCode:
