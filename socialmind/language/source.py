@@ -164,7 +164,9 @@ def rule_source(function: Any) -> RuleSource:
             *place,
         )
     whole = text_of(function)
-    if whole is None:
+    line = None if whole is None else _line_of(code, whole)
+    # What `exec` made under `python -c` goes by the same file as the command, and is not in it.
+    if whole is None or (line is None and file == "<string>"):
         raise ModelError(
             f"the rule {function.__name__!r}, whose text Python did not keep",
             "a function of a file, of `python -c`, or of a cell of Jupyter, marimo or IPython",
@@ -173,7 +175,6 @@ def rule_source(function: Any) -> RuleSource:
             else "save the model in a file and run that, or paste it into `ipython`",
             *place,
         )
-    line = _line_of(code, whole)
     if line is None:
         raise _changed(function)
     lines = inspect.getblock(whole.splitlines(keepends=True)[line - 1 :])
