@@ -166,7 +166,7 @@ def rule_source(function: Any) -> RuleSource:
     whole = text_of(function)
     line = None if whole is None else _line_of(code, whole)
     # What `exec` made under `python -c` goes by the same file as the command, and is not in it.
-    if whole is None or (line is None and file == "<string>"):
+    if whole is None or (line is None and file == COMMAND):
         raise ModelError(
             f"the rule {function.__name__!r}, whose text Python did not keep",
             "a function of a file, of `python -c`, or of a cell of Jupyter, marimo or IPython",
