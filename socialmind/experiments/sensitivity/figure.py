@@ -119,7 +119,7 @@ def figure_of(found: Sensitivity, units: Mapping[str, str] | None = None) -> Fig
             axes.set_title(title)
             if pairs:
                 draw_pairs(panels[2 * place + 1], found, output)
-                panels[2 * place + 1].set_title(f"{title}: pairs, beyond each alone")
+                panels[2 * place + 1].set_title(f"{title}: pairs")
         for axes in panels[count:]:
             axes.set_visible(False)
         marks, names = panels[0].get_legend_handles_labels()
