@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import pandas as pd
-import pytest
 
 from socialmind.experiments.studies import Way, topics
 from socialmind.sources.loading import load_file
@@ -46,9 +45,6 @@ def test_its_figure_is_a_map_and_curves_with_units():
     assert "4 runs a point" in figure._supxlabel.get_text()
 
 
-@pytest.mark.skipif(
-    not (Path(TOPIC) / "results/response-surface-runs.csv").is_file(), reason="no runs are kept"
-)
 def test_what_is_kept_of_it_is_whole(tmp_path):
     written = {path.name for path in surface.write_surface(Way.KEPT, tmp_path)}
     assert {"response-surface.png", "response-surface.md", "response-surface.csv"} <= written

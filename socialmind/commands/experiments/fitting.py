@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from socialmind.commands.console import options
+from socialmind.commands.console.many_runs import runs_told
 from socialmind.commands.console.terminal import quoted
 from socialmind.errors import SocialmindError
-from socialmind.work.progress import Told, progress_bar
+from socialmind.work.progress import Told
 
 if TYPE_CHECKING:
     from socialmind.experiments.calibration.result import Fit
@@ -164,13 +165,5 @@ def _told(quiet: bool, kind: str = "fit") -> Iterator[Told | None]:
     """Show how far a fit has come, and say how to go on with one that is stopped."""
     from socialmind.experiments.calibration.leading import FitInterrupted
 
-    try:
-        with progress_bar(options.seen(quiet), "runs", kind) as on_progress:
-            yield on_progress
-    except FitInterrupted as stop:
-        typer.echo(
-            f"socialmind: stopped after {stop.done:,} of {stop.total:,} runs; go on with "
-            f"`socialmind fit --resume {quoted(stop.folder)}`",
-            err=True,
-        )
-        raise typer.Exit(128 + stop.signal_number) from None
+    with runs_told("fit", quiet, kind, FitInterrupted) as on_progress:
+        yield on_progress

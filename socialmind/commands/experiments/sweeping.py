@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from socialmind.commands.console import options
+from socialmind.commands.console.many_runs import runs_told
 from socialmind.commands.console.terminal import quoted
 from socialmind.commands.running import shocks_in
 from socialmind.errors import SocialmindError
-from socialmind.work.progress import Told, progress_bar
+from socialmind.work.progress import Told
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -292,16 +293,8 @@ def _told(quiet: bool, kind: str = "sweep") -> Iterator[Told | None]:
     """Show how far a sweep has come, and say how to go on with one that is stopped."""
     from socialmind.experiments.sweeps.leading import SweepInterrupted
 
-    try:
-        with progress_bar(options.seen(quiet), "runs", kind) as on_progress:
-            yield on_progress
-    except SweepInterrupted as stop:
-        typer.echo(
-            f"socialmind: stopped after {stop.done:,} of {stop.total:,} runs; go on with "
-            f"`socialmind sweep --resume {quoted(stop.folder)}`",
-            err=True,
-        )
-        raise typer.Exit(128 + stop.signal_number) from None
+    with runs_told("sweep", quiet, kind, SweepInterrupted) as on_progress:
+        yield on_progress
 
 
 def conclude(folder: Path, quiet: bool) -> None:
