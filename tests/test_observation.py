@@ -109,7 +109,7 @@ commands = st.lists(
 
 
 @given(commands)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_columns_are_the_minds_own_account(steps):
     village = Village(compiled=False)
     people = list(village.people)

@@ -5,7 +5,7 @@ import math
 import numba
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from coglogo_py import (
@@ -91,7 +91,6 @@ def test_choices_over_all_draws_come_as_often_as_their_probabilities_say(maker, 
 
 
 @every_maker
-@settings(deadline=None)  # the first call compiles
 @given(weights=all_weights, u=st.floats(0, ALMOST_ONE))
 def test_compiled_and_interpreted_are_the_same_bit_for_bit(maker, weights, u):
     weights = np.array(weights)

@@ -119,7 +119,7 @@ def bytes_of(minds):
     return [array.tobytes() for array in minds]
 
 
-@settings(deadline=None, max_examples=300)
+@settings(max_examples=300)
 @given(
     makers,
     st.lists(numbers, min_size=1, max_size=9),
@@ -303,7 +303,7 @@ def apply(module, scheme, minds, operation):
     return None
 
 
-@settings(deadline=None, max_examples=150)
+@settings(max_examples=150)
 @given(schemes(), OPERATIONS)
 def test_compiled_and_interpreted_operations_leave_the_same_bits(interpreted, scheme, operations):
     arrays = scheme_arrays(scheme)
@@ -320,7 +320,7 @@ def test_compiled_and_interpreted_operations_leave_the_same_bits(interpreted, sc
             assert bytes_of(compiled_minds) == bytes_of(interpreted_minds), operation
 
 
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=100)
 @given(schemes(), OPERATIONS)
 def test_an_operation_that_raises_changes_nothing(scheme, operations):
     arrays, minds = arrays_of(scheme)
@@ -332,7 +332,7 @@ def test_an_operation_that_raises_changes_nothing(scheme, operations):
             assert bytes_of(minds) == before, operation
 
 
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=100)
 @given(schemes(), OPERATIONS)
 def test_members_and_free_places_add_up(scheme, operations):
     arrays, minds = arrays_of(scheme)

@@ -426,7 +426,7 @@ def test_sums_beyond_the_largest_number_are_refused(society):
     assert bytes_of(society) == before
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=2), st.sampled_from(MAKERS))
 def test_probabilities_sum_to_one_over_the_available_plans(values, maker):
     mind = mind_of(*FIGURE_3_1, maker=maker)

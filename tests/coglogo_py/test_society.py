@@ -140,7 +140,7 @@ events = st.lists(
 )
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(events, st.integers(0, 2**64 - 1))
 def test_a_minds_decisions_do_not_depend_on_what_others_do(events, seed):
     quiet, busy = Society(SCHEME, seed), Society(SCHEME, seed)
@@ -163,7 +163,7 @@ def test_a_minds_decisions_do_not_depend_on_what_others_do(events, seed):
         assert alone.choose_next_plan() == among_others.choose_next_plan()
 
 
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 @given(st.integers(0, 2**64 - 1), st.integers(0, 2**64 - 1), st.integers(0, 65535))
 def test_draws_depend_on_seed_stream_mind_and_count(seed, other_seed, stream):
     def draws(society, mind):

@@ -32,7 +32,7 @@ def test_a_hierarchy_gives_what_plain_python_gives(seed):
 
 
 @given(minds(), st.integers(0, 2**32))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_small_hierarchies_give_what_plain_python_gives(description, seed):
     alone, hierarchy = Alone(description, MASTER), Hierarchy(description, MASTER)
     for values in sensor_values(description, random.Random(seed), 5):

@@ -44,7 +44,7 @@ def test_the_skill_with_all_influence_commands(seed):
 
 
 @given(depth=st.integers(1, 8), values=st.lists(SHARES, min_size=3, max_size=3), data=st.data())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 def test_one_hot_influence_reaches_any_depth(depth, values, data):
     way = data.draw(st.lists(st.integers(0, 2), min_size=depth, max_size=depth))
     skills = []
@@ -84,7 +84,7 @@ def layered(levels):
 
 
 @given(layers(), st.floats(0.01, 1.0), st.data())
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_scaling_the_influences_of_a_level_changes_no_motor(levels, factor, data):
     level = data.draw(st.integers(0, len(levels) - 2))
     scaled = [
@@ -99,7 +99,7 @@ def test_scaling_the_influences_of_a_level_changes_no_motor(levels, factor, data
 
 
 @given(INFLUENCES, INFLUENCES, SHARES, SHARES)
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_a_motor_is_the_mean_of_commands_weighted_by_influence(first, second, one, two):
     skills = [
         wired("Master", {"SK:A": "SE:1", "SK:B": "SE:2"}),

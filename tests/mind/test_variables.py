@@ -123,7 +123,7 @@ def test_a_counter_keeps_its_input():
     st.floats(0.0, 1.0),
     st.floats(0.0, 1.0),
 )
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_a_counter_counts_rising_edges_since_the_last_falling_one(given_now, maximum, one, two):
     low, high = sorted((one, two))
     writer = Writer(Variable("V", Counter(maximum, high, low)))

@@ -56,7 +56,7 @@ def linked(pairs, dead):
 PAIRS = st.lists(st.tuples(st.integers(0, 8), st.integers(0, 8)), max_size=20)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(PAIRS, st.integers(0, 8))
 def test_graphs_degrees_and_components_are_those_of_networkx(pairs, dead):
     town = linked(pairs, dead)
@@ -83,7 +83,7 @@ def test_graphs_degrees_and_components_are_those_of_networkx(pairs, dead):
     assert [follows.in_degree(one) for one in town.people.id] == town.follows.in_degrees().tolist()
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(PAIRS, st.integers(0, 8))
 def test_what_goes_out_comes_back(tmp_path_factory, pairs, dead):
     folder = tmp_path_factory.mktemp("exchange")

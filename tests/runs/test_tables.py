@@ -37,7 +37,7 @@ def write(folder, rows, cuts):
 
 
 @given(ROWS, st.sets(st.integers(0, 12)))
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_where_the_parts_are_cut_does_not_show(tmp_path_factory, rows, cuts):
     home = tmp_path_factory.mktemp("cut")
     one = write(home / "one", rows, set())
@@ -52,7 +52,7 @@ def test_where_the_parts_are_cut_does_not_show(tmp_path_factory, rows, cuts):
 
 
 @given(ROWS, ROWS)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_the_hash_tells_different_tables_apart(tmp_path_factory, rows, others):
     home = tmp_path_factory.mktemp("hash")
     one, other = write(home / "one", rows, set()), write(home / "other", others, set())

@@ -20,8 +20,6 @@ FEWEST = 1.5
 """Trials for each coefficient, at least."""
 TINY = 1e-3
 """What counts for luck where there is none, as in a model without draws."""
-STEPS = 200
-"""Rounds in which a profile's other parameters find their best values."""
 GRID = 101
 """Values of a parameter at which its profile is looked at."""
 
@@ -89,19 +87,28 @@ class Surface:
 
         The others take the values, within the cube, at which it is least.
         """
+        # A valley between parameters that make up for one another is long: only a step along it,
+        # which knows the curvature, reaches its floor.
+        from scipy.optimize import minimize
+
         grid = np.linspace(0.0, 1.0, GRID)
         x = np.full((GRID, len(self.slope)), 0.5)
         x[:, dimension] = grid
         others = [one for one in range(len(self.slope)) if one != dimension]
-        for _ in range(STEPS):
-            before = x.copy()
-            for one in others:
-                own = self.curvature[one, one]
-                steep = self.slope[one] + 2 * (x @ self.curvature[one] - own * x[:, one])
-                flat = np.where(steep > 0, 0.0, np.where(steep < 0, 1.0, x[:, one]))
-                x[:, one] = np.clip(-steep / (2 * own), 0.0, 1.0) if own > 1e-12 else flat
-            if np.abs(x - before).max() < 1e-9:
-                break
+        if not others:
+            return grid, self.at(x)
+        form, across = self.curvature[np.ix_(others, others)], self.curvature[others, dimension]
+        start = x[0, others]
+        for row in x:
+            slope = self.slope[others] + 2 * across * row[dimension]
+            row[others] = start = minimize(
+                lambda y, slope=slope: (y @ form @ y + slope @ y, 2 * form @ y + slope),
+                start,
+                jac=True,
+                method="L-BFGS-B",
+                bounds=[(0.0, 1.0)] * len(others),
+                options={"ftol": 1e-15, "gtol": 1e-9},
+            ).x
         return grid, self.at(x)
 
     def within(self, dimension: int, limit: float) -> tuple[float, float] | None:

@@ -63,7 +63,7 @@ groups = st.tuples(
 compiled = numba.njit(lambda *arguments: heeding.heed(*arguments))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(st.data())
 def test_both_speeds_agree_with_a_plain_account(data):
     cognitons, comparisons = [], []

@@ -297,7 +297,7 @@ slopes = st.dictionaries(st.sampled_from(PLANS), st.integers(-5, 5).map(float), 
 values = st.integers(-20, 20).map(float) | st.floats(-20, 20)
 
 
-@settings(deadline=None, max_examples=250)
+@settings(max_examples=250)
 @given(makers, st.lists(st.tuples(values, slopes), min_size=1, max_size=3), st.booleans())
 @example(BiasedWeightedStochastic(0.5), [(5.0, {"eat": 1.0}), (1.0, {"rest": 3.0})], False)
 def test_no_smaller_change_makes_a_difference_and_this_one_does(maker, cognitons, joined):

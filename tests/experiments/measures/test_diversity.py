@@ -65,7 +65,7 @@ def test_one_agent_alone():
     assert hierarchic_social_entropy([[0.0]]) == 0.0
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(1, 7), st.integers(0, 2**20))
 def test_groups_are_all_the_largest_ones(count, seed):
     alike = np.random.default_rng(seed).random((count, count)) < 0.5

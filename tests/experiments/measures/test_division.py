@@ -130,7 +130,7 @@ def test_where_every_deal_is_alike_luck_gives_just_that():
     assert division_by_chance([[1, 0], [0, 1]]) == Division(1.0, 1.0, 1.0)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.integers(2, 9), st.integers(1, 4))
 def test_much_work_without_preference_is_as_divided_as_luck_has_it(agents, seed):
     rng = np.random.default_rng(seed)

@@ -112,7 +112,7 @@ def test_the_interval_without_pairs_is_nearly_students():
     assert (found.low, found.high) == pytest.approx((student.low, student.high), abs=0.06)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.lists(st.floats(-9, 9), min_size=3, max_size=12))
 def test_turned_round_the_difference_changes_its_sign(first):
     second = [0.5 * one + 1 for one in first]

@@ -72,7 +72,7 @@ def test_a_ratio_to_nothing_is_no_number():
 
 
 @given(st.lists(st.floats(0, 1), min_size=2, max_size=30))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 def test_it_stays_within_what_was_seen_and_repeats_itself(values):
     found = interval_of(values)
     assert min(values) - 1e-12 <= found.low <= found.high <= max(values) + 1e-12

@@ -86,7 +86,7 @@ def test_a_folder_with_a_file_cut_off_at_any_line(write_files, path):
             assert "\n" not in str(error)
 
 
-@settings(max_examples=300, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=300, suppress_health_check=list(HealthCheck))
 @given(
     path=st.sampled_from([*TEXTS, "Skills/See/See.genome"]),
     place=st.floats(0, 1),

@@ -149,7 +149,7 @@ def minds(draw):
 
 
 @pytest.mark.parametrize("form", FORMS)
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=40, suppress_health_check=[HealthCheck.too_slow])
 @given(mind=minds())
 def test_a_mind_reads_back_as_equal(form, mind):
     with tempfile.TemporaryDirectory() as home:
@@ -254,7 +254,6 @@ def test_a_neat_graph_without_weights_stands_in_the_skill(tmp_path):
         assert facts(MindDescription.load(tmp_path / form)) == facts(bare)
 
 
-@settings(deadline=None)
 @given(
     st.builds(
         simbatch.Task,

@@ -5,7 +5,7 @@ import math
 import numba
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from socialmind.mind.functions.activations import FINITE, activate, aggregate
@@ -84,7 +84,6 @@ def test_neurons_of_neat_python_stay_finite(x):
         assert math.isfinite(activate(code, x)), name
 
 
-@settings(deadline=None)  # the first call compiles
 @given(x=st.floats(allow_nan=True, allow_infinity=True))
 def test_compiled_they_are_the_same(compiled, x):
     for code in (*PLAIN, *NEAT_ACTIVATIONS.values()):
@@ -92,7 +91,6 @@ def test_compiled_they_are_the_same(compiled, x):
         assert ours == pytest.approx(theirs, rel=1e-15, nan_ok=True), code
 
 
-@settings(deadline=None)
 @given(values=st.lists(NUMBERS, max_size=9))
 def test_compiled_aggregations_are_the_same(compiled, values):
     for code in NEAT_AGGREGATIONS.values():

@@ -65,9 +65,7 @@ def bits(array):
 # Nothing changes ----------------------------------------------------------------------------------
 
 
-@settings(
-    max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+@settings(max_examples=8, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(at=st.integers(0, TICKS))
 def test_a_branch_without_a_change_is_the_run(whole, tmp_path_factory, at):
     assert same(branch(whole, at, out=tmp_path_factory.mktemp("b") / "run"), whole)

@@ -168,7 +168,7 @@ script = st.lists(
 )
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(st.lists(script, min_size=3, max_size=3), st.lists(st.floats(2, 10), min_size=2, max_size=2))
 def test_both_speeds_agree_with_a_plain_account(scripts, bounds):
     full, old = bounds[0], int(bounds[1])

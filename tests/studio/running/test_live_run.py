@@ -22,7 +22,7 @@ def same(one, other):
                if states[0][n].dtype.names is None)  # fmt: skip
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.lists(st.integers(0, 400), min_size=1, max_size=6))
 def test_wherever_one_goes_the_society_is_as_it_was_there(ticks):
     village = load_model("farmer_artisan")

@@ -128,7 +128,7 @@ def on_neither_side_of_settling(approach):
     state=st.tuples(*[st.floats(-90.0, 90.0)] * 5),
     push=st.tuples(*[st.floats(-300.0, 300.0)] * 3),
 )
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_free_motion(disc, state, push):
     row = dict(zip(("x", "y", "vx", "vy", "spin"), state, strict=True))
     row |= dict(zip(("push_x", "push_y", "torque"), push, strict=True))
@@ -171,7 +171,7 @@ def test_carried_bodies_and_such_whose_carrier_died():
     restitution=st.sampled_from([0.0, 0.5, 1.0, 1.8]),
     deep=st.floats(0.001, 1.5),
 )
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_a_wall(side, speed, restitution, deep):
     on_neither_side_of_settling(speed[0])
     c, s = math.cos(side * math.pi / 2), math.sin(side * math.pi / 2)
@@ -196,7 +196,7 @@ def test_a_wall(side, speed, restitution, deep):
     speed=st.tuples(st.floats(-30.0, 30.0), st.floats(-30.0, 30.0)),
     restitution=st.sampled_from([0.0, 0.5, 1.8]),
 )
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_a_square_from_any_side_or_corner_and_a_cylinder(
     angle, half_width, bearing, deep, round_one, speed, restitution
 ):
@@ -240,7 +240,7 @@ def test_a_square_around_a_bodys_centre():
     sizes=st.tuples(*[st.floats(0.5, 2.0)] * 4),
     restitutions=st.tuples(*[st.sampled_from([0.0, 0.5, 1.8])] * 2),
 )
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_two_bodies(bearing, distance, velocities, sizes, restitutions):
     one = Disc(sizes[0], sizes[1], 0.0, restitution=restitutions[0], meets=("objects",))
     other = Disc(sizes[2], sizes[3], 0.0, restitution=restitutions[1])
@@ -313,7 +313,7 @@ def wander(world, seed, ticks):
 
 
 @given(seed=st.integers(0, 10_000))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 def test_robots_among_obstacles_run_alike(seed):
     rng = np.random.default_rng(seed)
     robots = bodies(*[{}] * 4)
@@ -475,7 +475,7 @@ def finite(world):
     half=0.3, place=(-1.125, 1.0), angle=0.0, round_one=False, radius=0.5, speed=(0.0, 0.0)
 )
 @example(half=2.0, place=(1.0, 1.125), angle=0.5, round_one=False, radius=1.0, speed=(0.0, 0.0))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 def test_anywhere_in_an_obstacle_of_any_size(half, place, angle, round_one, radius, speed):
     u, v = half * place[0], half * place[1]
     c, s = (1.0, 0.0) if angle == 0.0 else (math.cos(angle), math.sin(angle))
@@ -560,7 +560,7 @@ def test_two_bodies_at_one_place_part_alike(velocity, masses):
     ),
     places=st.lists(st.tuples(PARTS, PARTS), min_size=1, max_size=4),
 )
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_wherever_there_is_no_room_no_number_is_lost(half_width, shapes, places):
     stone = stones(*(
         {"half_width": half, "x": x * half_width, "y": y * half_width, "angle": angle, "round": one}

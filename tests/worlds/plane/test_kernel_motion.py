@@ -307,7 +307,7 @@ def test_slow_impacts_do_not_bounce():
     place=st.floats(0, 2 * math.pi), speed=st.floats(0.1, 50), radius=st.floats(0.3, 3),
     density=st.floats(0.1, 10), restitution=st.floats(0, 1),
 )  # fmt: skip
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_impacts_keep_momentum_and_the_middle_of_mass(place, speed, radius, density, restitution):
     small = Disc(linear_damping=0, meets=("large",), restitution=restitution)
     large = Disc(radius=radius, density=density, linear_damping=0)
@@ -403,7 +403,7 @@ squares = st.tuples(floats, floats, st.floats(-4, 4), st.floats(0.3, 2.5), st.in
     obstacles=st.lists(squares, max_size=6),
     places=st.lists(st.tuples(floats, floats, st.floats(-60, 60), st.floats(-60, 60)), max_size=6),
 )
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_whatever_happens_there_are_numbers_inside_the_borders(obstacles, places):
     rows = bodies(len(places))
     for row, one in zip(rows, places, strict=True):
@@ -425,7 +425,7 @@ def test_whatever_happens_there_are_numbers_inside_the_borders(obstacles, places
     start=st.tuples(st.floats(-20, 20), st.floats(-20, 20)),
     push=st.tuples(st.floats(-500, 500), st.floats(-500, 500)),
 )
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_nothing_overlaps_after_a_move_where_there_is_room(turns, widths, kinds, start, push):
     places = [(x, y) for x in (-12.0, 0.0, 12.0) for y in (-12.0, 0.0, 12.0)]
     obstacles = [(*place, *rest) for place, *rest in zip(places, turns, widths, kinds, strict=True)]

@@ -71,7 +71,7 @@ def drive(row, left, right):
     start=st.tuples(*[st.floats(-40.0, 40.0)] * 4),
     push=st.tuples(*[st.floats(-200.0, 200.0)] * 3),
 )
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_free_motion_follows_the_recursion(disc, start, push):
     x, y, vx, vy = start
     angle = spin = 0.0
@@ -244,7 +244,7 @@ def test_without_borders_the_plane_goes_on():
 
 
 @given(angle=st.floats(-3.0, 3.0), face=st.integers(0, 3), along=st.floats(-1.4, 1.4))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_a_square_pushes_out_along_its_face(angle, face, along):
     c, s = math.cos(angle + face * math.pi / 2), math.sin(angle + face * math.pi / 2)
     out, speed, deep = 2.5, 6.0, 0.15  # half-width 1.5 and radius 1
@@ -264,7 +264,7 @@ def test_a_square_pushes_out_along_its_face(angle, face, along):
 
 
 @given(angle=st.floats(-3.0, 3.0), toward=st.floats(0.1, 1.4))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_a_squares_corner_pushes_away_from_the_corner(angle, toward):
     corner = (2 * math.cos(angle) - 2 * math.sin(angle), 2 * math.sin(angle) + 2 * math.cos(angle))
     c, s = math.cos(angle + toward), math.sin(angle + toward)

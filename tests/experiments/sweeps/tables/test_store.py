@@ -37,7 +37,7 @@ def merged(folder, windows):
     return contents, [(folder / f"{name}.parquet").read_bytes() for name in (SERIES, RUNS)]
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.permutations(range(12)), st.lists(st.integers(1, 11), max_size=5, unique=True))
 def test_tables_hang_on_no_order_and_no_windows(order, cuts):
     ends = [0, *sorted(cuts), 12]
