@@ -5,13 +5,16 @@ from __future__ import annotations
 import socket
 import threading
 import webbrowser
+from pathlib import Path
 from typing import Any
 
 import uvicorn
 
+from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
 from socialmind.studio.server.access import LOOPBACK, new_token
 from socialmind.studio.server.app import Studio
+from socialmind.studio.server.folders import Folders
 
 PORT = 8765
 
@@ -44,8 +47,9 @@ def launch(
     print(f"socialmind studio: {shown}   (Ctrl-C ends it)", flush=True)
     if browser:
         threading.Timer(0.5, webbrowser.open, (shown,)).start()
+    studio = Studio(first, Folders(Path.cwd(), readable=tuple(catalogue().values())))
     config = uvicorn.Config(
-        Studio(first).application(hosts, token), log_level="error", ws="websockets-sansio"
+        studio.application(hosts, token), log_level="error", ws="websockets-sansio"
     )
     uvicorn.Server(config).run(sockets=[listening])
 

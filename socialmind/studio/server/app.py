@@ -17,7 +17,9 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from socialmind.catalogue import catalogue
+from socialmind.errors import SocialmindError
 from socialmind.studio.server.access import App, Guarded
+from socialmind.studio.server.folders import Folders
 from socialmind.studio.server.stages import StageProcess, Viewer
 
 PAGE = Path(__file__).parents[1] / "built"
@@ -32,10 +34,12 @@ class Studio:
 
     Args:
         first: what the first page shows: a command that sets a society up, or None.
+        folders: where pages may read and write.
     """
 
-    def __init__(self, first: dict[str, Any] | None = None) -> None:
+    def __init__(self, first: dict[str, Any] | None, folders: Folders) -> None:
         self._first = first
+        self._folders = folders
         self._stages: dict[str, StageProcess] = {}
 
     def application(self, hosts: tuple[str, ...], token: str | None = None) -> App:
@@ -75,9 +79,11 @@ class Studio:
             return f"no command {do!r}"
         if do == "setup" and model not in {*catalogue(), (self._first or {}).get("model")}:
             return f"no model {model!r}; start the studio with its folder"
-        home = Path.cwd()
-        if do == "save" and folder and not (home / str(folder)).resolve().is_relative_to(home):
-            return f"{folder} is not below {home}, where the studio was started"
+        if do == "save" and folder:
+            try:
+                self._folders.to_write(folder)
+            except SocialmindError as error:
+                return str(error)
         return None
 
     def _with_scheme(self, command: dict[str, Any]) -> dict[str, Any]:

@@ -3,11 +3,13 @@
 import pytest
 
 from socialmind.studio.server.app import Studio
+from socialmind.studio.server.folders import Folders
 
 
 @pytest.fixture
-def studio():
-    return Studio({"do": "setup", "model": "my/own", "scheme": "wild.yaml"})
+def studio(tmp_path):
+    first = {"do": "setup", "model": "my/own", "scheme": "wild.yaml"}
+    return Studio(first, Folders(tmp_path))
 
 
 @pytest.mark.parametrize(

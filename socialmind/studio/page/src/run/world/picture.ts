@@ -1,6 +1,6 @@
 // From a frame to what the renderer draws.
 
-import { NONE, ofNumber, ofWord, type Colour } from "../colours";
+import { NONE, ofNumber, ofWord, type Colour } from "../../colours";
 import type { Colouring, Column, Frame } from "../frame";
 import type { Extent } from "../studio.svelte";
 import type { Picture, Segments } from "./renderer";

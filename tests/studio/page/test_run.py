@@ -1,22 +1,9 @@
-"""The page in a real browser: what a user does, by mouse and keyboard.
-
-Chromium is found as Debian has it (`apt install chromium`) or as Playwright installs it; without a
-browser these tests say so and are skipped.
-"""
-
-import shutil
-import socket
-import subprocess
-import sys
-import time
+"""The room of a run, in a real browser: what a user does, by mouse and keyboard."""
 
 import pytest
 
 from socialmind.experiments import Run, replay
 
-playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-SECONDS = 120_000
 TICK = "Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, ''))"
 SCRUB = """tick => {
   const slider = document.querySelector("[data-test=scrub]");
@@ -39,60 +26,8 @@ COLOURS = """() => {
 
 
 @pytest.fixture(scope="module")
-def browser():
-    with playwright.sync_playwright() as driver:
-        flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-        try:
-            found = driver.chromium.launch(executable_path=CHROMIUM, args=flags)
-        except playwright.Error:
-            pytest.skip("no Chromium here: the page is not tested")
-        yield found
-        found.close()
-
-
-def free_port():
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        return one.getsockname()[1]
-
-
-class Program:
-    """`socialmind studio` in a process of its own."""
-
-    def __init__(self, folder, *words):
-        self.port = free_port()
-        command = [sys.executable, "-m", "socialmind", "studio", *words]
-        command += ["--port", str(self.port), "--no-browser"]
-        self.process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL)
-        for _ in range(600):
-            try:
-                socket.create_connection(("127.0.0.1", self.port), 1).close()
-                return
-            except OSError:
-                time.sleep(0.1)
-        raise TimeoutError("the studio does not listen")
-
-    def page(self, browser):
-        page = browser.new_page(viewport={"width": 1280, "height": 720})
-        page.set_default_timeout(SECONDS)
-        page.failures = []
-        page.on("pageerror", lambda error: page.failures.append(str(error)))
-        page.goto(f"http://127.0.0.1:{self.port}/")
-        page.wait_for_selector("[data-test=setup]:not([disabled])")
-        return page
-
-    def end(self):
-        self.process.terminate()
-        self.process.wait()
-
-
-@pytest.fixture(scope="module")
-def studio(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("studio")
-    program = Program(folder, "farmer-artisan", "--seed", "5", "--set", "n_agents=12")
-    program.folder = folder
-    yield program
-    program.end()
+def studio(program):
+    return program("farmer-artisan", "--seed", "5", "--set", "n_agents=12")
 
 
 def wait_for_tick(page, tick, how="=="):

@@ -1,0 +1,13 @@
+// The rooms of the studio, in the order of their tabs; each is a component and a word in the address.
+
+import type { Component } from "svelte";
+import Run from "./run/Run.svelte";
+
+export interface Room {
+  /** In the address, after #/. */
+  word: string;
+  title: string;
+  component: Component;
+}
+
+export const ROOMS: Room[] = [{ word: "run", title: "Run", component: Run }];

@@ -1,0 +1,81 @@
+"""A real browser and the program that it looks at.
+
+Chromium is found as Debian has it (`apt install chromium`) or as Playwright installs it; without a
+browser these tests say so and are skipped.
+"""
+
+import shutil
+import socket
+import subprocess
+import sys
+import time
+
+import pytest
+
+playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+SECONDS = 120_000
+
+
+@pytest.fixture(scope="session")
+def browser():
+    with playwright.sync_playwright() as driver:
+        flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+        try:
+            found = driver.chromium.launch(executable_path=CHROMIUM, args=flags)
+        except playwright.Error:
+            pytest.skip("no Chromium here: the page is not tested")
+        yield found
+        found.close()
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+class Program:
+    """`socialmind studio` in a process of its own."""
+
+    def __init__(self, folder, *words):
+        self.port = free_port()
+        command = [sys.executable, "-m", "socialmind", "studio", *words]
+        command += ["--port", str(self.port), "--no-browser"]
+        self.process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL)
+        for _ in range(600):
+            try:
+                socket.create_connection(("127.0.0.1", self.port), 1).close()
+                return
+            except OSError:
+                time.sleep(0.1)
+        raise TimeoutError("the studio does not listen")
+
+    def page(self, browser, place="", ready="[data-test=setup]:not([disabled])"):
+        page = browser.new_page(viewport={"width": 1280, "height": 720})
+        page.set_default_timeout(SECONDS)
+        page.failures = []
+        page.on("pageerror", lambda error: page.failures.append(str(error)))
+        page.goto(f"http://127.0.0.1:{self.port}/{place}")
+        page.wait_for_selector(ready)
+        return page
+
+    def end(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+@pytest.fixture(scope="module")
+def program(tmp_path_factory):
+    """Begin a studio in a folder of its own: `program(WORD, …)`."""
+    begun = []
+
+    def begin(*words):
+        folder = tmp_path_factory.mktemp("studio")
+        begun.append(Program(folder, *words))
+        begun[-1].folder = folder
+        return begun[-1]
+
+    yield begin
+    for one in begun:
+        one.end()
