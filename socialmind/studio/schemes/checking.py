@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from coglogo_py import CognitiveScheme, DecisionMaker
+from coglogo_py import CognitiveScheme, DecisionMaker, Role
 from coglogo_py.decision import BUILT_IN
 from coglogo_py.lint import Finding
 from socialmind.agents.heeding import check_conditions
@@ -13,7 +14,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.model import Model
 from socialmind.society.connection import names_of_minds
 from socialmind.society.population import Population
-from socialmind.studio.schemes.document import WEIGHTS, Document, Wrong, made_of
+from socialmind.studio.schemes.document import WEIGHTS, Document, Wrong, made_of, scheme_of
 
 UNKNOWN_PLAN = "link to unknown plan"
 
@@ -137,18 +138,45 @@ def runnable(scheme: CognitiveScheme, bearers: Bearers) -> CognitiveScheme:
         }
         return replace(one, **links, conditional=tuple(p for p in one.conditional if p in plans))
 
-    groups = tuple(
-        replace(
-            group,
-            roles=tuple(
-                replace(role, culturons=tuple(map(of, role.culturons))) for role in group.roles
-            ),
-        )
-        for group in scheme.groups
-    )
     order = tuple(plan for plan in scheme.plans if plan in plans)
-    cognitons = tuple(map(of, scheme.cognitons))
-    return replace(scheme, cognitons=cognitons, groups=groups, plan_order=order)
+    return replace(_with_holders(scheme, of), plan_order=order)
+
+
+def runnable_of(document: Document, bearers: Bearers) -> CognitiveScheme:
+    """Return the scheme of a document as a population's agents can have it.
+
+    Raises:
+        SchemeError: it is none.
+    """
+    return runnable(scheme_of(document, bearers.makers), bearers)
+
+
+def same_minds(one: CognitiveScheme, other: CognitiveScheme) -> bool:
+    """Whether two schemes differ in their drawing at most.
+
+    >>> from coglogo_py import Cogniton
+    >>> red, grey = Cogniton("Mood", colour=(255, 0, 0)), Cogniton("Mood", position=(1, 2))
+    >>> same_minds(CognitiveScheme("a", (red,)), CognitiveScheme("a", (grey,)))
+    True
+    """
+    return _undrawn(one) == _undrawn(other)
+
+
+def _undrawn(scheme: CognitiveScheme) -> CognitiveScheme:
+    def of(one: Any) -> Any:
+        return replace(one, colour=(0, 0, 0), position=None)
+
+    return replace(_with_holders(scheme, of), plan_positions={}, plan_order=scheme.plans)
+
+
+def _with_holders(scheme: CognitiveScheme, of: Callable[[Any], Any]) -> CognitiveScheme:
+    """Return a scheme with each cogniton and culturon as a function returns it."""
+
+    def role(one: Role) -> Role:
+        return replace(one, culturons=tuple(map(of, one.culturons)))
+
+    groups = tuple(replace(one, roles=tuple(map(role, one.roles))) for one in scheme.groups)
+    return replace(scheme, cognitons=tuple(map(of, scheme.cognitons)), groups=groups)
 
 
 def _of_model(document: Document, scheme: CognitiveScheme, bearers: Bearers) -> list[Wrong]:

@@ -198,8 +198,9 @@ def _made(
     try:
         check_nesting(nesting)
     except SchemeError as error:
-        of = (one["id"] for one in document["groups"] if repr(one["name"]) in error.found)
-        wrong.append(Wrong(next(of, None), str(error)))
+        nested = [one for one in document["groups"] if one["within"] is not None]
+        named = [one for one in nested if f"group {one['name']!r} " in error.found]
+        wrong.append(Wrong((named or nested)[0]["id"], str(error)))
         return None
     return _ordered(document, tuple(cognitons), tuple(groups), maker)
 
@@ -271,6 +272,40 @@ def _group_of(
         tuple((name, value) for name, value in one["attributes"]),
         None if within is None else (groups[within[0]], roles[within[1]]),
     )
+
+
+def matched(document: Document, known: Document) -> Document:
+    """Return a document whose parts have the identities of another's of the same names.
+
+    So an editor's document fits the file that it is to be saved in.
+
+    Args:
+        document: whose parts are taken.
+        known: whose identities are taken, where it has a part of the name.
+    """
+    new: dict[str, str] = {}
+
+    def pair(parts: list[Any], others: list[Any]) -> None:
+        by_name = {one["name"]: one["id"] for one in others}
+        new.update((one["id"], by_name.get(one["name"], f"m{one['id']}")) for one in parts)
+
+    for name in ("plans", "cognitons", "groups"):
+        pair(document[name], known[name])
+    groups = {one["name"]: one for one in known["groups"]}
+    for one in document["groups"]:
+        other = groups.get(one["name"], {"roles": [], "culturons": []})
+        for name in ("roles", "culturons"):
+            pair(one[name], other[name])
+
+    def renewed(value: Any, key: str = "") -> Any:
+        if isinstance(value, dict):
+            return {name: renewed(one, name) for name, one in value.items()}
+        if isinstance(value, list) and key not in ("breeds", "attributes", *CONDITIONS):
+            return [renewed(one, "id" if isinstance(one, str) else key) for one in value]
+        return new.get(value, value) if key == "id" and isinstance(value, str) else value
+
+    found: Document = renewed(document)
+    return found
 
 
 def _names(document: Document) -> Iterator[Wrong]:

@@ -141,7 +141,8 @@ def set_field(draw, document, number):
         if "starting" in holder:
             choices += [
                 ("starting", True), ("type", "meme"), ("type", None), ("inherited", 0.5),
-                ("activated_when", ["energy < 5"]), ("deactivated_when", ["energy > full", "x == 1"]),
+                ("activated_when", ["energy < 5"]),
+                ("deactivated_when", ["energy > full", "x == 1"]),
             ]  # fmt: skip
         field, value = draw(st.sampled_from(choices))
         if field.endswith("_when") and holder["active_while"]:
