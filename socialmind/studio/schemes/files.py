@@ -100,7 +100,7 @@ def _changed(
 
 
 def _same(one: CognitiveScheme, other: CognitiveScheme) -> bool:
-    return one == other and (one.plan_order is None) == (other.plan_order is None)
+    return one == other and bool(one.plan_order) == bool(other.plan_order)
 
 
 def _for_coglogo(scheme: CognitiveScheme) -> tuple[CognitiveScheme, tuple[str, ...]]:

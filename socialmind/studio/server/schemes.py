@@ -146,7 +146,7 @@ class _Schemes:
                 replace_file(path, file.text.encode())
             except OSError as error:
                 raise SocialmindError(f"{shown}: cannot be written ({error.strerror})") from None
-        text, suffix = base.get("text") or file.text, base.get("suffix") or path.suffix
+        text, suffix = str(base.get("text") or ""), base.get("suffix")
         # What it was opened from stays what is changed: parts have the identities of that text.
         return {"notes": list(file.notes), **self._place(path, text, suffix)}
 
