@@ -260,25 +260,20 @@ class _Difference:
         now = {one["id"]: one for one in after["roles"]}
         held = {one["id"]: one for one in before["culturons"]}
         new = {one["id"]: one for one in after["culturons"]}
-        anew = {
-            identity
-            for identity, one in held.items()
-            if identity in new
-            and (mentions := [role for role in was.values() if identity in role["culturons"]])
-            and (
-                len(mentions) > 1
-                or not any(
-                    identity in now[r["id"]]["culturons"] for r in mentions if r["id"] in now
-                )
-            )
-            and (
-                _described(one) != _described(new[identity])
-                or any(
-                    identity not in now.get(role["id"], {"culturons": ()})["culturons"]
-                    for role in mentions
-                )
-            )
+        staying = {
+            role: _staying(one["culturons"], now[role]["culturons"]) if role in now else []
+            for role, one in was.items()
         }
+        anew = set()
+        """Those to be described once more: what a mention says, that goes, would be lost."""
+        for identity, one in held.items():
+            stays = [
+                identity in staying[role] for role in was if identity in was[role]["culturons"]
+            ]
+            if identity not in new or stays == [True]:
+                continue
+            if not all(stays) or _described(one) != _described(new[identity]):
+                anew.add(identity)
         shown = {identity for identity in held if identity in new and identity not in anew}
         patch = Patch(renamed=_renamed(before["roles"], after["roles"]))
         patch.removed = {one["name"] for one in was.values() if one["id"] not in now}
@@ -289,12 +284,11 @@ class _Difference:
             old = was[role["id"]]
             there = entries(stands[old["name"]])
             inner = Patch()
-            inner.removed = {
-                held[c]["name"] for c in old["culturons"] if c not in role["culturons"]
-            }
+            stays_here = staying[role["id"]]
+            inner.removed = {held[c]["name"] for c in old["culturons"] if c not in stays_here}
             for identity in role["culturons"]:
                 one = new[identity]
-                if identity not in old["culturons"]:
+                if identity not in stays_here:
                     inner.added[one["name"]] = "" if identity in shown else self._whole(one)
                     shown.add(identity)
                     continue
@@ -332,6 +326,16 @@ def _renamed(before: list[Any], after: list[Any]) -> dict[str, str]:
         for one in after
         if one["id"] in was and was[one["id"]] != one["name"]
     }
+
+
+def _staying(before: list[str], after: list[str]) -> list[str]:
+    """Return what can stay where it is: the first that come in the order of before."""
+    found: list[str] = []
+    for one in after:
+        if one not in before or (found and before.index(one) < before.index(found[-1])):
+            break
+        found.append(one)
+    return found
 
 
 def _described(one: Part) -> dict[str, Any]:

@@ -1,15 +1,13 @@
-"""The room of schemes, in a real browser: a mind is built, saved and run; a living one is changed."""
+"""The room of schemes, in a real browser: a mind is built, saved, run and changed."""
 
-import json
-import random
 import subprocess
 import sys
 
 import pytest
 
 from coglogo_py import CognitiveScheme
-from socialmind.experiments import Run, replay, run
 from socialmind.catalogue import load_model
+from socialmind.experiments import Run, replay, run
 
 READY = "[data-test=canvas]"
 TICK = "Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, ''))"
@@ -83,8 +81,10 @@ def test_the_turtle_of_the_tutorial_is_built_from_an_empty_page(browser, studio)
     page.keyboard.press("c")
     type_name(page, "wantGreen")
     for plan, influence, opens, feeds in (
-        ("goto-green", "1", True, ""), ("goto-red", "-1", False, "0.005"), ("goto-blue", "-1", False, "0.005"),
-    ):  # fmt: skip
+        ("goto-green", "1", True, ""),
+        ("goto-red", "-1", False, "0.005"),
+        ("goto-blue", "-1", False, "0.005"),
+    ):
         page.focus("[data-test=add-link]")
         page.keyboard.type(plan)
         page.keyboard.press("Enter")
