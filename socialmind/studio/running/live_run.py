@@ -207,11 +207,9 @@ class LiveRun:
         other._kept, other.interventions = list(self._kept), list(self.interventions)
         other.go_to(since)
         while other.tick < self.tick and other.society.tables[population].contains(agent):
-            before = other.tick
             other.advance(1)
-            if other.tick == before:
-                return None
-        return other.tick if other.tick > since else None
+        lives = other.society.tables[population].contains(agent)
+        return None if lives or other.tick == since else other.tick
 
     def _leave(self) -> None:
         """Meet the interventions that stand at this tick."""

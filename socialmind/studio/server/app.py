@@ -19,7 +19,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
-from socialmind.studio.server import runs
+from socialmind.studio.server import plots, runs
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -29,11 +29,14 @@ PAGE = Path(__file__).parents[1] / "built"
 FIRST = "first"
 """The name of the society that the program begins with."""
 COMMANDS = frozenset(
-    "setup open reset go pause step turn pace go_to show watch set edit press suppose plots "
-    "save branch end".split()
-)
+    (
+        "setup", "open", "reset", "save", "branch", "end",
+        "go", "pause", "step", "turn", "pace", "go_to",
+        "show", "watch", "plots", "suppose", "set", "edit", "press",
+    )
+)  # fmt: skip
 """What a page may ask of a stage."""
-STANDING = frozenset("pause step turn go_to setup open reset branch save".split())
+STANDING = frozenset(["pause", "step", "turn", "go_to", "setup", "open", "reset", "branch", "save"])
 """What ends the common going on of societies."""
 MOST_STAGES = 12
 
@@ -65,6 +68,7 @@ class Studio:
             Route("/api/models", self._models),
             Route("/api/running", self._running),
             *runs.routes(self._folders),
+            *plots.routes(self._stages),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]
