@@ -106,7 +106,7 @@ class Stage:
             source: the name by which the model is set up again; that of the run's by default.
         """
         self.running = False
-        self._say("busy", text=f"opening {folder}")
+        self._say("busy", text="opening the run")
         capsule = Capsule(folder)
         run = LiveRun.of_folder(folder)
         kind = type(run.society)

@@ -18,6 +18,15 @@ def look_at(page, place):
     page.click(f"[data-test=pane]:nth-child({place}) header .title")
 
 
+def pause(page):
+    """Let it stand, and return where: when no frame comes any more."""
+    page.click("[data-test=go]")
+    page.wait_for_selector("[data-test=step]:not([disabled])")
+    while (tick := page.evaluate(TICK)) != (page.wait_for_timeout(500), page.evaluate(TICK))[1]:
+        assert tick
+    return tick
+
+
 def stand(page, tick, how="=="):
     """Wait until both stand at a tick."""
     for place in (1, 2):
@@ -32,9 +41,7 @@ def test_a_society_branches_and_both_go_on_with_one_clock(browser, studio):
     page.select_option("[data-test=pace]", label="10 ticks a frame")
     page.click("[data-test=go]")
     wait_for_tick(page, 60, ">=")
-    page.click("[data-test=go]")
-    page.wait_for_selector("[data-test=step]:not([disabled])")
-    stood = page.evaluate(TICK)
+    stood = pause(page)
     # The same society once more, from here on.
     page.click("[data-test=branch]")
     page.wait_for_function(f"{PANES}.length == 2")
@@ -45,8 +52,7 @@ def test_a_society_branches_and_both_go_on_with_one_clock(browser, studio):
     page.select_option("[data-test=pace]", label="1 tick a frame")
     page.click("[data-test=go]")
     wait_for_tick(page, stood + 20, ">=")
-    page.click("[data-test=go]")
-    page.wait_for_selector("[data-test=step]:not([disabled])")
+    pause(page)
     ends = set()
     for place in (1, 2):
         look_at(page, place)
