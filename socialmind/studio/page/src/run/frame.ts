@@ -4,11 +4,14 @@ export interface Colouring {
   by?: string;
   words?: string[];
   range?: [number, number];
+  /** Of the words, or along the range, where the model says how it looks. */
+  colours?: string[];
 }
 
 export interface PopulationShown extends Colouring {
   count: number;
   kind?: "robots" | "objects" | "zones";
+  shape?: string | null;
 }
 
 export interface Header {
@@ -20,6 +23,19 @@ export interface Header {
   patches?: Colouring & { field: string };
   plane?: { half_width: number; over: string | null };
   watched?: Watched | { gone: string };
+  turn?: { number: number; rule: string; population: string | null; id: number | null };
+  plots?: PanelShown[];
+}
+
+/** What a panel of agents shows; its numbers are columns (running/plots.py). */
+export interface PanelShown {
+  kind: string;
+  population?: string;
+  x?: string;
+  y?: string;
+  words?: string[];
+  low?: number;
+  high?: number;
 }
 
 export type Column = Float32Array | Uint32Array | Uint8Array;
