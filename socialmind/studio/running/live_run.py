@@ -134,6 +134,10 @@ class LiveRun:
         self._furthest = self.tick
         self._kept = [one for one in self._kept if one.tick <= self.tick]
 
+    def repeated(self) -> tuple[Model, list[Intervention]]:
+        """Return the society anew, before its first tick, and what was done to it so far."""
+        return self._first.fresh(), self.interventions[: self._met]
+
     def save(self, folder: str | Path | None = None, every: int | None = None) -> Path:
         """Make the run up to here as a folder of its own, by repeating it.
 

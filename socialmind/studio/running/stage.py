@@ -18,9 +18,12 @@ from socialmind.errors import SocialmindError
 from socialmind.interventions.change import Change
 from socialmind.interventions.edit import Edit
 from socialmind.interventions.following import Intervention
+from socialmind.interventions.steer import Steer
+from socialmind.learning.imprinting.steered import recording_of
 from socialmind.model import Model
 from socialmind.runs.capsule import Capsule
 from socialmind.society.settings import sorted_out
+from socialmind.studio.learning.acting import best_so_far
 from socialmind.studio.running.history import History
 from socialmind.studio.running.live_run import LiveRun
 from socialmind.studio.running.moment import Shown, frame_of
@@ -156,6 +159,32 @@ class Stage:
         sorted_settings = sorted_out(kind, settings)
         words = sorted_settings.changed(schemes, run.society.populations)
         self._intervene(Change(run.tick, sorted_settings.parameters, words))
+
+    def do_act(self, folder: str, attempt: int, seed: int = 0) -> None:
+        """Let the best that a training has found so far act in a world of its lesson."""
+        self.running = False
+        self._say("busy", text="loading what was learned")
+        best = best_so_far(folder, attempt)
+        society = best.society(seed)
+        kind = type(society)
+        self._source = kind.name
+        self._say_model(kind)
+        self._begin(LiveRun(society))
+        said = {name: getattr(best, name) for name in ("attempt", "lesson", "generation", "score")}
+        self._say("acting", **said, ticks=best.ticks, seed=seed)
+
+    def do_steer(self, population: str, id: int, commands: list[float] | None) -> None:
+        """Tell a robot what to do, until something else is told; None, give it back to its mind."""
+        self._intervene(Steer(self._of().tick, population, id, commands))
+
+    def do_imprint(self, population: str, skill: str, folder: str) -> None:
+        """Write what a skill was shown by steering as a table for imprinting."""
+        run = self._of()
+        self._say("busy", text="writing")
+        society, interventions = run.repeated()
+        shown, about = recording_of(society, interventions, run.tick, skill, population)
+        shown.write(folder, about)
+        self._say("saved", folder=folder, records=len(shown))
 
     def do_edit(self, population: str, id: int, part: str, value: Any) -> None:
         """Change a value of an agent by hand."""

@@ -18,6 +18,8 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
+from socialmind.studio.learning.processes import LearningProcesses
+from socialmind.studio.server import learning
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.folders import Folders
 from socialmind.studio.server.stages import StageProcess, Viewer
@@ -25,6 +27,7 @@ from socialmind.studio.server.stages import StageProcess, Viewer
 PAGE = Path(__file__).parents[1] / "built"
 COMMANDS = frozenset(
     ("setup", "go", "pause", "step", "pace", "go_to", "show", "watch", "set", "edit", "save")
+    + ("act", "steer", "imprint")
 )
 """What a page may ask of a stage."""
 
@@ -41,6 +44,7 @@ class Studio:
         self._first = first
         self._folders = folders
         self._stages: dict[str, StageProcess] = {}
+        self._learning = LearningProcesses(folders.home)
 
     def application(self, hosts: tuple[str, ...], token: str | None = None) -> App:
         """Return the application, guarded.
@@ -51,6 +55,7 @@ class Studio:
         """
         routes = [
             Route("/api/models", self._models),
+            *learning.routes(self._folders, self._learning),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]
@@ -64,6 +69,7 @@ class Studio:
         yield
         for stage in self._stages.values():
             stage.end()
+        self._learning.end()
 
     async def _models(self, request: Request) -> JSONResponse:
         return JSONResponse(list(catalogue()))
@@ -79,11 +85,13 @@ class Studio:
             return f"no command {do!r}"
         if do == "setup" and model not in {*catalogue(), (self._first or {}).get("model")}:
             return f"no model {model!r}; start the studio with its folder"
-        if do == "save" and folder:
-            try:
+        try:
+            if (do == "save" and folder) or do == "imprint":
                 self._folders.to_write(folder)
-            except SocialmindError as error:
-                return str(error)
+            elif do == "act":
+                self._folders.to_read(folder)
+        except SocialmindError as error:
+            return str(error)
         return None
 
     def _with_scheme(self, command: dict[str, Any]) -> dict[str, Any]:
