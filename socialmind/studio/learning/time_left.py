@@ -73,6 +73,4 @@ def _pace(done: Iterable[Done]) -> dict[str, float]:
     for one in done:
         # The first holds the compilation.
         taken.setdefault(one.lesson, []).extend(one.seconds[1:] or one.seconds)
-    return {
-        name: sum(some[-RECENT:]) / len(some[-RECENT:]) for name, some in taken.items() if some
-    }
+    return {name: sum(some[-RECENT:]) / len(some[-RECENT:]) for name, some in taken.items() if some}

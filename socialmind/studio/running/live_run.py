@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from copy import copy
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -111,6 +112,14 @@ class LiveRun:
             self.society.restore(last.arrays)
             self._met = sum(one.tick < last.tick for one in self.interventions)
         self.advance(tick - self.tick)
+
+    def apart(self) -> LiveRun:
+        """Return the same run at the same moment, to go back and forth in without this one."""
+        other = copy(self)
+        other._kept, other.interventions = list(self._kept), list(self.interventions)
+        other.society = begun_for(self._first.fresh(), self.interventions, self.tick)
+        other.society.restore(self.society.state())
+        return other
 
     def intervene(self, intervention: Intervention) -> None:
         """Do something to the society now; what lay ahead is forgotten.

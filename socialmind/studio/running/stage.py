@@ -24,6 +24,7 @@ from socialmind.model import Model
 from socialmind.runs.capsule import Capsule
 from socialmind.society.settings import sorted_out
 from socialmind.studio.learning.acting import best_so_far
+from socialmind.studio.running.hierarchies import laid_out, traced
 from socialmind.studio.running.history import History
 from socialmind.studio.running.live_run import LiveRun
 from socialmind.studio.running.moment import Shown, frame_of
@@ -60,6 +61,8 @@ class Stage:
         self._changed = False
         self._length = 0
         self._source = ""
+        self._plans: dict[str, tuple[Any, dict[str, Any]]] = {}
+        self._plans_due = False
         self._next_frame = self._next_piece = self._next_row = 0.0
 
     # Commands ---------------------------------------------------------------------------------
@@ -108,6 +111,7 @@ class Stage:
         self._history = History()
         self._shown = Shown.of(run.society)
         self._watched = None
+        self._plans_due = bool(run.society.assemblies)
         self._note()
         self._say("society", **self._outline())
         self._changed = True
@@ -151,6 +155,11 @@ class Stage:
         """Look inside an agent from now on, or inside nobody."""
         self._watched = None if population is None or id is None else (population, int(id))
         self._changed = True
+
+    def do_trace(self, population: str, id: int, ticks: int) -> None:
+        """Say how an agent's hierarchy went in the last ticks."""
+        found = traced(self._of(), population, int(id), ticks)
+        self._say("trace", population=population, id=int(id), **found)
 
     def do_set(self, **settings: Any) -> None:
         """Change parameters, or parts of schemes by their words, from the next tick on."""
@@ -209,6 +218,7 @@ class Stage:
         if self._run is not None:
             self._say_model(type(self._run.society))
             self._say("society", **self._outline())
+            self._plans_due = bool(self._run.society.assemblies)
             self._changed = True
 
     def do_seen(self) -> None:
@@ -230,11 +240,13 @@ class Stage:
         if self._changed and self._wanted and now >= self._next_frame:
             self._send_frame()
             self._next_frame = now + FRAME_SECONDS
+        elif self._plans_due and not self._changed:
+            self._say_plans()
         if self.running:
             return max(0.0, self._next_piece - time.perf_counter())
         if self._changed and self._wanted:
             return max(0.0, self._next_frame - time.perf_counter())
-        return None
+        return 0.0 if self._plans_due and not self._changed else None
 
     def _go_piece(self, now: float) -> None:
         run = self._of()
@@ -282,6 +294,17 @@ class Stage:
                 said["watched"] = {"gone": str(error)}
         self._send(FRAME + frame_of(run.society, self._shown, **said))
         self._wanted = self._changed = False
+
+    def _say_plans(self) -> None:
+        """Say where hierarchies are drawn, once somebody has seen the society: it takes its time."""
+        self._plans_due = False
+        society = self._of().society
+        minded = {name: one for name, one in society.assemblies.items() if society.tables[name]}
+        for name, assembly in minded.items():
+            if self._plans.get(name, (None,))[0] is not assembly:
+                self._plans[name] = assembly, laid_out(society, name)
+        said = {name: self._plans[name][1] for name in minded}
+        self._say("hierarchies", plans=said)
 
     def _outline(self) -> dict[str, Any]:
         society = self._of().society

@@ -27,7 +27,7 @@ from socialmind.studio.server.stages import StageProcess, Viewer
 PAGE = Path(__file__).parents[1] / "built"
 COMMANDS = frozenset(
     ("setup", "go", "pause", "step", "pace", "go_to", "show", "watch", "set", "edit", "save")
-    + ("act", "steer", "imprint")
+    + ("act", "steer", "imprint", "trace")
 )
 """What a page may ask of a stage."""
 

@@ -252,9 +252,7 @@ class Arena(Ground):
             place -= len(table.rows)
         return SocialmindError("the motion of a body is not finite")
 
-    def steer(
-        self, population: str, commands: ArrayLike | None, agent: int | None = None
-    ) -> None:
+    def steer(self, population: str, commands: ArrayLike | None, agent: int | None = None) -> None:
         """Steer robots from outside, in place of their minds; see `Model.steer`."""
         robots = self.shape.robots
         if population not in robots:
@@ -278,7 +276,9 @@ class Arena(Ground):
             return
         count, names = len(robots[population].actuators), robots[population].actuators
         given, slots = np.asarray(commands, np.float64), table.slots
-        if given.shape not in ((count,), (len(slots), count)) or (agent is not None and given.ndim > 1):
+        if given.shape not in ((count,), (len(slots), count)) or (
+            agent is not None and given.ndim > 1
+        ):
             whose = f"a row for each robot of {population!r} with"
             shape: tuple[int, ...] = (len(slots), count)
             if agent is not None:

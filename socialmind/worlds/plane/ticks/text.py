@@ -177,7 +177,8 @@ TICK = """    over = _model._over
 def _unsteered(what: str, minded: list[str]) -> str:
     """Return the calls of a function of each population whose minds are asked."""
     return "\n".join(
-        f"    if _model._{name}_steered != {OUTSIDE}:\n        _{what}_{name}(_model)" for name in minded
+        f"    if _model._{name}_steered != {OUTSIDE}:\n        _{what}_{name}(_model)"
+        for name in minded
     )
 
 
