@@ -1,4 +1,4 @@
-"""What somebody who steered a robot by hand has shown: a recording for imprinting (thesis, 5.2.3)."""
+"""What somebody who steered a robot by hand has shown, for imprinting (thesis, 5.2.3)."""
 
 from __future__ import annotations
 
@@ -35,7 +35,8 @@ def recording_of_run(
     Raises:
         SocialmindError: nobody was steered by hand, or there is no such skill.
 
-    >>> recording_of_run("runs/collect-001", "GoToObject").write("steered.csv", skill)  # doctest: +SKIP
+    >>> recording_of_run("runs/collect-001", "GoToObject")                # doctest: +SKIP
+    <recording of 412 records in 2 episodes: 1 input, 2 outputs>
     """
     capsule = Capsule(folder)
     interventions = interventions_of(capsule, trust)

@@ -73,9 +73,7 @@ def best_so_far(folder: str | Path, attempt: int) -> Acting:
     else:
         results = list(results_of(home)) if (home / CHECKPOINT).is_file() else []
         if not results:
-            raise SocialmindError(
-                "nothing has been found yet; the first generation is being judged"
-            )
+            raise SocialmindError("nothing has been found yet: no generation has been judged")
         file, record, arrays = results[-1]
         by_name = {each.name: each for each in curriculum.lessons}
         lesson = by_name[record["lesson"]]

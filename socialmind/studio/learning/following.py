@@ -1,4 +1,4 @@
-"""A training followed while it goes on: its folder is read, never held, and only what has changed."""
+"""A training followed while it goes on: its folder is read, and of it only what has changed."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
-"""Hierarchies of skills as a page draws them: laid out once, with values at each moment, and traced.
+"""Hierarchies of skills as pages draw them: laid out once, with values at moments, and traced.
 
-Nodes are called as in the drawings of `socialmind.mind.views`: ``SK:Avoid``, ``SE:S1``, ``VA:ROLE``,
-``MO:MotL``.
+Nodes are called as in `socialmind.mind.views`: ``SK:Avoid``, ``SE:S1``, ``VA:ROLE``, ``MO:MotL``.
 """
 
 from __future__ import annotations
@@ -112,8 +111,9 @@ def traced(run: LiveRun, population: str, identity: int, ticks: int) -> dict[str
         raise SocialmindError(
             f"no living agent {identity} of {population!r} has a hierarchy to be traced"
         )
-    now, past = run.tick, run.apart()
-    past.go_to(max(0, now - max(0, min(int(ticks), TRACED))))
+    now = run.tick
+    since = max(0, now - max(0, min(int(ticks), TRACED)))
+    past = run.before(since) if since < now else run
     found: dict[str, Any] = {"tick": [], "values": {}}
     while True:
         table = past.society.tables[population]

@@ -9,6 +9,7 @@ from typing import Any
 from socialmind.learning.imprinting.steered import shown_skills
 from socialmind.model import Model
 from socialmind.studio.running.colouring import colourings, patch_fields
+from socialmind.studio.running.turns import turnless
 from socialmind.worlds.plane.arena import Arena
 
 
@@ -39,6 +40,11 @@ def outline_of_model(model_class: type[Model]) -> dict[str, Any]:
             }
             for name, one in model_class.populations.items()
         },
+        "buttons": {
+            label: (inspect.getdoc(function) or "").partition("\n")[0]
+            for label, function in model_class.buttons.items()
+        },
+        "turnless": turnless(model_class),
     }
 
 

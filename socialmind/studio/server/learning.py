@@ -1,4 +1,4 @@
-"""What the room of trainings asks: which there are, how one goes on; and to begin, pause, resume."""
+"""What the room of trainings asks: which there are, how one goes; to begin, pause, resume."""
 
 from __future__ import annotations
 

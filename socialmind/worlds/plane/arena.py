@@ -276,13 +276,11 @@ class Arena(Ground):
             return
         count, names = len(robots[population].actuators), robots[population].actuators
         given, slots = np.asarray(commands, np.float64), table.slots
-        if given.shape not in ((count,), (len(slots), count)) or (
-            agent is not None and given.ndim > 1
-        ):
-            whose = f"a row for each robot of {population!r} with"
-            shape: tuple[int, ...] = (len(slots), count)
-            if agent is not None:
-                whose, shape = f"for a robot of {population!r}, which has", (count,)
+        several = () if agent is not None else ((len(slots), count),)
+        if given.shape not in ((count,), *several):
+            whose, shape = f"for a robot of {population!r}, which has", str((count,))
+            if several:
+                whose, shape = f"a row for each robot of {population!r} with", str(several[0])
             raise SocialmindError(
                 f"commands of shape {given.shape}; expected {shape}, {whose} "
                 f"{', '.join(names) or 'none'}"

@@ -25,5 +25,5 @@ class Rover(Model):
         actuators={"MotL": wheel(at=(0.0, 1.0)), "MotR": wheel(at=(0.0, -1.0))},
         hierarchy=MIND,
     )
-    rewards = {"forward": forward(0.01)}
-    interruptions = {"collision": collision()}
+    rewards = {"forward": forward(0.01)}  # noqa: RUF012
+    interruptions = {"collision": collision()}  # noqa: RUF012
