@@ -27,7 +27,8 @@ def laid_out(society: Model, population: str) -> dict[str, Any]:
     """
     from socialmind.mind.views.plan import planned
 
-    plan = planned(AgentState(society.tables[population].minds, 0), key=False, known=True)
+    minds: Any = society.tables[population].minds
+    plan = planned(AgentState(minds, 0), key=False, known=True)
     return {
         "width": plan.width,
         "height": plan.height,
@@ -106,8 +107,8 @@ def traced(run: LiveRun, population: str, identity: int, ticks: int) -> dict[str
     Raises:
         SocialmindError: there is no such agent alive, or it has no hierarchy.
     """
-    table = run.society.tables.get(population)
-    if table is None or not table.contains(identity) or table.minds is None:
+    own = run.society.tables.get(population)
+    if own is None or not own.contains(identity) or own.minds is None:
         raise SocialmindError(
             f"no living agent {identity} of {population!r} has a hierarchy to be traced"
         )
@@ -116,7 +117,7 @@ def traced(run: LiveRun, population: str, identity: int, ticks: int) -> dict[str
     past = run.before(since) if since < now else run
     found: dict[str, Any] = {"tick": [], "values": {}}
     while True:
-        table = past.society.tables[population]
+        table: Any = past.society.tables[population]
         if table.contains(identity):
             state = AgentState(table.minds, table[identity]._slot)
             if state.tick:

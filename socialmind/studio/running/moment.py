@@ -118,7 +118,7 @@ def _plane(society: Model, header: dict[str, Any], columns: dict[str, Any]) -> N
     header["plane"] = {"half_width": scene.half_width, "over": scene.over}
     header["in_hand"] = [
         {"population": name, "id": robot}
-        for name in society.ground.shape.robots
+        for name in type(society).shape.world.robots
         if (robot := society.ground.steered(name)) is not None
     ]
     teams = list(dict.fromkeys(one.team for one in scene.robots))

@@ -75,7 +75,7 @@ def _robots(society: Model) -> dict[str, Any]:
             ],
             "skills": shown_skills(society, name),
         }
-        for name, robots in society.ground.shape.robots.items()
+        for name, robots in type(society).shape.world.robots.items()
         if robots.actuators
     }
 

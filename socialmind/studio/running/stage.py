@@ -18,9 +18,9 @@ from socialmind.errors import SocialmindError, nearest
 from socialmind.interventions.change import Change
 from socialmind.interventions.edit import Edit
 from socialmind.interventions.following import Intervention
+from socialmind.interventions.shock import Shock
 from socialmind.interventions.steer import Steer
 from socialmind.learning.imprinting.steered import recording_of
-from socialmind.interventions.shock import Shock
 from socialmind.model import Model
 from socialmind.runs.capsule import Capsule
 from socialmind.society.settings import sorted_out
@@ -262,7 +262,8 @@ class Stage:
 
     def do_steer(self, population: str, id: int, commands: list[float] | None) -> None:
         """Tell a robot what to do, until something else is told; None, give it back to its mind."""
-        self._intervene(Steer(self._of().tick, population, id, commands))
+        told = None if commands is None else tuple(commands)
+        self._intervene(Steer(self._of().tick, population, id, told))
 
     def do_imprint(self, population: str, skill: str, folder: str) -> None:
         """Write what a skill was shown by steering as a table for imprinting."""
