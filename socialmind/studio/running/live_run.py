@@ -134,7 +134,7 @@ class LiveRun:
         self.turns = 0
         if tick < self.tick or any(self.tick < one.tick <= tick for one in self._kept):
             last = max((one for one in self._kept if one.tick <= tick), key=lambda one: one.tick)
-            self.society = begun_for(self._first.fresh(), self.interventions, last.tick)
+            self.society = begun_for(copy(self._first), self.interventions, last.tick)
             self.society.restore(last.arrays)
             self._met = sum(one.tick < last.tick for one in self.interventions)
         self.advance(tick - self.tick)
