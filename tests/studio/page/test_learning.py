@@ -119,7 +119,7 @@ def test_a_robot_is_steered_and_its_hierarchy_followed(browser, studio):
     page.click("[data-test=save]")
     page.fill("input[aria-label=folder]", "steered")
     page.keyboard.press("Enter")
-    page.wait_for_selector("text=Saved in")
+    page.wait_for_selector("text=/Saved in .*steered/")
     run = Run(studio.folder / "steered")
     told = [one["commands"] for one in run.manifest.interventions]
     assert [1.0, 1.0] in told and [0.75, 1.0] in told and None in told
