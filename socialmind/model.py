@@ -237,7 +237,7 @@ class Model(metaclass=ModelKind):
         """Whether robots have minds: not in a model made with `hierarchy=False`."""
         return self._given[1] is not False
 
-    def steer(self, population: str, commands: ArrayLike | None) -> None:
+    def steer(self, population: str, commands: ArrayLike | None, agent: int | None = None) -> None:
         """Steer robots from outside, in place of their minds.
 
         Actuators carry commands out from the next tick on, until others are given.
@@ -246,11 +246,13 @@ class Model(metaclass=ModelKind):
             population: the robots' population.
             commands: 0 … 1, (robots, actuators) in the order of the living and of the body's
                 actuators, or (actuators,) for all of them; None gives them back to their minds.
+            agent: the identity of a robot that is steered alone, one at a time. Its mind goes on
+                thinking and is not obeyed; the others obey theirs.
 
         Raises:
             SocialmindError: no plane, no such robots, or wrong commands.
         """
-        self.ground.steer(population, commands)
+        self.ground.steer(population, commands, agent)
 
     def series(self) -> dict[str, Any]:
         """Return what a run records of the society at a tick: a name and a number for each column.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from copy import copy
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -133,10 +134,21 @@ class LiveRun:
         self.turns = 0
         if tick < self.tick or any(self.tick < one.tick <= tick for one in self._kept):
             last = max((one for one in self._kept if one.tick <= tick), key=lambda one: one.tick)
-            self.society = begun_for(self._first.fresh(), self.interventions, last.tick)
+            self.society = begun_for(copy(self._first), self.interventions, last.tick)
             self.society.restore(last.arrays)
             self._met = sum(one.tick < last.tick for one in self.interventions)
         self.advance(tick - self.tick)
+
+    def before(self, tick: int) -> LiveRun:
+        """Return the same run at an earlier tick, which goes on without this one.
+
+        Args:
+            tick: 0 or more, before this one.
+        """
+        other = copy(self)
+        other._kept, other.interventions = list(self._kept), list(self.interventions)
+        other.go_to(tick)
+        return other
 
     def intervene(self, intervention: Intervention) -> None:
         """Do something to the society now; what lay ahead is forgotten.
@@ -160,6 +172,10 @@ class LiveRun:
         self._met += 1
         self._furthest = self.tick
         self._kept = [one for one in self._kept if one.tick <= self.tick]
+
+    def repeated(self) -> tuple[Model, list[Intervention]]:
+        """Return the society anew, before its first tick, and what was done to it so far."""
+        return self._first.fresh(), self.interventions[: self._met]
 
     def save(self, folder: str | Path | None = None, every: int | None = None) -> Path:
         """Make the run up to here as a folder of its own, by repeating it.
@@ -202,10 +218,7 @@ class LiveRun:
         """
         if since >= self.tick:
             return self.tick
-        other = LiveRun.__new__(LiveRun)
-        vars(other).update(vars(self))
-        other._kept, other.interventions = list(self._kept), list(self.interventions)
-        other.go_to(since)
+        other = self.before(since)
         while other.tick < self.tick and other.society.tables[population].contains(agent):
             other.advance(1)
         lives = other.society.tables[population].contains(agent)

@@ -116,6 +116,11 @@ def _population(
 def _plane(society: Model, header: dict[str, Any], columns: dict[str, Any]) -> None:
     scene = scene_of(society)
     header["plane"] = {"half_width": scene.half_width, "over": scene.over}
+    header["in_hand"] = [
+        {"population": name, "id": robot}
+        for name in type(society).shape.world.robots
+        if (robot := society.ground.steered(name)) is not None
+    ]
     teams = list(dict.fromkeys(one.team for one in scene.robots))
     header["populations"] = {team: {"count": 0} for team in teams}
     for team in teams:

@@ -20,9 +20,13 @@ from socialmind.interventions.change import Change
 from socialmind.interventions.edit import Edit
 from socialmind.interventions.following import Intervention
 from socialmind.interventions.shock import Shock
+from socialmind.interventions.steer import Steer
+from socialmind.learning.imprinting.steered import recording_of
 from socialmind.model import Model
 from socialmind.runs.capsule import Capsule
 from socialmind.society.settings import sorted_out
+from socialmind.studio.learning.acting import best_so_far
+from socialmind.studio.running.hierarchies import laid_out, traced
 from socialmind.studio.running.history import History
 from socialmind.studio.running.live_run import LiveRun
 from socialmind.studio.running.moment import Shown, frame_of
@@ -71,6 +75,8 @@ class Stage:
         self._changed = False
         self._length = 0
         self._source = ""
+        self._plans: dict[str, tuple[Any, dict[str, Any]]] = {}
+        self._plans_due = False
         self._next_frame = self._next_piece = self._next_row = 0.0
 
     # Commands ---------------------------------------------------------------------------------
@@ -144,6 +150,7 @@ class Stage:
         self._shown = Shown.of(run.society)
         self._watched = None
         self._told = run.society
+        self._plans_due = bool(run.society.assemblies)
         self._note()
         self._say("society", **self._outline())
         self._changed = True
@@ -212,6 +219,11 @@ class Stage:
         self._seen_alive = 0
         self._changed = True
 
+    def do_trace(self, population: str, id: int, ticks: int) -> None:
+        """Say how an agent's hierarchy went in the last ticks."""
+        found = traced(self._of(), population, int(id), ticks)
+        self._say("trace", population=population, id=int(id), **found)
+
     def do_plots(self, panels: list[dict[str, Any]]) -> None:
         """Send what these panels show of the agents with each frame (`plots.Panel`)."""
         for panel in panels:
@@ -249,6 +261,33 @@ class Stage:
         sorted_settings = sorted_out(kind, settings)
         words = sorted_settings.changed(schemes, run.society.populations)
         self._intervene(Change(run.tick, sorted_settings.parameters, words))
+
+    def do_act(self, folder: str, attempt: int, seed: int = 0) -> None:
+        """Let the best that a training has found so far act in a world of its lesson."""
+        self.running = False
+        self._say("busy", text="loading what was learned")
+        best = best_so_far(folder, attempt)
+        society = best.society(seed)
+        kind = type(society)
+        self._source = kind.name
+        self._say_model(kind)
+        self._begin(LiveRun(society))
+        said = {name: getattr(best, name) for name in ("attempt", "lesson", "generation", "score")}
+        self._say("acting", **said, ticks=best.ticks, seed=seed)
+
+    def do_steer(self, population: str, id: int, commands: list[float] | None) -> None:
+        """Tell a robot what to do, until something else is told; None, give it back to its mind."""
+        told = None if commands is None else tuple(commands)
+        self._intervene(Steer(self._of().tick, population, id, told))
+
+    def do_imprint(self, population: str, skill: str, folder: str) -> None:
+        """Write what a skill was shown by steering as a table for imprinting."""
+        run = self._of()
+        self._say("busy", text="writing")
+        society, interventions = run.repeated()
+        shown, about = recording_of(society, interventions, run.tick, skill, population)
+        shown.write(folder, about)
+        self._say("saved", folder=folder, records=len(shown))
 
     def do_edit(self, population: str, id: int, part: str, value: Any) -> None:
         """Change a value of an agent by hand."""
@@ -304,6 +343,7 @@ class Stage:
         if self._run is not None:
             self._say_model(type(self._run.society))
             self._say("society", **self._outline())
+            self._plans_due = bool(self._run.society.assemblies)
             self._changed = True
 
     def do_seen(self) -> None:
@@ -325,11 +365,13 @@ class Stage:
         if self._changed and self._wanted and now >= self._next_frame:
             self._send_frame()
             self._next_frame = now + FRAME_SECONDS
+        elif self._plans_due and not self._changed:
+            self._say_plans()
         if self.running:
             return max(0.0, self._next_piece - time.perf_counter())
         if self._changed and self._wanted:
             return max(0.0, self._next_frame - time.perf_counter())
-        return None
+        return 0.0 if self._plans_due and not self._changed else None
 
     def _go_piece(self, now: float) -> None:
         run = self._of()
@@ -431,6 +473,17 @@ class Stage:
         if died is None:
             return {"gone": f"{one} does not live at tick {run.tick}"}
         return {"gone": f"{one} died at tick {died}; below, as it was last seen"}
+
+    def _say_plans(self) -> None:
+        """Say where hierarchies are drawn, once the society was seen: it takes its time."""
+        self._plans_due = False
+        society = self._of().society
+        minded = {name: one for name, one in society.assemblies.items() if society.tables[name]}
+        for name, assembly in minded.items():
+            if self._plans.get(name, (None,))[0] is not assembly:
+                self._plans[name] = assembly, laid_out(society, name)
+        said = {name: self._plans[name][1] for name in minded}
+        self._say("hierarchies", plans=said)
 
     def _outline(self) -> dict[str, Any]:
         society = self._of().society

@@ -19,7 +19,8 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
-from socialmind.studio.server import plots, runs, schemes
+from socialmind.studio.learning.processes import LearningProcesses
+from socialmind.studio.server import learning, plots, runs, schemes
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -29,14 +30,11 @@ PAGE = Path(__file__).parents[1] / "built"
 FIRST = "first"
 """The name of the society that the program begins with."""
 COMMANDS = frozenset(
-    (
-        "setup", "open", "reset", "save", "branch", "end",
-        "go", "pause", "step", "turn", "pace", "go_to",
-        "show", "watch", "plots", "suppose", "set", "edit", "rescheme", "press",
-    )
-)  # fmt: skip
+    "setup open reset go pause step turn pace go_to show watch set edit rescheme press suppose "
+    "plots save branch end act steer imprint trace".split()
+)
 """What a page may ask of a stage."""
-STANDING = frozenset(["pause", "step", "turn", "go_to", "setup", "open", "reset", "branch", "save"])
+STANDING = frozenset("pause step turn go_to setup open reset branch save act imprint".split())
 """What ends the common going on of societies."""
 MOST_STAGES = 12
 
@@ -53,6 +51,7 @@ class Studio:
         self._first = first
         self._folders = folders
         self._stages: dict[str, StageProcess] = {}
+        self._learning = LearningProcesses(folders.home)
         self._clocks: list[Clock] = []
         self._tasks: set[asyncio.Task[None]] = set()
         self._copies = TemporaryDirectory(prefix="socialmind-studio-")
@@ -66,6 +65,7 @@ class Studio:
         """
         routes = [
             Route("/api/models", self._models),
+            *learning.routes(self._folders, self._learning),
             Route("/api/running", self._running),
             *runs.routes(self._folders),
             *plots.routes(self._stages),
@@ -83,6 +83,7 @@ class Studio:
         yield
         for stage in self._stages.values():
             stage.end()
+        self._learning.end()
         self._copies.cleanup()
 
     def _known(self) -> set[str]:
@@ -115,9 +116,9 @@ class Studio:
         if do == "setup" and model not in self._known():
             return f"no model {model!r}; start the studio with its folder"
         try:
-            if do == "save" and folder:
+            if (do == "save" and folder) or do == "imprint":
                 self._folders.to_write(folder)
-            if do == "open":
+            if do in ("open", "act"):
                 self._folders.to_read(folder)
         except SocialmindError as error:
             return str(error)

@@ -1,7 +1,9 @@
 // What the page knows of one society, and how it asks: a socket, found again when it is lost.
 
 import type { Scheme } from "../scheme/document";
-import { decoded, type Frame, type Watched } from "./frame";
+import { decoded, type Frame, type HierarchyPlan, type Watched } from "./frame";
+import type { Actuator } from "./steering/steering";
+import type { Trace } from "./watcher/traces.svelte";
 
 export interface Parameter {
   name: string;
@@ -39,6 +41,8 @@ export interface SocietyOutline {
   seed: number;
   world: Extent | null;
   plane: { half_width: number } | null;
+  /** What robots can be told, and the skills to which steering them can be shown. */
+  robots: Record<string, { actuators: Actuator[]; skills: string[] }>;
   colourings: Record<string, string[]>;
   patches: string[];
   networks: Record<string, [string, string]>;
@@ -65,6 +69,16 @@ export interface Supposed {
   before: string | null;
   probabilities: Record<string, number>;
   text: string;
+}
+
+export interface Acting {
+  attempt: number;
+  lesson: string;
+  generation: number;
+  score: number;
+  /** Of an episode at most. */
+  ticks: number;
+  seed: number;
 }
 
 export type Command = Record<string, unknown> & { do: string };
@@ -94,6 +108,12 @@ export class Live {
   /** The series so far: columns, tick first. Plots are told by `rows`. */
   history: Record<string, (number | null)[]> = { tick: [] };
   rows = $state(0);
+  /** Where the hierarchies of populations are drawn. */
+  plans = $state.raw<Record<string, HierarchyPlan>>({});
+  /** How a hierarchy went, as it was last asked for. */
+  trace = $state.raw<Trace | null>(null);
+  /** What a training has found, if that is what acts here. */
+  acting = $state.raw<Acting | null>(null);
   /** How often something was done to the society by hand. */
   changes = $state(0);
 
@@ -213,6 +233,12 @@ export class Live {
     } else if (said === "changed") {
       if (this.society) Object.assign(this.society, { parameters: rest.parameters, schemes: rest.schemes });
       this.changes += 1;
+    } else if (said === "hierarchies") {
+      this.plans = rest.plans as Record<string, HierarchyPlan>;
+    } else if (said === "trace") {
+      this.trace = rest as unknown as Trace;
+    } else if (said === "acting") {
+      this.acting = rest as unknown as Acting;
     } else if (said === "busy") {
       this.busy = rest.text as string;
     } else if (said === "preparing") {
