@@ -8,7 +8,7 @@ EXAMPLE = re.compile(r"^( *)>>> .*(?:\n\1(?=\S| +\S).*)*", re.MULTILINE)
 
 
 class Examples(griffe.Extension):
-    """Puts the examples of all docstrings into blocks of code, which Markdown leaves as they are."""
+    """Puts the examples of all docstrings into blocks of code, which Markdown leaves alone."""
 
     def on_object(self, *, obj: griffe.Object, **_: object) -> None:
         """Rewrite one docstring.

@@ -1,7 +1,7 @@
-"""What the site holds: the pages of docs/ and, file by file, all in the repository that they link to.
+"""What the site holds: the pages of docs/ and all files of the repository that they link to.
 
-Every page has its path in the repository as its source, so that a link which is right on GitHub is right
-in the site, and `mkdocs build --strict` fails on one that is not.
+Every page has its path in the repository as its source, so that a link which is right on GitHub is
+right in the site, and `mkdocs build --strict` fails on one that is not.
 """
 
 import os
@@ -27,7 +27,7 @@ def on_files(files, config):
         The theme's files, the assets of the site, and the pages with all that they link to.
     """
     brought = [one for one in files if one.src_uri.startswith("assets/") or not one.src_dir]
-    paths = [path for path in sorted((ROOT / "docs").rglob("*.md"))]
+    paths = sorted((ROOT / "docs").rglob("*.md"))
     paths += [path for path in sorted((ROOT / HERE / "assets").rglob("*")) if path.is_file()]
     seen = list(dict.fromkeys(path.relative_to(ROOT).as_posix() for path in paths))
     for name in seen:

@@ -1,7 +1,7 @@
 """Follows a page as its reader does: writes its files, gives its commands, runs its code.
 
-A block with a title is a file, one of `sh` holds commands, one of `python` code that goes on from the
-code before, and one of `text` after commands is what the last of them says.
+A block with a title is a file, one of `sh` holds commands, one of `python` code that goes on from
+the code before, and one of `text` after commands is what the last of them says.
 """
 
 import re
@@ -42,7 +42,11 @@ def follow(page, shorter=None, ignored="$^"):
             exec(compile(text, page, "exec"), names)
         elif kind == "text":
             told = squeezed(last)
-            missing = [line for line in text.splitlines() if not re.match(ignored, line) and squeezed(line) not in told]
+            missing = [
+                line
+                for line in text.splitlines()
+                if not re.match(ignored, line) and squeezed(line) not in told
+            ]
             assert missing == [], (page, missing, last)
     return names, said
 

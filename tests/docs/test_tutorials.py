@@ -78,7 +78,7 @@ def test_the_first_hour():
     def shorter(words):
         return [{"20000": "400", "10000": "200"}.get(word, word) for word in words]
 
-    names, said = follow("first_hour.md", shorter)
+    _, said = follow("first_hour.md", shorter)
     assert "farmer_artisan" in said["socialmind list"]
     assert Path("what_if/comparison.png").is_file() and Path("my_model/model.py").is_file()
 
@@ -98,5 +98,5 @@ def test_minds_of_cognitons(monkeypatch, home):
 def test_hierarchies_of_skills():
     pytest.importorskip("torch")
     names, _ = follow("concepts/skills.md")
-    assert names["robot"].actuator("MotR") == 1.0
+    assert names["robot"].influences()["Turn"] == 0.75
     assert names["values"][-1]["counter"] == 1.0
