@@ -18,13 +18,27 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
+from socialmind.studio.server import schemes
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.folders import Folders
 from socialmind.studio.server.stages import StageProcess, Viewer
 
 PAGE = Path(__file__).parents[1] / "built"
 COMMANDS = frozenset(
-    ("setup", "go", "pause", "step", "pace", "go_to", "show", "watch", "set", "edit", "save")
+    (
+        "setup",
+        "go",
+        "pause",
+        "step",
+        "pace",
+        "go_to",
+        "show",
+        "watch",
+        "set",
+        "edit",
+        "rescheme",
+        "save",
+    )
 )
 """What a page may ask of a stage."""
 
@@ -51,6 +65,7 @@ class Studio:
         """
         routes = [
             Route("/api/models", self._models),
+            *schemes.routes(self._folders, self._known),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]
@@ -65,6 +80,11 @@ class Studio:
         for stage in self._stages.values():
             stage.end()
 
+    def _known(self) -> set[str]:
+        """The models that pages may load: those of the catalogue, and the first one."""
+        first = (self._first or {}).get("model")
+        return {*catalogue()} | ({first} if first else set())
+
     async def _models(self, request: Request) -> JSONResponse:
         return JSONResponse(list(catalogue()))
 
@@ -77,7 +97,7 @@ class Studio:
         do, model, folder = (command.get(name) for name in ("do", "model", "folder"))
         if do not in COMMANDS:
             return f"no command {do!r}"
-        if do == "setup" and model not in {*catalogue(), (self._first or {}).get("model")}:
+        if do == "setup" and model not in self._known():
             return f"no model {model!r}; start the studio with its folder"
         if do == "save" and folder:
             try:

@@ -2,6 +2,7 @@
 
 import type { Component } from "svelte";
 import Run from "./run/Run.svelte";
+import Mind from "./scheme/Mind.svelte";
 
 export interface Room {
   /** In the address, after #/. */
@@ -10,4 +11,7 @@ export interface Room {
   component: Component;
 }
 
-export const ROOMS: Room[] = [{ word: "run", title: "Run", component: Run }];
+export const ROOMS: Room[] = [
+  { word: "run", title: "Run", component: Run },
+  { word: "mind", title: "Mind", component: Mind },
+];

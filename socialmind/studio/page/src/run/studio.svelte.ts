@@ -1,5 +1,6 @@
 // What the page knows of the studio, and how it asks: one socket, found again when it is lost.
 
+import type { Scheme } from "../scheme/document";
 import { decoded, type Frame, type Watched } from "./frame";
 
 export interface Parameter {
@@ -39,6 +40,8 @@ export interface SocietyOutline {
   networks: Record<string, [string, string]>;
   series: string[];
   parameters: Record<string, number | boolean | string>;
+  /** The schemes of populations as they are now. */
+  schemes: Record<string, Scheme>;
   shown: { agents: Record<string, string>; patches: string; networks: string[] };
   history: Record<string, (number | null)[]>;
 }
@@ -65,7 +68,10 @@ class Studio {
   rows = $state(0);
   /** How often something was done to the society by hand. */
   changes = $state(0);
+  /** Edited schemes that a model is set up with in place of its own, by population. */
+  documents = $state.raw<{ model: string; of: Record<string, Scheme> } | null>(null);
 
+  #listeners: ((said: string, rest: Record<string, unknown>) => void)[] = [];
   #socket: WebSocket | null = null;
   #retry = 250;
 
@@ -84,7 +90,13 @@ class Studio {
   setup(model: string, seed: number, parameters: Record<string, unknown>): void {
     this.error = this.note = "";
     this.watched = null;
-    this.send({ do: "setup", model, seed, parameters });
+    if (this.documents?.model !== model) this.documents = null;
+    this.send({ do: "setup", model, seed, parameters, documents: this.documents?.of ?? null });
+  }
+
+  /** Let another room hear what is said. */
+  listen(hear: (said: string, rest: Record<string, unknown>) => void): void {
+    this.#listeners.push(hear);
   }
 
   watch(population: string, id: number): void {
@@ -155,7 +167,7 @@ class Studio {
     } else if (said === "forgotten") {
       this.#forget(rest.after as number);
     } else if (said === "changed") {
-      if (this.society) this.society.parameters = rest.parameters as SocietyOutline["parameters"];
+      if (this.society) Object.assign(this.society, { parameters: rest.parameters, schemes: rest.schemes });
       this.changes += 1;
     } else if (said === "busy") {
       this.busy = rest.text as string;
@@ -168,6 +180,7 @@ class Studio {
       this.busy = "";
       this.error = rest.text as string;
     }
+    for (const hear of this.#listeners) hear(said, rest);
   }
 
   #note(row: Record<string, number | null>): void {
