@@ -35,7 +35,7 @@ from socialmind.studio.running.plots import panel_of, table_of
 from socialmind.studio.running.supposing import supposed
 from socialmind.studio.running.turns import Turn
 from socialmind.studio.running.watching import watched
-from socialmind.studio.schemes.checking import Bearers, runnable_of, same_minds
+from socialmind.studio.schemes.checking import Bearers, continued, runnable_of, same_minds
 from socialmind.studio.schemes.document import document_of
 
 SAID, FRAME = b"s", b"f"
@@ -301,7 +301,8 @@ class Stage:
         run = self._of()
         schemes = run.society.schemes
         try:
-            scheme = runnable_of(document, Bearers.of(type(run.society), population))
+            edited = runnable_of(document, Bearers.of(type(run.society), population))
+            scheme = continued(edited, schemes[population])
             named = {name: scheme for name, one in schemes.items() if one == schemes[population]}
             if same_minds(scheme, schemes[population]):
                 self._say("changed", token=token, **self._changing())

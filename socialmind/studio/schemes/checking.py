@@ -151,6 +151,28 @@ def runnable_of(document: Document, bearers: Bearers) -> CognitiveScheme:
     return runnable(scheme_of(document, bearers.makers), bearers)
 
 
+def continued(scheme: CognitiveScheme, before: CognitiveScheme) -> CognitiveScheme:
+    """Return a scheme that the minds of another can go on with.
+
+    A plan, group or role that it lacks stays, with no link or culturon: so who carries the plan out
+    does so until it decides anew, and nobody chooses it again; who is in the group is in one
+    without effect; and rules that name them know what they name.
+
+    >>> from coglogo_py import Cogniton
+    >>> before = CognitiveScheme("a", (Cogniton("Hunger", conditional=("eat",)),))
+    >>> continued(CognitiveScheme("a"), before).plans
+    ('eat',)
+    """
+    groups = {one.name: one for one in scheme.groups}
+    for one in before.groups:
+        now = groups.get(one.name, replace(one, roles=()))
+        known = [role.name for role in now.roles]
+        lost = tuple(Role(role.name) for role in one.roles if role.name not in known)
+        groups[one.name] = replace(now, roles=(*now.roles, *lost))
+    plans = dict.fromkeys((*scheme.plans, *before.plans))
+    return replace(scheme, groups=tuple(groups.values()), plan_order=tuple(plans))
+
+
 def same_minds(one: CognitiveScheme, other: CognitiveScheme) -> bool:
     """Whether two schemes differ in their drawing at most.
 

@@ -1,7 +1,9 @@
 """The room of schemes, in a real browser: a mind is built, saved, run and changed."""
 
+import random
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -149,7 +151,7 @@ def test_the_turtle_of_the_tutorial_is_built_from_an_empty_page(browser, studio)
     page.click("[data-test=save]")
     page.fill("input[aria-label=folder]", "shown")
     page.keyboard.press("Enter")
-    page.wait_for_selector("text=Saved in shown")
+    page.wait_for_selector("text=Saved in")
     kept = Run(studio.folder / "shown")
     assert kept.seed == 3
     repeated = run(load_model("tutorial"), kept.ticks, 3, scheme=studio.folder / "turtle.yaml",
@@ -192,7 +194,7 @@ def test_a_link_edited_while_a_society_runs_stands_in_its_capsule(browser, studi
     page.click("[data-test=save]")
     page.fill("input[aria-label=folder]", "edited")
     page.keyboard.press("Enter")
-    page.wait_for_selector("text=Saved in edited")
+    page.wait_for_selector("text=Saved in")
     kept = Run(studio.folder / "edited")
     changes = kept.manifest.interventions
     assert len(changes) >= 3
@@ -200,8 +202,81 @@ def test_a_link_edited_while_a_society_runs_stands_in_its_capsule(browser, studi
     first, last = CognitiveScheme.load(files[0]), CognitiveScheme.load(files[-1])
     weights = {one.name: dict(one.influence) for one in first.cognitons}
     assert weights["Farmer"] == {"GrowWheat": 7.5}
-    assert "TradeToolsForWheat" in first.plans
-    assert "TradeToolsForWheat" not in last.plans
+    assert "TradeToolsForWheat" in first.linked_plans
+    assert "TradeToolsForWheat" not in last.linked_plans
     assert replay(studio.folder / "edited").equal
+    assert page.failures == []
+    page.close()
+
+
+def test_all_edits_taken_back_leave_the_file_as_it_was_and_done_again_are_the_same(browser, studio):
+    original = Path("models/civil_norms/scheme.yaml").read_bytes()
+    (studio.folder / "norms.yaml").write_bytes(original)
+    page = mind(studio, browser, "#/mind?file=norms.yaml")
+    page.wait_for_selector("[data-part=Pity]")
+    luck = random.Random(7)
+
+    def part():
+        parts = page.locator("[data-part]")
+        parts.nth(luck.randrange(parts.count())).click()
+
+    def rename():
+        part()
+        page.fill("[data-test=name]", f"name {luck.randrange(1000)}")
+
+    def add():
+        page.keyboard.press("Escape")
+        page.focus("[data-test=open]")
+        page.keyboard.press(luck.choice("cpg"))
+        type_name(page, f"new {luck.randrange(1000)}")
+
+    def delete():
+        part()
+        page.click("[data-test=delete]")
+
+    def start():
+        part()
+        if page.locator("[data-test=start]").count():
+            page.fill("[data-test=start]", str(luck.randrange(100)))
+
+    def link():
+        part()
+        if (
+            page.locator("[data-test=add-link]").count()
+            and page.locator("[data-test=start]").count()
+        ):
+            page.fill("[data-test=add-link]", luck.choice(["Share", "Keep", "Rest"]))
+            page.keyboard.press("Enter")
+            page.keyboard.type(str(luck.randrange(9)))
+
+    def move():
+        nodes = page.locator(".svelte-flow__node")
+        nodes.nth(luck.randrange(nodes.count())).focus()
+        page.keyboard.press("Enter")
+        for _ in range(3):
+            page.keyboard.press("ArrowDown")
+
+    def save(name):
+        page.click("[data-test=save-as]")
+        page.fill("[data-test=save-file]", name)
+        page.keyboard.press("Enter")
+        page.wait_for_selector(f"text=Saved in {name}")
+        return (studio.folder / name).read_bytes()
+
+    for _ in range(18):
+        luck.choice([rename, add, delete, start, link, move])()
+    edited = save("edited.yaml")
+    assert edited != original
+    for button, wanted, name in (("undo", original, "back.yaml"), ("redo", edited, "again.yaml")):
+        while page.is_enabled(f"[data-test={button}]"):
+            page.keyboard.press("Control+z" if button == "undo" else "Control+Shift+z")
+        assert save(name) == wanted
+    # What would be lost is said.
+    page.keyboard.press("Control+z")
+    page.click("[data-test=open]")
+    page.click("[data-test=open-empty]")
+    assert page.is_visible("text=has changes that are not saved")
+    page.click("[data-test=lose]")
+    page.wait_for_selector("text=An empty scheme. Press")
     assert page.failures == []
     page.close()

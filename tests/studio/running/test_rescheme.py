@@ -102,6 +102,26 @@ def test_a_plan_without_a_rule_is_left_out_and_nobody_chooses_it(stage):
     assert stage._run.society.schemes["turtles"].plans == OWN.plans
 
 
+def test_a_deleted_plan_is_carried_out_until_the_next_decision_and_never_again(stage, tmp_path):
+    stage.do({"do": "step", "ticks": 3})
+    society = stage._run.society
+    assert {one.plan for one in society.turtles} == {"goto-blue"}
+    document = schemes(stage)
+    document["plans"] = [one for one in document["plans"] if one["name"] != "goto-blue"]
+    for one in document["cognitons"]:
+        for field in ("influence", "reinforcement"):
+            one[field] = [link for link in one[field] if link[0] != "p1"]
+        one["conditional"] = [plan for plan in one["conditional"] if plan != "p1"]
+    rescheme(stage, document)
+    society = stage._run.society
+    assert {one.plan for one in society.turtles} == {"goto-blue"}
+    for _ in range(20):
+        stage.do({"do": "step"})
+        assert "goto-blue" not in {one.plan for one in stage._run.society.turtles}
+    stage.do({"do": "save", "folder": str(tmp_path / "kept")})
+    assert replay(tmp_path / "kept").equal
+
+
 def test_what_does_not_fit_is_said_and_the_society_goes_on(stage):
     stage.do({"do": "go"})
     document = schemes(stage)

@@ -2,10 +2,10 @@
 
 import pytest
 
-from coglogo_py import CognitiveScheme
+from coglogo_py import CognitiveScheme, Cogniton, Culturon, Group, Role
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
-from socialmind.studio.schemes.checking import Bearers, checked, runnable
+from socialmind.studio.schemes.checking import Bearers, checked, continued, runnable
 from socialmind.studio.schemes.document import document_of, scheme_of
 
 
@@ -95,3 +95,21 @@ def test_conditions_on_what_agents_lack_stand_at_the_cogniton(document, turtles)
 def test_populations_without_minds_are_refused():
     with pytest.raises(SocialmindError, match="populations with schemes: none"):
         Bearers.of(load_model("schelling"), "people")
+
+
+def test_groups_and_roles_that_are_deleted_stay_without_effect():
+    trust = Culturon("trust", influence={"lead": 1.0})
+    herd = Group(
+        "herd", (Role("leader", (trust,)), Role("follower", (trust,))), within=("clan", "elder")
+    )
+    clan = Group("clan", (Role("elder"), Role("young")))
+    mood = Cogniton("mood", influence={"rest": 1.0})
+    before = CognitiveScheme("cows", (mood,), (herd, clan))
+    left = CognitiveScheme("cows", (mood,), (Group("clan", (Role("young", (trust,)),)),))
+    found = continued(left, before)
+    assert found.groups == (
+        Group("clan", (Role("young", (trust,)), Role("elder"))),
+        Group("herd", (Role("leader"), Role("follower")), within=("clan", "elder")),
+    )
+    assert found.plans == ("rest", "lead")
+    assert continued(before, before) == before

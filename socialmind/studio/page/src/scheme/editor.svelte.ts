@@ -273,8 +273,10 @@ class Editor {
   }
 
   #freePlace(kind: "cogniton" | "plan" | "group"): Place {
-    const x = { group: -480, cogniton: 0, plan: 330 }[kind];
-    return this.#clear({ x, y: 0 });
+    const same = { group: this.scheme.groups, cogniton: this.scheme.cognitons, plan: this.scheme.plans }[kind];
+    const places = same.map((one) => this.places.get(one.id)!);
+    if (places.length) return this.#clear({ x: places.at(-1)!.x, y: Math.max(...places.map((one) => one.y)) + 92 });
+    return this.#clear({ x: { group: -480, cogniton: 0, plan: 330 }[kind], y: 0 });
   }
   /** The next place below one that no box covers. */
   #clear(at: Place): Place {
