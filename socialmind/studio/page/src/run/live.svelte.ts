@@ -38,7 +38,7 @@ export interface Extent {
 }
 
 export interface SocietyOutline {
-  seed: number;
+  seed: string;
   world: Extent | null;
   plane: { half_width: number } | null;
   /** What robots can be told, and the skills to which steering them can be shown. */
@@ -137,7 +137,7 @@ export class Live {
   }
 
   /** Make a society in its place; `documents` are schemes for some populations in place of their own. */
-  setup(model: string, seed: number, parameters: Record<string, unknown>, documents: Record<string, Scheme> | null): void {
+  setup(model: string, seed: string, parameters: Record<string, unknown>, documents: Record<string, Scheme> | null): void {
     this.error = this.note = "";
     this.watched = null;
     this.send({ do: "setup", model, seed, parameters, documents });
