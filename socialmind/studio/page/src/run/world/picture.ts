@@ -127,7 +127,13 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
       const turned = heading && TURNED.includes(shape);
       for (let one = 0; one < said.count; one += 1) {
         const angle = turned ? Math.PI / 2 - (heading[one] * Math.PI) / 180 : 0;
-        add(x[one], y[one], angle, sizes ? sizes[one] / 2 : 0.62, shape);
+        const at = 5 * row;
+        numbers[at] = x[one];
+        numbers[at + 1] = y[one];
+        numbers[at + 2] = angle;
+        numbers[at + 3] = sizes ? sizes[one] / 2 : 0.62;
+        numbers[at + 4] = shape;
+        row += 1;
       }
       coloured(columns[`${name}.colour`], said, colours, from);
     }
