@@ -37,6 +37,7 @@ import psutil
 from harness import HERE, describe_machine, spread, write
 from playwright.sync_api import Browser, Page, sync_playwright
 from websockets.sync.client import connect
+from websockets.typing import Origin
 
 import socialmind.studio
 from socialmind.studio.running.frames import unpacked
@@ -104,7 +105,7 @@ class Program:
         """Where the society is, and when."""
         address = f"127.0.0.1:{self.port}"
         with connect(
-            f"ws://{address}/live/first", origin=f"http://{address}", max_size=None
+            f"ws://{address}/live/first", origin=Origin(f"http://{address}"), max_size=None
         ) as line:
             while not isinstance(message := line.recv(), bytes):
                 pass
