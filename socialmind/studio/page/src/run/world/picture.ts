@@ -127,8 +127,8 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
       }
     } else {
       const heading = columns[`${name}.heading`];
-      const placed = columns[`${name}.x`];
-      const [x, y] = placed ? [placed, columns[`${name}.y`]] : lattice(said.count, foot);
+      const placed = wanted.extent !== null || isPlaced(columns[`${name}.x`], columns[`${name}.y`]);
+      const [x, y] = placed ? [columns[`${name}.x`], columns[`${name}.y`]] : lattice(said.count, foot);
       if (!placed) foot = lowest(y, foot) - 2 * APART;
       const shape = SHAPES[said.shape ?? ""] ?? (heading ? ARROW : DISC);
       const sizes = columns[`${name}.size`];
@@ -175,6 +175,10 @@ function lattice(count: number, top: number): [Float32Array, Float32Array] {
     y[one] = top - Math.floor(one / across) * APART;
   }
   return [x, y];
+}
+/** Whether agents stand anywhere: in a model without a world all are at 0, 0. */
+function isPlaced(x: Column | undefined, y: Column | undefined): boolean {
+  return !!x && !!y && (x.length < 2 || x.some((one) => one !== x[0]) || y.some((one) => one !== y[0]));
 }
 const lowest = (y: ArrayLike<number>, otherwise: number) => (y.length ? y[y.length - 1] : otherwise);
 
