@@ -143,19 +143,37 @@ def rounds(name: str, size: str, ticks: int, seeds: int, mesa_seeds: int) -> dic
 
 
 def lines_of(path: Path) -> int:
-    """Return how many lines of code a file has: without blanks, comments and docstrings."""
+    """Return how many lines of code the model of a file has.
+
+    Without blanks, comments and docstrings, and without what is for the studio alone: `looks`, and
+    the functions of `buttons`. The published ones draw nothing either.
+    """
     text = path.read_text(encoding="utf-8")
     lines: set[int] = set()
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type not in BLANK:
             lines.update(range(token.start[0], token.end[0] + 1))
-    for node in ast.walk(ast.parse(text)):
+    tree = ast.parse(text)
+    pressed = {name for node in ast.walk(tree) for name in buttons_of(node)}
+    for node in ast.walk(tree):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(
             node
         ):
             docstring = node.body[0]
             lines.difference_update(range(docstring.lineno, (docstring.end_lineno or 0) + 1))
+        shown = isinstance(node, ast.FunctionDef) and node.name in {"looks", *pressed}
+        if shown or buttons_of(node):
+            lines.difference_update(range(node.lineno, (node.end_lineno or 0) + 1))
     return len(lines)
+
+
+def buttons_of(node: ast.AST) -> list[str]:
+    """Return the names of the functions that a declaration of buttons names."""
+    if not isinstance(node, ast.Assign) or not isinstance(node.value, ast.Dict):
+        return []
+    if [one.id for one in node.targets if isinstance(one, ast.Name)] != ["buttons"]:
+        return []
+    return [one.id for one in node.value.values if isinstance(one, ast.Name)]
 
 
 def bird_nanoseconds(birds: int, times: int) -> list[float]:
