@@ -220,11 +220,9 @@ class LiveRun:
             return self.tick
         other = self.before(since)
         while other.tick < self.tick and other.society.tables[population].contains(agent):
-            before = other.tick
             other.advance(1)
-            if other.tick == before:
-                return None
-        return other.tick if other.tick > since else None
+        lives = other.society.tables[population].contains(agent)
+        return None if lives or other.tick == since else other.tick
 
     def _leave(self) -> None:
         """Meet the interventions that stand at this tick."""

@@ -112,7 +112,7 @@ class Stage:
             source: the name by which the model is set up again; that of the run's by default.
         """
         self.running = False
-        self._say("busy", text=f"opening {folder}")
+        self._say("busy", text="opening the run")
         capsule = Capsule(folder)
         run = LiveRun.of_folder(folder)
         kind = type(run.society)
@@ -222,10 +222,13 @@ class Stage:
 
     def do_table(self, panel: Mapping[str, Any]) -> None:
         """Say what a panel shows as a table, whole."""
+        from socialmind.documents.labels import units_recorded
+
         run = self._of()
         columns = table_of(run.society, panel, self._history.columns())
-        names = type(run.society).name, run.society.seed
-        self._say("table", columns=columns, model=names[0], seed=names[1], tick=run.tick)
+        kind = type(run.society)
+        units = units_recorded(kind)
+        self._say("table", columns=columns, model=kind.name, tick=run.tick, units=units)
 
     def do_suppose(self, population: str, id: int, part: str, value: Any) -> None:
         """Say what an agent would decide if a value were another; nothing changes."""

@@ -20,7 +20,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
 from socialmind.studio.learning.processes import LearningProcesses
-from socialmind.studio.server import learning, runs, skills
+from socialmind.studio.server import learning, plots, runs, skills
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -30,36 +30,15 @@ PAGE = Path(__file__).parents[1] / "built"
 FIRST = "first"
 """The name of the society that the program begins with."""
 COMMANDS = frozenset(
-    [
-        "setup",
-        "open",
-        "reset",
-        "go",
-        "pause",
-        "step",
-        "turn",
-        "pace",
-        "go_to",
-        "show",
-        "watch",
-        "set",
-        "edit",
-        "press",
-        "suppose",
-        "plots",
-        "save",
-        "branch",
-        "end",
-        "act",
-        "steer",
-        "imprint",
-        "trace",
-    ]
-)
+    (
+        "setup", "open", "reset", "save", "branch", "end",
+        "go", "pause", "step", "turn", "pace", "go_to",
+        "show", "watch", "plots", "suppose", "set", "edit", "press",
+        "act", "steer", "imprint", "trace",
+    )
+)  # fmt: skip
 """What a page may ask of a stage."""
-STANDING = frozenset(
-    ["pause", "step", "turn", "go_to", "setup", "open", "reset", "branch", "save", "act", "imprint"]
-)
+STANDING = frozenset(["pause", "step", "turn", "go_to", "setup", "open", "reset", "branch", "save"])
 """What ends the common going on of societies."""
 MOST_STAGES = 12
 
@@ -94,6 +73,7 @@ class Studio:
             Route("/api/running", self._running),
             *runs.routes(self._folders),
             *skills.routes(self._folders),
+            *plots.routes(self._stages),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]

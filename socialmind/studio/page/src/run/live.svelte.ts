@@ -159,6 +159,12 @@ export class Live {
     this.send({ do: "edit", population, id, part, value });
   }
 
+  /** Ask what the watched agent would decide if a value were another. */
+  suppose(part: string, value: number): void {
+    const { population, id } = this.watched!;
+    this.send({ do: "suppose", population, id, part, value });
+  }
+
   unwatch(): void {
     this.watched = null;
     this.gone = "";

@@ -37,7 +37,8 @@ class Panels {
       this.all.push({ key: this.#next++, kind, names: society.series.slice(0, 1) });
       return;
     }
-    const population = Object.keys(society.colourings).find((one) => values(one).length) ?? Object.keys(society.colourings)[0];
+    const names = Object.keys(society.colourings).sort((one, other) => minded(other) - minded(one));
+    const population = names.find((one) => values(one).length) ?? names[0];
     const [x, y] = values(population);
     this.all.push({ key: this.#next++, kind, population, x: x ?? "one", y: y ?? x ?? "one" });
   }
@@ -52,6 +53,12 @@ class Panels {
     [moved[at], moved[to]] = [moved[to], moved[at]];
     this.all = moved;
   }
+}
+
+/** Those with a mind are looked at first. */
+function minded(population: string): number {
+  const one = studio.model?.populations[population];
+  return Number(one?.scheme || one?.skills || false);
 }
 
 /** What of a population can be counted and set against another: fields and cognitons. */
