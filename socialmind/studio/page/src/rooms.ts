@@ -3,6 +3,7 @@
 import type { Component } from "svelte";
 import Learning from "./learning/Learning.svelte";
 import Run from "./run/Run.svelte";
+import Skills from "./skills/Skills.svelte";
 
 export interface Room {
   /** In the address, after #/. */
@@ -13,5 +14,6 @@ export interface Room {
 
 export const ROOMS: Room[] = [
   { word: "run", title: "Run", component: Run },
+  { word: "skills", title: "Skills", component: Skills },
   { word: "learning", title: "Learning", component: Learning },
 ];

@@ -2,7 +2,7 @@
 
 import type { Edge, Node } from "@xyflow/svelte";
 
-export interface BoxData extends Record<string, unknown> {
+export type BoxData = {
   title: string;
   /** A second line, smaller. */
   line?: string;
@@ -15,9 +15,9 @@ export interface BoxData extends Record<string, unknown> {
   /** What is odd or wrong about it, in sentences. */
   odd?: string[];
   wrong?: string[];
-}
+};
 
-export interface LinkData extends Record<string, unknown> {
+export type LinkData = {
   /** Which of several links between the same two boxes it is, and how many there are. */
   lane: [number, number];
   colour: string;
@@ -26,12 +26,14 @@ export interface LinkData extends Record<string, unknown> {
   dash?: string;
   /** Ends in an arrow, in a ring, or plainly. */
   end?: "arrow" | "ring" | "none";
+  /** How far along it that is said, 0 … 1; the middle unless it says so. */
+  at?: number;
   /** Said beside it; a number there can be typed if `type` takes what was typed. */
   text?: string;
   label: string;
   type?: (text: string) => void;
   odd?: string[];
-}
+};
 
 export type Box = Node<BoxData>;
 export type Link = Edge<LinkData>;
