@@ -180,6 +180,5 @@ export function withValue(lines: string[], keyword: string, value: string): stri
 export function functionOf(skill: Skill): string {
   if (skill.function === PROGRAM) return `program ${valueOf(skill.lines, "CLASS")}`;
   if (skill.function === SCHEME) return `scheme ${valueOf(skill.lines, "SCHEME")}`;
-  const layers = valueOf(skill.lines, "LAYERS");
-  return `${NETWORKS[valueOf(skill.lines, "TYPE") || "BASIC"] ?? "network"}${layers ? `, ${layers} hidden` : ""}`;
+  return NETWORKS[valueOf(skill.lines, "TYPE") || "BASIC"] ?? "network";
 }
