@@ -1,8 +1,10 @@
 // The rooms of the studio, in the order of their tabs; each is a component and a word in the address.
 
 import type { Component } from "svelte";
+import Learning from "./learning/Learning.svelte";
 import Run from "./run/Run.svelte";
 import Mind from "./scheme/Mind.svelte";
+import Skills from "./skills/Skills.svelte";
 
 export interface Room {
   /** In the address, after #/. */
@@ -14,4 +16,6 @@ export interface Room {
 export const ROOMS: Room[] = [
   { word: "run", title: "Run", component: Run },
   { word: "mind", title: "Mind", component: Mind },
+  { word: "skills", title: "Skills", component: Skills },
+  { word: "learning", title: "Learning", component: Learning },
 ];
