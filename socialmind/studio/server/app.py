@@ -19,7 +19,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
-from socialmind.studio.server import plots, runs
+from socialmind.studio.server import plots, runs, sweeps
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -69,6 +69,7 @@ class Studio:
             Route("/api/running", self._running),
             *runs.routes(self._folders),
             *plots.routes(self._stages),
+            *sweeps.routes(self._folders, Path(self._copies.name)),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]
@@ -111,7 +112,7 @@ class Studio:
         try:
             if do == "save" and folder:
                 self._folders.to_write(folder)
-            if do == "open":
+            if do == "open" and not self._is_copy(folder):
                 self._folders.to_read(folder)
         except SocialmindError as error:
             return str(error)
@@ -119,6 +120,11 @@ class Studio:
         if do == "branch" and (not isinstance(into, str) or into in self._stages):
             return f"a society called {into!r} is there, or can be none"
         return None
+
+    def _is_copy(self, folder: Any) -> bool:
+        """Whether a run was made again by this program, to be looked at."""
+        copies = Path(self._copies.name).resolve()
+        return isinstance(folder, str) and Path(folder).resolve().is_relative_to(copies)
 
     def _with_scheme(self, command: dict[str, Any]) -> dict[str, Any]:
         """Give the scheme of the command line to the model that it was given for, and no other."""

@@ -1,6 +1,7 @@
 // The rooms of the studio, in the order of their tabs; each is a component and a word in the address.
 
 import type { Component } from "svelte";
+import Experiments from "./experiments/Experiments.svelte";
 import Run from "./run/Run.svelte";
 
 export interface Room {
@@ -10,4 +11,7 @@ export interface Room {
   component: Component;
 }
 
-export const ROOMS: Room[] = [{ word: "run", title: "Run", component: Run }];
+export const ROOMS: Room[] = [
+  { word: "run", title: "Run", component: Run },
+  { word: "experiments", title: "Experiments", component: Experiments },
+];

@@ -35,7 +35,7 @@ export interface Extent {
 }
 
 export interface SocietyOutline {
-  seed: number;
+  seed: string;
   world: Extent | null;
   plane: { half_width: number } | null;
   colourings: Record<string, string[]>;
@@ -110,7 +110,7 @@ export class Live {
     else if (this.#socket?.readyState === WebSocket.CONNECTING) this.#waiting.push(command);
   }
 
-  setup(model: string, seed: number, parameters: Record<string, unknown>): void {
+  setup(model: string, seed: string, parameters: Record<string, unknown>): void {
     this.error = this.note = "";
     this.watched = null;
     this.send({ do: "setup", model, seed, parameters });
