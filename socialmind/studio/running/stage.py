@@ -91,7 +91,7 @@ class Stage:
     def do_setup(
         self,
         model: str,
-        seed: int = 0,
+        seed: int | str = 0,
         parameters: Mapping[str, Any] | None = None,
         scheme: Any = None,
     ) -> None:
@@ -101,7 +101,7 @@ class Stage:
         model_class = load_model(model)
         self._source = model
         self._say_model(model_class)
-        self._begin(LiveRun(model_class(seed=seed, scheme=scheme, **(parameters or {}))))
+        self._begin(LiveRun(model_class(seed=int(seed), scheme=scheme, **(parameters or {}))))
 
     def do_open(self, folder: str, tick: int = 0, source: str | None = None) -> None:
         """Show the run that a folder holds, to be gone through.
@@ -450,7 +450,7 @@ class Stage:
         society = self._of().society
         return {
             **outline_of_society(society),
-            "seed": society.seed,
+            "seed": str(society.seed),  # a page's numbers have but 53 bits
             "parameters": society.parameter_values(),
             "shown": vars(self._shown),
             "history": self._history.columns(),
