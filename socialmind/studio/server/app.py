@@ -118,8 +118,7 @@ class Studio:
         try:
             if (do == "save" and folder) or do == "imprint":
                 self._folders.to_write(folder)
-            if do in ("open", "act"):
-            if do == "open" and not self._is_copy(folder):
+            if do == "act" or (do == "open" and not self._is_copy(folder)):
                 self._folders.to_read(folder)
         except SocialmindError as error:
             return str(error)
