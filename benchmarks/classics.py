@@ -16,8 +16,6 @@ The results go to benchmarks/classics.json and, as a table, to benchmarks/README
 import argparse
 import ast
 import io
-import subprocess
-import sys
 import time
 import tokenize
 from collections.abc import Callable
@@ -107,13 +105,6 @@ CLASSICS = {
         26,
     ),
 }  # fmt: skip
-
-
-def compile_elsewhere() -> None:
-    """Let another process compile the models, so that this one loads their code."""
-    words = [f"load_model({name!r})(seed=1).advance(1)" for name in CLASSICS]
-    program = "\n".join(["from socialmind.catalogue import load_model", *words])
-    subprocess.run([sys.executable, "-c", program], check=True)
 
 
 def seconds(work: Callable[[], Any]) -> float:
@@ -243,7 +234,6 @@ def main() -> None:
     if not 1 <= arguments.mesa_seeds <= arguments.seeds:
         parser.error("at least one seed with Mesa, and no more than all")
     birds = BIRDS + (MANY_BIRDS if arguments.full else ())
-    compile_elsewhere()
     results = measure(arguments.seeds, arguments.mesa_seeds, birds)
     write(results, table, "classics", arguments.out)
     print(table(results))

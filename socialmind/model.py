@@ -44,8 +44,8 @@ from socialmind.worlds.contract import World
 
 if TYPE_CHECKING:
     from coglogo_py.receipts.receipt import Receipt
+    from socialmind.looks import Looks
     from socialmind.mind.steering import Steering
-    from socialmind.society.looks import Looks
 
 Loaded = TypeVar("Loaded", bound="Model")
 

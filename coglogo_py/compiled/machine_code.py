@@ -12,6 +12,8 @@ import os
 import pickle
 import sys
 from collections.abc import Callable
+from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +23,8 @@ import numpy as np
 from numba.core import sigutils
 from numba.core.ccallback import CFunc
 from numba.core.compiler import CompileResult
+from numba.core.cpu import CPUContext
+from numba.core.registry import cpu_target
 from numba.core.serialize import dumps
 
 from coglogo_py.compiled import code_folder
@@ -41,8 +45,14 @@ def kept(key: str, **options: Any) -> Callable[[Callable[..., Any]], Any]:
     """
 
     def compiled(function: Callable[..., Any]) -> Any:
+        def anew(signature: Any) -> CompileResult:
+            passing = numba.njit(**options)(function)
+            passing.compile(signature)
+            (result,) = passing.overloads.values()
+            return result
+
         dispatcher = numba.njit(**options)(function)
-        dispatcher._cache = _KeptCode(function, key)
+        dispatcher._cache = _KeptCode(function, key, anew)
         return dispatcher
 
     return compiled
@@ -58,8 +68,11 @@ def kept_callback(key: str, signature: str, **options: Any) -> Callable[[Callabl
     """
 
     def compiled(function: Callable[..., Any]) -> Any:
-        made: Any = CFunc(function, sigutils.normalize_signature(signature), {}, options)
-        made._cache = _KeptCode(function, key)
+        def new() -> Any:
+            return CFunc(function, sigutils.normalize_signature(signature), {}, options)
+
+        made = new()
+        made._cache = _KeptCode(function, key, lambda _: new()._compile_uncached())
         made.compile()
         return made
 
@@ -106,37 +119,60 @@ def check_memory() -> None:
         )
 
 
-class _KeptCode:
-    """The kept code of one function; numba calls these methods in place of its own cache's."""
+@cache
+def _apart() -> CPUContext:
+    """Return where kept code is loaded, apart from all that this process compiles.
 
-    def __init__(self, function: Callable[..., Any], key: str) -> None:
+    Code shares what it calls with what was loaded before it. A process that compiles has that
+    first as it was before its callers were known, up to twice as slow as in the code that is kept.
+    """
+    return CPUContext(cpu_target.typing_context)
+
+
+class _KeptCode:
+    """The kept code of one function; numba calls these methods in place of its own cache's.
+
+    numba finds all code kept: what is not there is compiled, kept, and loaded like the rest.
+
+    Args:
+        function: whose code it is.
+        key: names all that the code depends on beside the function's own text.
+        anew: compiles it for a signature.
+    """
+
+    def __init__(
+        self, function: Callable[..., Any], key: str, anew: Callable[[Any], CompileResult]
+    ) -> None:
         self._name = function.__qualname__.replace("<", "").replace(">", "")
         self._line = function.__code__.co_firstlineno
         self._key = key
+        self._anew = anew
 
     @property
     def cache_path(self) -> str:
         """The folder of the function's code."""
         return str(code_folder.cache_folder() or "")
 
-    def load_overload(self, signature: Any, target: Any) -> Any:
-        """Return the function compiled for a signature, or None."""
+    def load_overload(self, signature: Any, target: Any) -> CompileResult:
+        """Return the function compiled for a signature."""
         check_memory()
         target.refresh()
-        content = code_folder.read(self._key, self._file(signature, target.codegen()))
-        if content is None:
-            return None
-        try:
-            return CompileResult._rebuild(target, *pickle.loads(content))
-        except Exception:  # of another numba, or half of what it refers to
-            return None
+        file = self._file(signature, target.codegen())
+        content = code_folder.read(self._key, file)
+        if content is not None:
+            # Of another numba, or half of what it refers to: as if it were not there.
+            with suppress(Exception):
+                return CompileResult._rebuild(_apart(), *pickle.loads(content))
+        result = self._anew(signature)
+        # Addresses of this process have no place in another.
+        if result.library.has_dynamic_globals or not all(one.can_cache for one in result.lifted):
+            return result
+        content = dumps(result._reduce())
+        code_folder.keep(self._key, file, content)
+        return CompileResult._rebuild(_apart(), *pickle.loads(content))
 
     def save_overload(self, signature: Any, result: Any) -> None:
-        """Keep the function compiled for a signature."""
-        # Addresses of this process have no place in another.
-        if not result.library.has_dynamic_globals and all(one.can_cache for one in result.lifted):
-            file = self._file(signature, result.codegen)
-            code_folder.keep(self._key, file, dumps(result._reduce()))
+        """Keep nothing: what is compiled is kept where it is compiled."""
 
     def flush(self) -> None:
         """Forget nothing: a key's code never changes."""

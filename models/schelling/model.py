@@ -66,4 +66,4 @@ class Schelling(Model):
         """Return persons in the colour of their kind, smaller where they are not content."""
         kinds = {"one kind": "blue", "the other": "gold"}
         people = self.people
-        return {"people": Looks("person", kinds, people.kind, size=0.75 + 0.35 * people.happy)}
+        return {"people": Looks("person", kinds, people.kind, size=0.9 + 0.5 * people.happy)}

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError, nearest, place_of
+from socialmind.looks import Looks
 from socialmind.model import Model
-from socialmind.society.looks import Looks
 
 PATCHES = "patches"
 LOOKS = "looks"

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from socialmind.looks import Looks
 from socialmind.model import Model
-from socialmind.society.looks import Looks
 from socialmind.studio.running.colouring import (
     LOOKS,
     Coloured,

@@ -96,7 +96,7 @@ class Stage:
     def do_setup(
         self,
         model: str,
-        seed: int = 0,
+        seed: int | str = 0,
         parameters: Mapping[str, Any] | None = None,
         scheme: Any = None,
         documents: Mapping[str, Any] | None = None,
@@ -112,7 +112,7 @@ class Stage:
                 name: runnable_of(one, Bearers.of(model_class, name))
                 for name, one in documents.items()
             }
-        self._begin(LiveRun(model_class(seed=seed, scheme=scheme, **(parameters or {}))))
+        self._begin(LiveRun(model_class(seed=int(seed), scheme=scheme, **(parameters or {}))))
 
     def do_open(self, folder: str, tick: int = 0, source: str | None = None) -> None:
         """Show the run that a folder holds, to be gone through.
@@ -490,7 +490,7 @@ class Stage:
         society = self._of().society
         return {
             **outline_of_society(society),
-            "seed": society.seed,
+            "seed": str(society.seed),  # a page's numbers have but 53 bits
             **self._changing(),
             "shown": vars(self._shown),
             "history": self._history.columns(),

@@ -20,7 +20,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
 from socialmind.studio.learning.processes import LearningProcesses
-from socialmind.studio.server import learning, plots, runs, schemes, skills
+from socialmind.studio.server import learning, plots, runs, schemes, skills, sweeps
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -75,6 +75,7 @@ class Studio:
             *runs.routes(self._folders),
             *skills.routes(self._folders),
             *plots.routes(self._stages),
+            *sweeps.routes(self._folders, Path(self._copies.name)),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]
@@ -123,7 +124,7 @@ class Studio:
         try:
             if (do == "save" and folder) or do == "imprint":
                 self._folders.to_write(folder)
-            if do in ("open", "act"):
+            if do == "act" or (do == "open" and not self._is_copy(folder)):
                 self._folders.to_read(folder)
         except SocialmindError as error:
             return str(error)
@@ -131,6 +132,11 @@ class Studio:
         if do == "branch" and (not isinstance(into, str) or into in self._stages):
             return f"a society called {into!r} is there, or can be none"
         return None
+
+    def _is_copy(self, folder: Any) -> bool:
+        """Whether a run was made again by this program, to be looked at."""
+        copies = Path(self._copies.name).resolve()
+        return isinstance(folder, str) and Path(folder).resolve().is_relative_to(copies)
 
     def _with_scheme(self, command: dict[str, Any]) -> dict[str, Any]:
         """Give the scheme of the command line to the model that it was given for, and no other."""

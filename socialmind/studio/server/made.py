@@ -45,6 +45,7 @@ def folders_of(folders: Folders, kind: str) -> list[dict[str, Any]]:
 
 def _told(record: dict[str, Any]) -> dict[str, Any]:
     told = {name: record.get(name) for name in ("seed", "ticks", "ticks_done", "status", "points")}
+    told["seed"] = str(told["seed"])  # a page's numbers have but 53 bits
     told["created"] = record.get("timings", {}).get("created")
     told["branch"] = (record.get("branch") or {}).get("run")
     return {"model": record["model"]["name"], "columns": record.get("columns"), **told}

@@ -61,7 +61,7 @@ def checked(document: Document, home: Path | None, before: Document | None = Non
     """
     found = Checked()
     with programs_unrun():
-        modules = _modules(document, home, found)
+        sensors, actuators, variables = _modules(document, home, found)
         skills = [_skill(one, home, found) for one in document["skills"]]
         known = {one["name"]: one for one in (before or {}).get("skills", ())}
         for one, skill in zip(document["skills"], skills, strict=True):
@@ -69,7 +69,7 @@ def checked(document: Document, home: Path | None, before: Document | None = Non
                 _weigh(one, skill, home, known.get(one["was"]), found)
         whole = [one for one in skills if one is not None]
         try:
-            mind = MindDescription(document["name"], *modules, whole)
+            mind = MindDescription(document["name"], sensors, actuators, variables, whole)
         except ModelError as error:
             found.say(
                 error.file if error.file in _identities(document) else None, _said(error), True

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from socialmind.errors import SocialmindError
-from socialmind.mind import Hierarchy, MindDescription
+from socialmind.mind import MindDescription
 from socialmind.mind.files.evoagents.text_file import Lines
 from socialmind.sources.folders import catalogue
 from socialmind.studio.skills.checking import checked
@@ -64,7 +64,8 @@ def test_a_renamed_skill_takes_its_weights_and_program_along(collect):
     assert mind.skills["KeepClear"].genome.tolist() == weights.tolist()
     assert not (collect / "Skills" / "Avoid").exists()
     assert "SK:KeepClear" in map(str, mind.skills["GoToObject+Avoid"].outputs)
-    Hierarchy(mind, master="Collect").evaluate(dict.fromkeys(mind.sensors, 0.5))
+    own = MindDescription.load(MODELS["collect"] / "mind").skills["ClawControl"].function
+    assert mind.skills["Claw"].function.function(1.0, 0.0) == own.function(1.0, 0.0)
 
 
 def test_weights_that_do_not_fit_any_more_are_said_before_they_go(collect):

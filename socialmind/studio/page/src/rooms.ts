@@ -1,6 +1,7 @@
 // The rooms of the studio, in the order of their tabs; each is a component and a word in the address.
 
 import type { Component } from "svelte";
+import Experiments from "./experiments/Experiments.svelte";
 import Learning from "./learning/Learning.svelte";
 import Run from "./run/Run.svelte";
 import Mind from "./scheme/Mind.svelte";
@@ -18,4 +19,5 @@ export const ROOMS: Room[] = [
   { word: "mind", title: "Mind", component: Mind },
   { word: "skills", title: "Skills", component: Skills },
   { word: "learning", title: "Learning", component: Learning },
+  { word: "experiments", title: "Experiments", component: Experiments },
 ];

@@ -38,7 +38,7 @@ export interface Extent {
 }
 
 export interface SocietyOutline {
-  seed: number;
+  seed: string;
   world: Extent | null;
   plane: { half_width: number } | null;
   /** What robots can be told, and the skills to which steering them can be shown. */
@@ -138,7 +138,7 @@ export class Live {
     else if (this.#socket?.readyState === WebSocket.CONNECTING) this.#waiting.push(command);
   }
 
-  setup(model: string, seed: number, parameters: Record<string, unknown>): void {
+  setup(model: string, seed: string, parameters: Record<string, unknown>): void {
     this.error = this.note = "";
     this.watched = null;
     if (this.documents?.model !== model) this.documents = null;

@@ -74,7 +74,7 @@ class Studio {
   }
 
   /** Make another society in place of the one that is looked at; the others go back to their start. */
-  setup(model: string, seed: number, parameters: Record<string, unknown>): void {
+  setup(model: string, seed: string, parameters: Record<string, unknown>): void {
     this.live.setup(model, seed, parameters);
     for (const one of this.worlds) if (one !== this.live) one.send({ do: "go_to", tick: 0 });
   }

@@ -333,7 +333,7 @@ class Editor {
     this.#begins = true;
     this.unfit = "";
     this.#sent = JSON.stringify(this.scheme);
-    studio.setup(this.model, same ? (studio.society?.seed ?? 0) : 0, same ? (studio.society?.parameters ?? {}) : {});
+    studio.setup(this.model, same ? (studio.society?.seed ?? "0") : "0", same ? (studio.society?.parameters ?? {}) : {});
   }
 
   #hear(said: string, rest: Record<string, unknown>): void {

@@ -10,7 +10,7 @@ const ARROW = 1;
 const SQUARE = 2;
 const RING = 3;
 const GREEN: Colour = [31, 140, 58];
-/** As models name them (society/looks.py), by their numbers in the renderer. */
+/** As models name them (looks.py), by their numbers in the renderer. */
 const SHAPES: Record<string, number> = {
   disc: DISC, arrow: ARROW, square: SQUARE, ring: RING, triangle: 4, diamond: 5, person: 6, animal: 7, house: 8, tree: 9,
 };

@@ -26,7 +26,7 @@ void main() {
   else if (form < 3.5) inside = min(1.0 - length(at), length(at) - 0.8);      // a ring
   else if (form < 4.5) inside = upright(at, 0.85, -0.75, 0.95);               // a triangle
   else if (form < 5.5) inside = 0.95 - abs(at.x) - abs(at.y);                 // a diamond
-  else if (form < 6.5) inside = max(0.34 - length(at - vec2(0.0, 0.62)), upright(at, 0.62, -0.95, 0.75));  // a person
+  else if (form < 6.5) inside = max(0.4 - length(at - vec2(0.0, 0.56)), upright(at, 0.78, -0.95, 0.8));  // a person
   else if (form < 7.5) inside = max(max(0.55 - length(at * vec2(0.72, 1.15) + vec2(0.2, 0.0)), 0.3 - length(at - vec2(0.68, 0.0))),
     0.11 - length(vec2(abs(at.x + 0.25) - 0.35, abs(at.y) - 0.55)));          // an animal, from above
   else if (form < 8.5) inside = max(min(0.62 - abs(at.x), min(0.2 - at.y, at.y + 0.85)), upright(at, 0.95, 0.05, 0.95));  // a house

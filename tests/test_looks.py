@@ -6,8 +6,8 @@ import pytest
 from socialmind import Looks
 from socialmind.catalogue import catalogue, load_model
 from socialmind.errors import SocialmindError
+from socialmind.looks import COLOURS
 from socialmind.model import Model
-from socialmind.society.looks import COLOURS
 from socialmind.studio.running.colouring import looks_of
 from socialmind.studio.running.frames import unpacked
 from socialmind.studio.running.moment import Shown, frame_of
