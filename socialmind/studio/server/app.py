@@ -31,14 +31,19 @@ FIRST = "first"
 """The name of the society that the program begins with."""
 COMMANDS = frozenset(
     (
-        "setup", "open", "reset", "save", "branch", "end",
+        "setup", "open", "reset", "save", "branch", "end", "act",
         "go", "pause", "step", "turn", "pace", "go_to",
-        "show", "watch", "plots", "suppose", "set", "edit", "rescheme", "press",
-        "act", "steer", "imprint", "trace",
+        "show", "watch", "trace", "plots", "suppose",
+        "set", "edit", "rescheme", "press", "steer", "imprint",
     )
 )  # fmt: skip
 """What a page may ask of a stage."""
-STANDING = frozenset(["pause", "step", "turn", "go_to", "setup", "open", "reset", "branch", "save"])
+STANDING = frozenset(
+    (
+        "pause", "step", "turn", "go_to",
+        "setup", "open", "reset", "branch", "save", "act", "imprint",
+    )
+)  # fmt: skip
 """What ends the common going on of societies."""
 MOST_STAGES = 12
 
@@ -69,13 +74,13 @@ class Studio:
         """
         routes = [
             Route("/api/models", self._models),
-            *schemes.routes(self._folders, self._known),
             *learning.routes(self._folders, self._learning),
             Route("/api/running", self._running),
             *runs.routes(self._folders),
             *skills.routes(self._folders),
             *plots.routes(self._stages),
             *sweeps.routes(self._folders, Path(self._copies.name)),
+            *schemes.routes(self._folders, self._known),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]
