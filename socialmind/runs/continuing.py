@@ -89,6 +89,7 @@ def reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Chec
             f"run cannot be made longer; run anew with --ticks {length}"
         )
     every = capsule.manifest.steps(capsule.manifest.tables)
+    schemes_change = any(one.get("schemes") for one in capsule.manifest.interventions)
     capsule.parts.mkdir(exist_ok=True)
     parts, recorded, sums = {}, {}, {}
     for name, step in every.items():
@@ -99,6 +100,7 @@ def reopen(capsule: Capsule, checkpoint: Checkpoint | None, length: int) -> Chec
             make_room(capsule.parts / part),
             name,
             drop_tick=checkpoint.tick if off_grid else None,
+            changing=bool(off_grid) and schemes_change,
         )
         parts[name] = [part]
         sums[part] = seal(capsule.parts / part)

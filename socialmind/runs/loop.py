@@ -20,6 +20,7 @@ from coglogo_py.border.places import place as place_called
 from socialmind.agents.agent_columns import as_before
 from socialmind.agents.group_columns import group_instances, has_groups
 from socialmind.errors import SocialmindError, written_at
+from socialmind.interventions.change import Change
 from socialmind.interventions.following import Intervention, after_those_at, next_after
 from socialmind.interventions.shock import Shock
 from socialmind.runs import continuing, folders, sources
@@ -97,9 +98,11 @@ class Execution:
         self._every = capsule.manifest.steps(name for name in names if name != EVENTS)
         parts = checkpoint.parts if checkpoint else {}
         sums = checkpoint.sums if checkpoint else None
+        # Another scheme may have other plans and cognitons, of which columns tell.
+        changing = any(isinstance(one, Change) and one.schemes for one in interventions)
         self._tables = {
             name: GrowingTable(
-                name, capsule.parts, parts.get(name, ()), _source_of(model, name), sums
+                name, capsule.parts, parts.get(name, ()), _source_of(model, name), sums, changing
             )
             for name in self._every
         }
@@ -109,7 +112,7 @@ class Execution:
             noted = model.event_log.populations
             self._events = EventTable(noted, capsule.parts, parts.get(EVENTS, ()), sums)
             self._tables[EVENTS] = self._events
-        self._begun_with = self._tables[AGENTS].columns
+        self._begun_with = None if changing else self._tables[AGENTS].columns
         self._first = next(iter(getattr(model, "populations", {})), None)
         self._recorded = dict(checkpoint.recorded) if checkpoint else dict.fromkeys(self._every, -1)
         self._loop_seconds = checkpoint.loop_seconds if checkpoint else 0.0

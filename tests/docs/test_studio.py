@@ -16,7 +16,8 @@ from socialmind.studio.running.moment import Shown, frame_of
 PAGE = (Path(__file__).parents[2] / "docs" / "studio.md").read_text("utf-8")
 
 
-EDITED, MEADOW = re.findall(r"```python\n(.*?)```", PAGE, re.S)
+BLOCKS = re.findall(r"```python\n(.*?)```", PAGE, re.S)
+EDITED, MEADOW, STEERED, SHOWN = BLOCKS
 
 
 def test_its_meadow_looks_as_it_says_and_has_its_button(tmp_path):
@@ -42,6 +43,10 @@ def test_its_code_runs(tmp_path, monkeypatch):
     run = Run(space["folder"])
     promoted = run.agents.query("tick == 1000 and agent == 6")
     assert promoted["farmer"].item() == pytest.approx(25.0, abs=5.0)
+    exec(STEERED, space)
+    exec(SHOWN, space)
+    (said,) = re.findall("<recording.*>", SHOWN)
+    assert repr(space["shown"]) == said
 
 
 def test_it_names_every_part_that_can_be_edited():

@@ -43,15 +43,16 @@ def common_type(a: pa.DataType, b: pa.DataType, name: str, column: str) -> pa.Da
 
 
 def common_schema(schemas: Sequence[pa.Schema], name: str) -> pa.Schema:
-    """The column types that hold the values of every part."""
+    """The column types that hold the values of every part; a later part may have more columns."""
     import pyarrow as pa
 
     types = {field.name: field.type for field in schemas[0]}
     for schema in schemas[1:]:
-        if schema.names != list(types):
+        if schema.names[: len(types)] != list(types):
             raise SocialmindError(
                 f"{name}: columns {', '.join(schema.names)} in one part, {', '.join(types)} before"
             )
         for field in schema:
-            types[field.name] = common_type(types[field.name], field.type, name, field.name)
+            before = types.get(field.name, field.type)
+            types[field.name] = common_type(before, field.type, name, field.name)
     return pa.schema(list(types.items()))

@@ -29,6 +29,8 @@ from socialmind.work.files import make_room
 if TYPE_CHECKING:
     import pyarrow as pa
 
+FIRST = "columns of the first row"
+"""What a merged file says of itself if other columns came later."""
 ROW_GROUP = 1 << 15
 """Rows in a row group of a merged table."""
 
@@ -72,6 +74,7 @@ def merge(
     name: str,
     drop_tick: int | None = None,
     last_tick: int | None = None,
+    changing: bool = False,
 ) -> TableContent:
     """Write the rows of some Parquet files, in order, into one; appears whole or not at all.
 
@@ -81,6 +84,7 @@ def merge(
         name: of the table, for errors.
         drop_tick: leave out the rows of this tick.
         last_tick: leave out the rows of later ticks; a column without a value up to then is null.
+        changing: whether columns that came with the rows left out go with them.
 
     Returns:
         What the new file holds.
@@ -91,9 +95,15 @@ def merge(
     schema = common_schema([pq.read_schema(part) for part in parts], name)
     if last_tick is not None:
         schema = _with_nulls(schema, pieces(parts, schema, last_tick=last_tick))
+    first = _first_columns(parts)
+    if changing:
+        there = _with_values(schema, pieces(parts, schema, drop_tick))
+        there |= set(schema.names[:first]) if there else {"tick"}
+        schema = pa.schema([one for one in schema if one.name in there])
     digest = ContentDigest(schema)
+    noted = schema if first >= len(schema) else schema.with_metadata({FIRST: str(first)})
     unfinished = make_room(target.with_name(target.name + ".partial"))
-    with pq.ParquetWriter(unfinished, schema, compression="zstd") as writer:
+    with pq.ParquetWriter(unfinished, noted, compression="zstd") as writer:
         for rows in pieces(parts, schema, drop_tick, last_tick=last_tick):
             digest.update(rows)
             writer.write_table(rows, row_group_size=ROW_GROUP)
@@ -103,17 +113,32 @@ def merge(
     return digest.content()
 
 
+def _first_columns(parts: Sequence[Path]) -> int:
+    """Return how many columns the first row has; those behind came later, if there are more."""
+    import pyarrow.parquet as pq
+
+    for part in parts:
+        if pq.read_metadata(part).num_rows:
+            schema = pq.read_schema(part)
+            return int((schema.metadata or {}).get(FIRST.encode(), len(schema)))
+    return len(pq.read_schema(parts[0]))
+
+
 def _with_nulls(schema: pa.Schema, rows: Iterable[pa.Table]) -> pa.Schema:
     """Return a schema in which columns that hold no value in some rows are null."""
     import pyarrow as pa
 
-    there: set[str] = set()
-    some = False
-    for piece in rows:
-        some = some or piece.num_rows > 0
-        there |= {one for one in schema.names if piece[one].null_count < piece.num_rows}
-    kinds = [(f.name, f.type if f.name in there or not some else pa.null()) for f in schema]
+    there = _with_values(schema, rows)
+    kinds = [(f.name, f.type if f.name in there or not there else pa.null()) for f in schema]
     return pa.schema(kinds)
+
+
+def _with_values(schema: pa.Schema, rows: Iterable[pa.Table]) -> set[str]:
+    """Return the columns that hold a value in some row."""
+    there: set[str] = set()
+    for piece in rows:
+        there |= {one for one in schema.names if piece[one].null_count < piece.num_rows}
+    return there
 
 
 def content_of(path: Path) -> TableContent:
@@ -222,12 +247,14 @@ def _batches(
 
 
 def _as(rows: pa.Table, schema: pa.Schema) -> pa.Table:
-    """Return the columns of a schema, in its types; those of a null one hold no value."""
+    """Return the columns of a schema, in its types; what is not there, or null, holds no value."""
     import pyarrow as pa
 
-    empty = [f.name for f in schema if pa.types.is_null(f.type)]
+    there = {f.name for f in schema if f.name in rows.schema.names and not pa.types.is_null(f.type)}
     columns = [
-        pa.nulls(rows.num_rows) if f.name in empty else rows[f.name].cast(f.type, safe=False)
+        rows[f.name].cast(f.type, safe=False)
+        if f.name in there
+        else pa.nulls(rows.num_rows, f.type)
         for f in schema
     ]
     return pa.Table.from_arrays(columns, schema=schema)

@@ -39,6 +39,8 @@ class GrowingTable:
         parts: names of the parts that already count, for a run that goes on.
         source: what gives the rows, for errors.
         sums: what `seal` gave for these parts, where it is known.
+        changing: whether columns may come and go, as where a scheme gives way to another; what a
+            tick does not have is missing there.
     """
 
     def __init__(
@@ -48,8 +50,10 @@ class GrowingTable:
         parts: Iterable[str] = (),
         source: str = "",
         sums: Mapping[str, list[Any]] | None = None,
+        changing: bool = False,
     ) -> None:
         self.name = name
+        self._changing = changing
         self.parts = list(parts)
         self.sums = {part: one for part, one in (sums or {}).items() if part in self.parts}
         self.source = source or name
@@ -61,7 +65,7 @@ class GrowingTable:
         if self.parts:
             import pyarrow.parquet as pq
 
-            schema = pq.read_schema(folder / self.parts[0])
+            schema = pq.read_schema(folder / self.parts[-1])  # none has more columns
             self.columns = tuple(name for name in schema.names if name != "tick")
 
     def add(self, tick: int, columns: Columns) -> None:
@@ -93,6 +97,8 @@ class GrowingTable:
                 )
         if self.columns is None:
             self.columns = names
+        elif names != self.columns and self._changing:
+            rows = self._in_columns(rows, length)
         elif names != self.columns:
             raise SocialmindError(
                 f"{where}: columns {', '.join(names) or 'none'}; expected those of the ticks "
@@ -102,6 +108,15 @@ class GrowingTable:
         self._rows += length
         if self._rows >= WAITING_ROWS:
             self.flush()
+
+    def _in_columns(self, rows: Columns, length: int) -> dict[str, Sequence[Any] | np.ndarray]:
+        """Return rows in the table's columns; those that are new stand behind all others."""
+        known = self.columns or ()
+        new = tuple(name for name in rows if name not in known)
+        if new:
+            self.flush()  # a part has the same columns throughout
+            self.columns = (*known, *new)
+        return {name: rows.get(name, [None] * length) for name in (*known, *new)}
 
     def flush(self) -> None:
         """Write the waiting rows as a part."""

@@ -446,6 +446,9 @@ class Stage:
             "rate": self._rate if running else 0.0,
         }
         society = run.society
+        if society is not self._told:  # an intervention was met, or gone back behind
+            self._told = society
+            self._say("changed", token=0, **self._changing())
         if self._turn is not None:
             society, turn = self._turn
             said["turn"] = vars(turn)

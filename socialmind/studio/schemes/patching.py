@@ -1,7 +1,8 @@
 """A YAML text changed at some of its fields alone: all other bytes stay, comments too.
 
-Round-trip libraries write a text anew from what they read, and move a comment with the entry before
-it when that goes; here the places of nodes in the text say what is cut out and what is put in.
+Round-trip libraries write a text anew from what they read: they mend indents and quotes that nobody
+asked about, and keep a comment with the entry before it, whichever it speaks of. Here the places of
+nodes in the text say what is cut out and what is put in.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
 from socialmind.studio.learning.processes import LearningProcesses
-from socialmind.studio.server import learning, plots, runs, schemes, sweeps
+from socialmind.studio.server import learning, plots, runs, schemes, skills, sweeps
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -77,6 +77,7 @@ class Studio:
             *learning.routes(self._folders, self._learning),
             Route("/api/running", self._running),
             *runs.routes(self._folders),
+            *skills.routes(self._folders),
             *plots.routes(self._stages),
             *schemes.routes(self._folders, self._known),
             *sweeps.routes(self._folders, Path(self._copies.name)),
@@ -128,7 +129,7 @@ class Studio:
         try:
             if (do == "save" and folder) or do == "imprint":
                 self._folders.to_write(folder)
-            if do in ("open", "act") and not self._is_copy(folder):
+            if do == "act" or (do == "open" and not self._is_copy(folder)):
                 self._folders.to_read(folder)
         except SocialmindError as error:
             return str(error)

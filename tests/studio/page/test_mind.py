@@ -103,8 +103,9 @@ def test_the_turtle_of_the_tutorial_is_built_from_an_empty_page(browser, studio)
     for name in ("turtle.yaml", "turtle.cogscheme"):
         page.click("[data-test=save-as]")
         page.fill("[data-test=save-file]", name)
-        page.keyboard.press("Enter")
-        page.wait_for_selector(f"text=Saved in {name}")
+        page.press("[data-test=save-file]", "Enter")
+        page.wait_for_function("!document.querySelector('[data-test=save-file]')")
+        assert f"Saved in {name}" in page.inner_text("header [role=status]")
     wanted = CognitiveScheme.load("models/tutorial/scheme.yaml")
     for name in ("turtle.yaml", "turtle.cogscheme"):
         built = CognitiveScheme.load(studio.folder / name)
@@ -259,7 +260,7 @@ def test_all_edits_taken_back_leave_the_file_as_it_was_and_done_again_are_the_sa
     def save(name):
         page.click("[data-test=save-as]")
         page.fill("[data-test=save-file]", name)
-        page.keyboard.press("Enter")
+        page.press("[data-test=save-file]", "Enter")
         page.wait_for_selector(f"text=Saved in {name}")
         return (studio.folder / name).read_bytes()
 

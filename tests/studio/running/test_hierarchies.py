@@ -17,7 +17,7 @@ ROVERS = Path(__file__).parents[2] / "interventions" / "rovers"
 
 @pytest.fixture
 def run():
-    return LiveRun(load_model(ROVERS)(seed=1, n=2))
+    return LiveRun(load_model(ROVERS)(seed=1, n=2, compiled=False))
 
 
 def state(run, agent=0):

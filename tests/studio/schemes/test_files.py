@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from coglogo_py import CognitiveScheme, SchemeError
@@ -87,6 +87,7 @@ def test_what_is_saved_unchanged_is_the_same_text(text):
     assert written(document_of(parsed(text)), ".yaml", text, ".yaml").text == text
 
 
+@settings(max_examples=50)
 @given(st.data())
 def test_what_was_edited_is_read_again_and_nothing_is_written_anew(data):
     text = data.draw(st.sampled_from(list(TEXTS.values())))
@@ -99,6 +100,7 @@ def test_what_was_edited_is_read_again_and_nothing_is_written_anew(data):
     assert parsed(found.text).name == document["name"]
 
 
+@settings(max_examples=50)
 @given(st.data())
 def test_comments_stay_where_nothing_is_removed(data):
     document = data.draw(edited(document_of(parsed(HERD)), ADDING))
@@ -112,6 +114,7 @@ def test_comments_stay_where_nothing_is_removed(data):
     assert [c for c in comments.findall(found) if c in wanted] == wanted
 
 
+@settings(max_examples=50)
 @given(st.data())
 def test_edits_that_are_taken_back_leave_the_text(data):
     before = document_of(parsed(HERD))

@@ -4,7 +4,6 @@ export class History<T> {
   now = $state.raw() as T;
   #past = $state.raw<T[]>([]);
   #future = $state.raw<T[]>([]);
-  #kept = $state.raw() as T;
   #key = "";
 
   constructor(first: T) {
@@ -17,14 +16,10 @@ export class History<T> {
   get redoable(): boolean {
     return this.#future.length > 0;
   }
-  /** Whether there is something that was not kept. */
-  get changed(): boolean {
-    return this.now !== this.#kept;
-  }
 
   /** Begin anew; what was before is forgotten. */
   begin(first: T): void {
-    this.now = this.#kept = first;
+    this.now = first;
     this.#past = [];
     this.#future = [];
     this.#key = "";
@@ -42,11 +37,6 @@ export class History<T> {
   /** Let the next change be a step of its own, whatever its key. */
   settle(): void {
     this.#key = "";
-  }
-
-  /** Note that the state of now was saved. */
-  keep(): void {
-    this.#kept = this.now;
   }
 
   undo(): void {

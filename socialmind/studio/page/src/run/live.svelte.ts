@@ -81,6 +81,9 @@ export interface Acting {
   seed: number;
 }
 
+/** What other rooms hear of what is said of societies. */
+export const hearers: ((live: Live, said: string, rest: Record<string, unknown>) => void)[] = [];
+
 export type Command = Record<string, unknown> & { do: string };
 
 /** A society that runs in a process of the program, under a name that other tabs can look at too. */
@@ -116,17 +119,16 @@ export class Live {
   acting = $state.raw<Acting | null>(null);
   /** How often something was done to the society by hand. */
   changes = $state(0);
+  /** Edited schemes that a model is set up with in place of its own, by population. */
+  documents = $state.raw<{ model: string; of: Record<string, Scheme> } | null>(null);
 
   #socket: WebSocket | null = null;
   #retry = 250;
   #ended = false;
   #waiting: Command[] = [];
 
-  #heard?: (said: string, rest: Record<string, unknown>) => void;
-
-  constructor(name: string, heard?: (said: string, rest: Record<string, unknown>) => void) {
+  constructor(name: string) {
     this.name = name;
-    this.#heard = heard;
     this.#connect();
   }
 
@@ -136,11 +138,11 @@ export class Live {
     else if (this.#socket?.readyState === WebSocket.CONNECTING) this.#waiting.push(command);
   }
 
-  /** Make a society in its place; `documents` are schemes for some populations in place of their own. */
-  setup(model: string, seed: string, parameters: Record<string, unknown>, documents: Record<string, Scheme> | null): void {
+  setup(model: string, seed: string, parameters: Record<string, unknown>): void {
     this.error = this.note = "";
     this.watched = null;
-    this.send({ do: "setup", model, seed, parameters, documents });
+    if (this.documents?.model !== model) this.documents = null;
+    this.send({ do: "setup", model, seed, parameters, documents: this.documents?.of ?? null });
   }
 
   /** End the society, unless another tab looks at it. */
@@ -254,7 +256,7 @@ export class Live {
       this.busy = "";
       this.error = rest.text as string;
     }
-    this.#heard?.(said, rest);
+    for (const hear of hearers) hear(this, said, rest);
   }
 
   #note(row: Record<string, number | null>): void {

@@ -4,6 +4,7 @@
 import type { Finding } from "../graph/Findings.svelte";
 import { History } from "../graph/history.svelte";
 import type { Place } from "../graph/layout";
+import { hearers, type Live } from "../run/live.svelte";
 import { studio } from "../run/studio.svelte";
 import {
   linkOf, partOf, set, withCogniton, withCulturon, withGroup, withLink, without, withPlan, withRole,
@@ -85,10 +86,12 @@ class Editor {
   #sent = "";
   #heard = "";
   #begins = false;
+  /** The society that changes reach. */
+  #world: Live | null = null;
   #token = 1 + Math.floor(Math.random() * 1e9);
 
   constructor() {
-    studio.listen((said, rest) => this.#hear(said, rest));
+    hearers.push((live, said, rest) => live === this.#world && this.#hear(said, rest));
     addEventListener("beforeunload", (event) => {
       if (this.changed) event.preventDefault();
     });
@@ -145,6 +148,7 @@ class Editor {
     }
     this.selected = [];
     this.live = !!running;
+    this.#world = studio.live;
     this.#sent = JSON.stringify(scheme);
     this.#heard = JSON.stringify(schemes[this.population]);
     this.opened += 1;
@@ -164,7 +168,7 @@ class Editor {
     this.error = this.note = "";
     const scheme = this.scheme;
     const found = await ask<{ notes: string[]; base: Base; writable: boolean }>("save", {
-      document: scheme, file, replace, base: this.base, model: this.model || undefined, population: this.population,
+      document: scheme, file, replace, base: this.base, model: this.population && this.model, population: this.population,
     });
     this.base = found.base;
     this.writable = found.writable;
@@ -311,18 +315,21 @@ class Editor {
     const said = JSON.stringify(scheme);
     if (said === this.#sent) return;
     this.#sent = said;
-    studio.send({ do: "rescheme", population: this.population, document: scheme, token: this.#token });
+    this.#world?.send({ do: "rescheme", population: this.population, document: scheme, token: this.#token });
   }
   /** Let changes reach the society that runs, from now on, or no more. */
   setLive(live: boolean): void {
     this.live = live;
+    this.#world = studio.live;
     this.unfit = "";
     if (live) this.#check(0);
   }
   /** Set the model up with this scheme. */
   run(): void {
     const same = this.runs;
-    studio.documents = { model: this.model, of: { ...(same && studio.documents?.model === this.model ? studio.documents.of : {}), [this.population]: this.scheme } };
+    const world = (this.#world = studio.live);
+    const others = same && world.documents?.model === this.model ? world.documents.of : {};
+    world.documents = { model: this.model, of: { ...others, [this.population]: this.scheme } };
     this.#begins = true;
     this.unfit = "";
     this.#sent = JSON.stringify(this.scheme);
@@ -346,7 +353,7 @@ class Editor {
   }
   /** Somebody else changed the running scheme, or the society went back behind a change. */
   async #takeOver(): Promise<void> {
-    const running = studio.society?.schemes[this.population];
+    const running = this.#world?.society?.schemes[this.population];
     const found = await ask<Opened>("open", { model: this.model, population: this.population, running });
     this.#sent = JSON.stringify(found.document);
     this.history.settle();
