@@ -246,8 +246,8 @@ def written(scheme: Scheme) -> str:
     """
     maker = scheme.decision_maker
     lines = [
-        f"name: {_text(scheme.name)}",
-        f"decision_maker: {{name: {_text(maker.name)}, bias: {_number(maker.bias)}}}",
+        f"name: {name_text(scheme.name)}",
+        f"decision_maker: {{name: {name_text(maker.name)}, bias: {number_text(maker.bias)}}}",
     ]
     if scheme.breeds:
         lines += _list("breeds", scheme.breeds, "")
@@ -258,46 +258,46 @@ def written(scheme: Scheme) -> str:
     if scheme.cognitons:
         lines.append("cognitons:")
     for cogniton in scheme.cognitons:
-        lines.append(f"  {_text(cogniton.name)}:")
+        lines.append(f"  {name_text(cogniton.name)}:")
         lines.append(f"    at_birth: {'true' if cogniton.starting else 'false'}")
         lines += _rest(cogniton, "    ") + _becoming(cogniton, "    ")
     if scheme.groups:
         lines.append("groups:")
     for group in scheme.groups:
-        lines.append(f"  {_text(group.name)}:")
+        lines.append(f"  {name_text(group.name)}:")
         seen: list[str] = []
         for role in group.roles:
-            lines.append(f"    {_text(role.name)}:")
+            lines.append(f"    {name_text(role.name)}:")
             for culturon in role.culturons:
                 if culturon.name in seen:
-                    lines.append(f"      {_text(culturon.name)}: # as described above")
+                    lines.append(f"      {name_text(culturon.name)}: # as described above")
                     continue
                 seen.append(culturon.name)
-                lines.append(f"      {_text(culturon.name)}:")
+                lines.append(f"      {name_text(culturon.name)}:")
                 lines += _rest(culturon, "        ")
     if any(group.attributes for group in scheme.groups):
         lines.append("group_attributes:")
     for group in scheme.groups:
-        values = {name: _number(value) for name, value in group.attributes}
-        lines += _mapping(_text(group.name), values, "  ")
+        values = {name: number_text(value) for name, value in group.attributes}
+        lines += _mapping(name_text(group.name), values, "  ")
     if any(group.within for group in scheme.groups):
         lines.append("nested_groups:")
     for group in scheme.groups:
         if group.within is not None:
             around, part = group.within
-            lines += _mapping(_text(group.name), {around: _text(part)}, "  ")
+            lines += _mapping(name_text(group.name), {around: name_text(part)}, "  ")
     return HEADER + "\n".join(lines) + "\n"
 
 
 def _rest(holder: Cogniton | Culturon, indent: str) -> list[str]:
     """Return the lines of a cogniton or culturon from its start value on."""
-    lines = [f"{indent}start: {_number(holder.start_value)}"]
+    lines = [f"{indent}start: {number_text(holder.start_value)}"]
     if holder.colour != GREY:
         lines.append(indent + "colour: '#{:02x}{:02x}{:02x}'".format(*holder.colour))
     if holder.position is not None:
         lines.append(f"{indent}position: [{holder.position[0]}, {holder.position[1]}]")
-    influence = {plan: _number(weight) for plan, weight in holder.influence.items()}
-    reinforcement = {plan: _number(weight) for plan, weight in holder.reinforcement.items()}
+    influence = {plan: number_text(weight) for plan, weight in holder.influence.items()}
+    reinforcement = {plan: number_text(weight) for plan, weight in holder.reinforcement.items()}
     lines += _mapping("influence", influence, indent)
     if holder.conditional:
         lines += _list("conditional", holder.conditional, indent)
@@ -314,7 +314,7 @@ def _becoming(cogniton: Cogniton, indent: str) -> list[str]:
     if cogniton.type is not None:
         lines.append(f"{indent}type: {cogniton.type}")
     shares = {"chance": cogniton.chance, "inherited": cogniton.inherited}
-    lines += [f"{indent}{name}: {_number(one)}" for name, one in shares.items() if one != 1.0]
+    lines += [f"{indent}{name}: {number_text(one)}" for name, one in shares.items() if one != 1.0]
     return lines
 
 
@@ -324,7 +324,7 @@ def _flow(texts: list[str]) -> str:
 
 def _mapping(field: str, values: dict[str, str], indent: str) -> list[str]:
     """Return a field of name: value pairs, on one line if they fit; nothing if there are none."""
-    pairs = [f"{_text(name)}: {value}" for name, value in values.items()]
+    pairs = [f"{name_text(name)}: {value}" for name, value in values.items()]
     if not pairs:
         return []
     line = f"{indent}{field}: {{{', '.join(pairs)}}}"
@@ -335,7 +335,7 @@ def _mapping(field: str, values: dict[str, str], indent: str) -> list[str]:
 
 def _list(field: str, names: Iterable[str], indent: str) -> list[str]:
     """Return a field of several names, on one line if they fit."""
-    texts = [_text(name) for name in names]
+    texts = [name_text(name) for name in names]
     line = f"{indent}{field}: [{', '.join(texts)}]"
     return (
         [line]
@@ -344,7 +344,8 @@ def _list(field: str, names: Iterable[str], indent: str) -> list[str]:
     )
 
 
-def _number(value: float) -> str:
+def number_text(value: float) -> str:
+    """Return a number as the file has it."""
     mantissa, e, exponent = repr(value).partition("e")
     if not e:
         return mantissa.removesuffix(".0")
@@ -352,7 +353,7 @@ def _number(value: float) -> str:
     return mantissa + ("" if "." in mantissa else ".0") + e + exponent
 
 
-def _text(name: str) -> str:
+def name_text(name: str) -> str:
     """Return a name as YAML, in quotes where it needs them."""
     if PLAIN.fullmatch(name) and name.lower() not in TAKEN_WORDS:
         return name

@@ -127,7 +127,8 @@ class Skill:
         function: its internal function.
         genome: the weights of the function, shape (genome size,); None where they are not set yet
             or the function has none.
-        file, line: where it was read from.
+        file: the file that it was read from.
+        line: the line there.
 
     Raises:
         ModelError: a wrong name, input or output, or a genome of a wrong size.

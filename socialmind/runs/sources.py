@@ -107,7 +107,7 @@ def recorded_class(capsule: Made, kept: bool = False, trust: bool = False) -> ty
     folder = recorded_folder(capsule)
     if folder is not None:
         require(programs_in(folder), trust, f"{capsule.folder}: its model at {folder}")
-        return _with_minds(capsule, load_model(folder), trust)
+        return _with_minds(capsule, load_model(folder), trust, folder)
     if path is not None and path.is_file():
         require(programs_in(path), trust, f"{capsule.folder}: its model at {path}")
         return _with_minds(capsule, load_script(path, record["name"]), trust)
@@ -120,11 +120,15 @@ def recorded_class(capsule: Made, kept: bool = False, trust: bool = False) -> ty
     raise SocialmindError(f"{capsule.folder}: its model {record['name']} {where}; {remedy}")
 
 
-def _with_minds(capsule: Made, cls: type[Model], trust: bool) -> type[Model]:
-    """The class, whose minds may lie beside its folder."""
+def _with_minds(
+    capsule: Made, cls: type[Model], trust: bool, checked: Path | None = None
+) -> type[Model]:
+    """The class, whose minds may lie beside its folder, of which all programs are checked."""
     for population in cls.populations.values():
         if isinstance(population.hierarchy, str | Path):
             mind = cls.folder() / population.hierarchy
+            if checked is not None and mind.resolve().is_relative_to(checked.resolve()):
+                continue
             require(programs_in(mind), trust, f"{capsule.folder}: the mind at {mind}")
     return cls
 

@@ -9,7 +9,7 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import replay, resume, run
-from socialmind.mind import MindDescription
+from socialmind.mind import MindDescription, Perceptron, Skill
 from socialmind.sources.folders import model_folder
 from socialmind.sources.trust import DATA_VARIABLE, PROGRAMS_FILE, programs_in, remember, require
 
@@ -68,6 +68,23 @@ def test_a_run_of_ones_own_goes_on_and_somebody_elses_asks(tmp_path, monkeypatch
         with pytest.raises(SocialmindError, match=r"mine/model\.py.*--trust"):
             doing()
     assert replay(folder, trust=True).equal
+
+
+def test_a_mind_as_a_file_in_its_models_folder_needs_no_word_of_its_own(tmp_path):
+    skill = Skill("Go", ["SE:S"], ["MO:M"], Perceptron(layers=0))
+    mind = MindDescription("mover", ["S"], ["M"], skills=[skill])
+    (tmp_path / "mine").mkdir()
+    mind.save(tmp_path / "mine" / "mind.yaml")
+    (tmp_path / "mine" / "model.py").write_text(
+        "from socialmind import Agent, Model, Population\n\n\n"
+        "class Movers(Model):\n"
+        "    ticks = 2\n"
+        '    movers = Population(Agent, 2, hierarchy="mind.yaml")\n'
+    )
+    taught = MindDescription("mover", ["S"], ["M"], skills=[skill.changed(genome=[0.5, 0.5])])
+    movers = load_model(tmp_path / "mine")
+    folder = run(movers, out=tmp_path / "run", hierarchy=taught, compiled=False)
+    assert replay(folder).equal
 
 
 @pytest.mark.parametrize(

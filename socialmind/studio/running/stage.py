@@ -11,8 +11,10 @@ import json
 import time
 from collections.abc import Callable, Mapping
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import Any
 
+from coglogo_py import CogLogoError
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError, nearest
 from socialmind.interventions.change import Change
@@ -34,6 +36,8 @@ from socialmind.studio.running.plots import panel_of, table_of
 from socialmind.studio.running.supposing import supposed
 from socialmind.studio.running.turns import Turn
 from socialmind.studio.running.watching import watched
+from socialmind.studio.schemes.checking import Bearers, continued, runnable_of, same_minds
+from socialmind.studio.schemes.document import document_of
 
 SAID, FRAME = b"s", b"f"
 """The first byte of what is sent."""
@@ -58,6 +62,8 @@ class Stage:
         self._history = History()
         self._shown = Shown()
         self._watched: tuple[str, int] | None = None
+        self._told: Model | None = None
+        """The society whose parameters and schemes were said."""
         self._seen_alive = 0
         self._plots: list[dict[str, Any]] = []
         self._turn: tuple[Model, Turn] | None = None
@@ -94,13 +100,19 @@ class Stage:
         seed: int | str = 0,
         parameters: Mapping[str, Any] | None = None,
         scheme: Any = None,
+        documents: Mapping[str, Any] | None = None,
     ) -> None:
-        """Begin a society, before its first tick."""
+        """Begin a society, before its first tick; `documents` are edited schemes by population."""
         self.running = False
         self._say("busy", text=f"making {model}")
         model_class = load_model(model)
         self._source = model
         self._say_model(model_class)
+        if documents:
+            scheme = {
+                name: runnable_of(one, Bearers.of(model_class, name))
+                for name, one in documents.items()
+            }
         self._begin(LiveRun(model_class(seed=int(seed), scheme=scheme, **(parameters or {}))))
 
     def do_open(self, folder: str, tick: int = 0, source: str | None = None) -> None:
@@ -138,6 +150,7 @@ class Stage:
         self._history = History()
         self._shown = Shown.of(run.society)
         self._watched = None
+        self._told = run.society
         self._plans_due = bool(run.society.assemblies)
         self._note()
         self._say("society", **self._outline())
@@ -281,20 +294,48 @@ class Stage:
         """Change a value of an agent by hand."""
         self._intervene(Edit(self._of().tick, population, id, part, value))
 
-    def _intervene(self, intervention: Intervention) -> None:
+    def do_rescheme(self, population: str, document: Any, token: int = 0) -> None:
+        """Give the minds of a population an edited scheme; who has the same one gets it too.
+
+        The society goes on if it does not fit: that is said with the `token` of the page.
+        """
+        run = self._of()
+        schemes = run.society.schemes
+        try:
+            edited = runnable_of(document, Bearers.of(type(run.society), population))
+            scheme = continued(edited, schemes[population])
+            named = {name: scheme for name, one in schemes.items() if one == schemes[population]}
+            if same_minds(scheme, schemes[population]):
+                self._say("changed", token=token, **self._changing())
+            else:
+                self._intervene(Change(run.tick, {}, named), token)
+        except (SocialmindError, CogLogoError) as error:
+            self._say("unfit", token=token, text=str(error))
+
+    def _intervene(self, intervention: Intervention, token: int = 0) -> None:
         run = self._of()
         run.intervene(intervention)
         self._turn = None
         self._length = 0
         self._history.forget_after(run.tick)
         self._say("forgotten", after=run.tick)
-        self._say("changed", parameters=run.society.parameter_values())
+        self._told = run.society
+        self._say("changed", token=token, **self._changing())
         self._changed = True
+
+    def _changing(self) -> dict[str, Any]:
+        """Return what interventions change in a society."""
+        society = self._of().society
+        schemes = {name: document_of(one) for name, one in society.schemes.items()}
+        return {"parameters": society.parameter_values(), "schemes": schemes}
 
     def do_save(self, folder: str | None = None, every: int | None = None) -> None:
         """Make the run up to here as a folder."""
         self._say("busy", text="saving")
-        self._say("saved", folder=str(self._of().save(folder, every)))
+        made, home = self._of().save(folder, every), Path.cwd()
+        self._say(
+            "saved", folder=str(made.relative_to(home) if made.is_relative_to(home) else made)
+        )
 
     def do_copy(self, folder: str) -> None:
         """Make the run up to here as a folder, for another stage to open."""
@@ -409,6 +450,9 @@ class Stage:
             said["turn"] = vars(turn)
         if self._watched is not None:
             said["watched"] = self._look_inside(run, society, *self._watched)
+        if run.society is not self._told:  # an intervention was met, or gone back behind
+            self._told = run.society
+            self._say("changed", token=0, **self._changing())
         try:
             plots = [panel_of(society, one) for one in self._plots]
             frame = frame_of(society, self._shown, plots, **said)
@@ -451,7 +495,7 @@ class Stage:
         return {
             **outline_of_society(society),
             "seed": str(society.seed),  # a page's numbers have but 53 bits
-            "parameters": society.parameter_values(),
+            **self._changing(),
             "shown": vars(self._shown),
             "history": self._history.columns(),
         }

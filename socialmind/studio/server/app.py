@@ -20,7 +20,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
 from socialmind.studio.learning.processes import LearningProcesses
-from socialmind.studio.server import learning, plots, runs, skills, sweeps
+from socialmind.studio.server import learning, plots, runs, schemes, skills, sweeps
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -31,14 +31,19 @@ FIRST = "first"
 """The name of the society that the program begins with."""
 COMMANDS = frozenset(
     (
-        "setup", "open", "reset", "save", "branch", "end",
+        "setup", "open", "reset", "save", "branch", "end", "act",
         "go", "pause", "step", "turn", "pace", "go_to",
-        "show", "watch", "plots", "suppose", "set", "edit", "press",
-        "act", "steer", "imprint", "trace",
+        "show", "watch", "trace", "plots", "suppose",
+        "set", "edit", "rescheme", "press", "steer", "imprint",
     )
 )  # fmt: skip
 """What a page may ask of a stage."""
-STANDING = frozenset(["pause", "step", "turn", "go_to", "setup", "open", "reset", "branch", "save"])
+STANDING = frozenset(
+    (
+        "pause", "step", "turn", "go_to",
+        "setup", "open", "reset", "branch", "save", "act", "imprint",
+    )
+)  # fmt: skip
 """What ends the common going on of societies."""
 MOST_STAGES = 12
 
@@ -75,6 +80,7 @@ class Studio:
             *skills.routes(self._folders),
             *plots.routes(self._stages),
             *sweeps.routes(self._folders, Path(self._copies.name)),
+            *schemes.routes(self._folders, self._known),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]
@@ -90,6 +96,11 @@ class Studio:
             stage.end()
         self._learning.end()
         self._copies.cleanup()
+
+    def _known(self) -> set[str]:
+        """The models that pages may load: those of the catalogue, and the first one."""
+        first = (self._first or {}).get("model")
+        return {*catalogue()} | ({first} if first else set())
 
     async def _models(self, request: Request) -> JSONResponse:
         return JSONResponse(list(catalogue()))
@@ -113,7 +124,7 @@ class Studio:
         do, model, folder = (command.get(name) for name in ("do", "model", "folder"))
         if do not in COMMANDS:
             return f"no command {do!r}"
-        if do == "setup" and model not in {*catalogue(), (self._first or {}).get("model")}:
+        if do == "setup" and model not in self._known():
             return f"no model {model!r}; start the studio with its folder"
         try:
             if (do == "save" and folder) or do == "imprint":

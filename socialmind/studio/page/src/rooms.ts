@@ -4,6 +4,7 @@ import type { Component } from "svelte";
 import Experiments from "./experiments/Experiments.svelte";
 import Learning from "./learning/Learning.svelte";
 import Run from "./run/Run.svelte";
+import Mind from "./scheme/Mind.svelte";
 import Skills from "./skills/Skills.svelte";
 
 export interface Room {
@@ -15,6 +16,7 @@ export interface Room {
 
 export const ROOMS: Room[] = [
   { word: "run", title: "Run", component: Run },
+  { word: "mind", title: "Mind", component: Mind },
   { word: "skills", title: "Skills", component: Skills },
   { word: "learning", title: "Learning", component: Learning },
   { word: "experiments", title: "Experiments", component: Experiments },

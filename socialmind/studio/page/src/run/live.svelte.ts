@@ -1,5 +1,6 @@
 // What the page knows of one society, and how it asks: a socket, found again when it is lost.
 
+import type { Scheme } from "../scheme/document";
 import { decoded, type Frame, type HierarchyPlan, type Watched } from "./frame";
 import type { Actuator } from "./steering/steering";
 import type { Trace } from "./watcher/traces.svelte";
@@ -47,6 +48,8 @@ export interface SocietyOutline {
   networks: Record<string, [string, string]>;
   series: string[];
   parameters: Record<string, number | boolean | string>;
+  /** The schemes of populations as they are now. */
+  schemes: Record<string, Scheme>;
   shown: { agents: Record<string, string>; patches: string; networks: string[] };
   history: Record<string, (number | null)[]>;
 }
@@ -119,8 +122,11 @@ export class Live {
   #ended = false;
   #waiting: Command[] = [];
 
-  constructor(name: string) {
+  #heard?: (said: string, rest: Record<string, unknown>) => void;
+
+  constructor(name: string, heard?: (said: string, rest: Record<string, unknown>) => void) {
     this.name = name;
+    this.#heard = heard;
     this.#connect();
   }
 
@@ -130,10 +136,11 @@ export class Live {
     else if (this.#socket?.readyState === WebSocket.CONNECTING) this.#waiting.push(command);
   }
 
-  setup(model: string, seed: string, parameters: Record<string, unknown>): void {
+  /** Make a society in its place; `documents` are schemes for some populations in place of their own. */
+  setup(model: string, seed: string, parameters: Record<string, unknown>, documents: Record<string, Scheme> | null): void {
     this.error = this.note = "";
     this.watched = null;
-    this.send({ do: "setup", model, seed, parameters });
+    this.send({ do: "setup", model, seed, parameters, documents });
   }
 
   /** End the society, unless another tab looks at it. */
@@ -224,7 +231,7 @@ export class Live {
     } else if (said === "forgotten") {
       this.#forget(rest.after as number);
     } else if (said === "changed") {
-      if (this.society) this.society.parameters = rest.parameters as SocietyOutline["parameters"];
+      if (this.society) Object.assign(this.society, { parameters: rest.parameters, schemes: rest.schemes });
       this.changes += 1;
     } else if (said === "hierarchies") {
       this.plans = rest.plans as Record<string, HierarchyPlan>;
@@ -247,6 +254,7 @@ export class Live {
       this.busy = "";
       this.error = rest.text as string;
     }
+    this.#heard?.(said, rest);
   }
 
   #note(row: Record<string, number | null>): void {

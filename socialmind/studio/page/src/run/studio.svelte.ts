@@ -1,6 +1,7 @@
 // The societies that the page shows: one, or several side by side with one clock.
 
 import { place } from "../place.svelte";
+import type { Scheme } from "../scheme/document";
 import { Live, type Command } from "./live.svelte";
 
 export const FIRST = "first";
@@ -11,6 +12,9 @@ class Studio {
   worlds = $state.raw<Live[]>([]);
   /** The one whose parameters and agents are at the sides. */
   live = $state.raw<Live>(undefined!);
+  /** Edited schemes that a model is set up with in place of its own, by population. */
+  documents = $state.raw<{ model: string; of: Record<string, Scheme> } | null>(null);
+  #listeners: ((said: string, rest: Record<string, unknown>) => void)[] = [];
   #branched = "";
   #pace: number | "turn" | null = 1;
 
@@ -75,8 +79,14 @@ class Studio {
 
   /** Make another society in place of the one that is looked at; the others go back to their start. */
   setup(model: string, seed: string, parameters: Record<string, unknown>): void {
-    this.live.setup(model, seed, parameters);
+    if (this.documents?.model !== model) this.documents = null;
+    this.live.setup(model, seed, parameters, this.documents?.of ?? null);
     for (const one of this.worlds) if (one !== this.live) one.send({ do: "go_to", tick: 0 });
+  }
+
+  /** Let another room hear what the society that is looked at says. */
+  listen(hear: (said: string, rest: Record<string, unknown>) => void): void {
+    this.#listeners.push(hear);
   }
 
   /** Show the same society once more beside this one: from here on they may go different ways. */
@@ -96,7 +106,9 @@ class Studio {
   }
 
   #looked(name: string): Live {
-    const made = new Live(name);
+    const made = new Live(name, (said, rest) => {
+      if (this.live === made) for (const hear of this.#listeners) hear(said, rest);
+    });
     if (name === this.#branched) made.busy = "repeating the run up to here";
     return made;
   }

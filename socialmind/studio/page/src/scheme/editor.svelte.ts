@@ -1,0 +1,358 @@
+// What the room of schemes knows: the document with its past, where it came from, what is odd about it, and the society
+// that runs with it.
+
+import type { Finding } from "../graph/Findings.svelte";
+import { History } from "../graph/history.svelte";
+import type { Place } from "../graph/layout";
+import { studio } from "../run/studio.svelte";
+import {
+  linkOf, partOf, set, withCogniton, withCulturon, withGroup, withLink, without, withPlan, withRole,
+  type LinkKind, type Scheme,
+} from "./document";
+import { placed, type Places } from "./drawing";
+
+export interface Base {
+  file: string;
+  text: string;
+  suffix: string;
+  sha256: string;
+}
+/** What can be opened: a file, the scheme of a model's population, or that of the society that runs. */
+export interface Source {
+  file?: string;
+  model?: string;
+  population?: string;
+  running?: boolean;
+}
+interface State {
+  scheme: Scheme;
+  /** Where boxes stand that have no position of their own in the file. */
+  put: Places;
+}
+interface Opened {
+  document: Scheme;
+  base: Base | null;
+  writable: boolean;
+}
+
+const EMPTY: Scheme = { name: "scheme", decision_maker: { name: "MaximumWeight", bias: 1 }, breeds: [], ordered: true, plans: [], cognitons: [], groups: [] };
+const CHECK_AFTER = 150;
+
+/** An answer of the server that says what is wrong. */
+export class Refused extends Error {
+  constructor(text: string, readonly exists: boolean) {
+    super(text);
+  }
+}
+
+export async function ask<T>(what: string, asked?: unknown): Promise<T> {
+  let answer: Response;
+  try {
+    answer = await fetch(`api/schemes/${what}`, asked === undefined ? undefined : { method: "POST", body: JSON.stringify(asked) });
+  } catch {
+    throw new Refused("The program does not answer.", false);
+  }
+  const said = await answer.json().catch(() => ({ error: `The program failed (${answer.status}).` }));
+  if (!answer.ok) throw new Refused(said.error, said.exists === true);
+  return said as T;
+}
+
+class Editor {
+  history = new History<State>({ scheme: EMPTY, put: new Map() });
+  selected = $state.raw<string[]>([]);
+  findings = $state.raw<Finding[]>([]);
+  unruled = $state.raw<string[]>([]);
+  makers = $state.raw<string[]>(["MaximumWeight", "WeightedStochastic", "BiasedWeightedStochastic"]);
+  base = $state.raw<Base | null>(null);
+  writable = $state(false);
+  model = $state("");
+  population = $state("");
+  /** What links are drawn as. */
+  drawing = $state<LinkKind>("influence");
+  /** Whether changes reach the society that runs. */
+  live = $state(false);
+  /** Why the running society did not take the last change. */
+  unfit = $state("");
+  error = $state("");
+  note = $state("");
+  /** How often something was opened: the view is fitted then. */
+  opened = $state(0);
+  checking = $state(false);
+
+  #kept = $state.raw<Scheme>(EMPTY);
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #checks = 0;
+  #sent = "";
+  #heard = "";
+  #begins = false;
+  #token = 1 + Math.floor(Math.random() * 1e9);
+
+  constructor() {
+    studio.listen((said, rest) => this.#hear(said, rest));
+    addEventListener("beforeunload", (event) => {
+      if (this.changed) event.preventDefault();
+    });
+  }
+
+  get scheme(): Scheme {
+    return this.history.now.scheme;
+  }
+  get places(): Places {
+    return placed(this.scheme, this.history.now.put);
+  }
+  get changed(): boolean {
+    return this.scheme !== this.#kept;
+  }
+  get wrong(): boolean {
+    return this.findings.some((one) => one.wrong);
+  }
+  get selectedPart() {
+    return this.selected.length === 1 ? partOf(this.scheme, this.selected[0]) : null;
+  }
+
+  /** A model as the list has it, by the name that it was set up with. */
+  nameOf(source: string): string {
+    const listed = source.replaceAll("-", "_");
+    return studio.models.includes(listed) ? listed : source;
+  }
+  /** Whether the society in the room Run is of this model. */
+  get runs(): boolean {
+    return !!studio.model && this.nameOf(studio.model.source) === this.model && this.population in (studio.society?.schemes ?? {});
+  }
+
+  // Opening and saving -------------------------------------------------------------------------
+
+  async open(source: Source): Promise<void> {
+    this.error = this.note = this.unfit = "";
+    const { running, ...rest } = source;
+    const schemes = studio.society?.schemes ?? {};
+    const asked = running ? { ...rest, running: schemes[source.population ?? ""] } : rest;
+    let found: Opened;
+    try {
+      found = await ask<Opened>("open", asked);
+    } catch (error) {
+      this.error = (error as Error).message;
+      return;
+    }
+    const scheme = found.document;
+    this.history.begin({ scheme, put: placed(scheme, new Map()) });
+    this.#kept = scheme;
+    this.base = found.base;
+    this.writable = found.writable;
+    if (source.model) {
+      this.model = source.model;
+      this.population = source.population ?? "";
+    }
+    this.selected = [];
+    this.live = !!running;
+    this.#sent = JSON.stringify(scheme);
+    this.#heard = JSON.stringify(schemes[this.population]);
+    this.opened += 1;
+    this.#check(0);
+  }
+
+  /** Say for whom the scheme is to be; findings are of that model then. */
+  bear(model: string, population: string): void {
+    this.model = model;
+    this.population = population;
+    this.live = false;
+    this.#check(0);
+  }
+
+  /** Save; throws `Refused` if another file stands there. */
+  async save(file: string, replace = false): Promise<void> {
+    this.error = this.note = "";
+    const scheme = this.scheme;
+    const found = await ask<{ notes: string[]; base: Base; writable: boolean }>("save", {
+      document: scheme, file, replace, base: this.base, model: this.model || undefined, population: this.population,
+    });
+    this.base = found.base;
+    this.writable = found.writable;
+    this.#kept = scheme;
+    this.note = [`Saved in ${found.base.file}`, ...found.notes].join("; ");
+  }
+
+  // Editing ------------------------------------------------------------------------------------
+
+  /** Take another document; changes under the same key, one after another, are one step. */
+  change(scheme: Scheme, key = ""): void {
+    const put = new Map(this.history.now.put);
+    for (const [id, place] of this.places) if (!put.has(id)) put.set(id, place);
+    this.history.change({ scheme, put }, key);
+    this.#check();
+  }
+  undo(): void {
+    this.history.undo();
+    this.#afterStep();
+  }
+  redo(): void {
+    this.history.redo();
+    this.#afterStep();
+  }
+  #afterStep(): void {
+    this.selected = this.selected.filter((id) => partOf(this.scheme, id) || linkOf(id));
+    this.#check(0);
+  }
+
+  set(id: string, fields: Record<string, unknown>, key = ""): void {
+    this.change(set(this.scheme, id, fields), key);
+  }
+  rename(id: string, name: string): string | void {
+    if (name === "") return "a name is needed";
+    this.set(id, { name }, `name ${id}`);
+  }
+  add(kind: "cogniton" | "plan" | "group", at: Place | null = null): void {
+    const place = at ?? this.#freePlace(kind);
+    const position: [number, number] = [Math.round(place.x), Math.round(place.y)];
+    const making = { cogniton: withCogniton, plan: withPlan, group: withGroup }[kind];
+    const [scheme, id] = making(this.scheme, position);
+    this.change(scheme);
+    if (kind === "group") this.move(new Map([[id, place], [scheme.groups.at(-1)!.roles[0].id, { x: place.x + 190, y: place.y }]]), "");
+    this.selected = [id];
+  }
+  addRole(group: string): void {
+    const [scheme, id] = withRole(this.scheme, group);
+    this.change(scheme);
+    this.selected = [id];
+  }
+  addCulturon(role: string): void {
+    const at = this.places.get(role)!;
+    const place = this.#clear({ x: at.x + 190, y: at.y });
+    const [scheme, id] = withCulturon(this.scheme, role, [place.x, place.y]);
+    this.change(scheme);
+    this.selected = [id];
+  }
+  link(kind: LinkKind | "role", from: string, to: string, weight = 1, key = ""): void {
+    this.change(withLink(this.scheme, { kind, from, to }, weight), key);
+  }
+  /** Weigh a link by what was typed; what is no number yet changes nothing. */
+  weigh(id: string, text: string): void {
+    const link = linkOf(id);
+    const weight = Number(text);
+    if (link && text.trim() !== "" && Number.isFinite(weight)) this.link(link.kind, link.from, link.to, weight, `weight ${id}`);
+  }
+  /** A plan of a name, which is made if there is none. */
+  planCalled(name: string, beside: string): string {
+    const known = this.scheme.plans.find((one) => one.name === name);
+    if (known) return known.id;
+    const at = this.places.get(beside);
+    const place = this.#clear(at ? { x: at.x + 300, y: at.y } : this.#freePlace("plan"));
+    const [scheme, id] = withPlan(this.scheme, [place.x, place.y], name);
+    this.change(scheme);
+    return id;
+  }
+  remove(ids: string[]): void {
+    const known = ids.filter((id) => partOf(this.scheme, id) || linkOf(id)?.kind);
+    if (!known.length) return;
+    this.change(without(this.scheme, known));
+    this.selected = [];
+  }
+  /** Put boxes elsewhere: in the document where it holds places, else beside it. */
+  move(places: Places, key = ""): void {
+    let scheme = this.scheme;
+    const put = new Map(this.history.now.put);
+    for (const [id, { x, y }] of places) {
+      const part = partOf(scheme, id);
+      if (part && part.kind !== "group" && part.kind !== "role") scheme = set(scheme, id, { position: [Math.round(x), Math.round(y)] });
+      else put.set(id, { x, y });
+    }
+    for (const [id, place] of this.places) if (!put.has(id)) put.set(id, place);
+    this.history.change({ scheme, put }, key);
+    this.#check();
+  }
+  /** Lay everything out anew. */
+  layOut(): void {
+    const bare: Scheme = {
+      ...this.scheme,
+      plans: this.scheme.plans.map((one) => ({ ...one, position: null })),
+      cognitons: this.scheme.cognitons.map((one) => ({ ...one, position: null })),
+      groups: this.scheme.groups.map((one) => ({ ...one, culturons: one.culturons.map((each) => ({ ...each, position: null })) })),
+    };
+    this.move(placed(bare, new Map()));
+    this.opened += 1;
+  }
+
+  #freePlace(kind: "cogniton" | "plan" | "group"): Place {
+    const same = { group: this.scheme.groups, cogniton: this.scheme.cognitons, plan: this.scheme.plans }[kind];
+    const places = same.map((one) => this.places.get(one.id)!);
+    if (places.length) return this.#clear({ x: places.at(-1)!.x, y: Math.max(...places.map((one) => one.y)) + 92 });
+    return this.#clear({ x: { group: -480, cogniton: 0, plan: 330 }[kind], y: 0 });
+  }
+  /** The next place below one that no box covers. */
+  #clear(at: Place): Place {
+    const taken = [...this.places.values()];
+    const free = { ...at };
+    while (taken.some((one) => Math.abs(one.x - free.x) < 160 && Math.abs(one.y - free.y) < 72)) free.y += 92;
+    return free;
+  }
+
+  // Checking, and the society that runs ----------------------------------------------------------
+
+  #check(after = CHECK_AFTER): void {
+    clearTimeout(this.#timer);
+    this.checking = true;
+    this.#timer = setTimeout(() => void this.#ask(), after);
+  }
+  async #ask(): Promise<void> {
+    const number = (this.#checks += 1);
+    const scheme = this.scheme;
+    let found: { findings: Finding[]; unruled: string[]; makers: string[] };
+    try {
+      found = await ask("check", { document: scheme, model: this.population && this.model, population: this.population });
+    } catch (error) {
+      found = { findings: [{ at: null, wrong: true, text: (error as Error).message }], unruled: [], makers: this.makers };
+    }
+    if (number !== this.#checks) return;
+    this.checking = false;
+    ({ findings: this.findings, unruled: this.unruled, makers: this.makers } = found);
+    if (this.live && !this.wrong) this.#reach(scheme);
+  }
+  #reach(scheme: Scheme): void {
+    const said = JSON.stringify(scheme);
+    if (said === this.#sent) return;
+    this.#sent = said;
+    studio.send({ do: "rescheme", population: this.population, document: scheme, token: this.#token });
+  }
+  /** Let changes reach the society that runs, from now on, or no more. */
+  setLive(live: boolean): void {
+    this.live = live;
+    this.unfit = "";
+    if (live) this.#check(0);
+  }
+  /** Set the model up with this scheme. */
+  run(): void {
+    const same = this.runs;
+    studio.documents = { model: this.model, of: { ...(same && studio.documents?.model === this.model ? studio.documents.of : {}), [this.population]: this.scheme } };
+    this.#begins = true;
+    this.unfit = "";
+    this.#sent = JSON.stringify(this.scheme);
+    studio.setup(this.model, same ? (studio.society?.seed ?? "0") : "0", same ? (studio.society?.parameters ?? {}) : {});
+  }
+
+  #hear(said: string, rest: Record<string, unknown>): void {
+    if (said === "society") {
+      this.live = this.#begins;
+      this.#begins = false;
+      this.#heard = JSON.stringify((rest.schemes as Record<string, Scheme>)[this.population]);
+    } else if (said === "unfit" && rest.token === this.#token) {
+      this.unfit = rest.text as string;
+    } else if (said === "changed") {
+      const now = JSON.stringify((rest.schemes as Record<string, Scheme>)[this.population]);
+      const other = now !== this.#heard;
+      this.#heard = now;
+      if (rest.token === this.#token) this.unfit = "";
+      else if (this.live && other) void this.#takeOver();
+    } else if (said === "error") this.#begins = false;
+  }
+  /** Somebody else changed the running scheme, or the society went back behind a change. */
+  async #takeOver(): Promise<void> {
+    const running = studio.society?.schemes[this.population];
+    const found = await ask<Opened>("open", { model: this.model, population: this.population, running });
+    this.#sent = JSON.stringify(found.document);
+    this.history.settle();
+    this.change(found.document);
+    this.selected = [];
+  }
+}
+
+export const editor = new Editor();

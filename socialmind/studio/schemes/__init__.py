@@ -1,0 +1,1 @@
+"""Cognitive schemes as the studio edits them: documents, what is odd about them, their files."""
