@@ -12,6 +12,7 @@ LAYERS = (
     "coglogo_py",
     "version errors",
     "fields",
+    "looks",
     "values",
     "columns",
     "streams names",

@@ -15,7 +15,8 @@ def studio(
     what: Annotated[
         str | None,
         typer.Argument(
-            metavar="[MODEL|DIR]", help="A model to run, or a run's folder to go through."
+            metavar="[MODEL|DIR]",
+            help="A model to run, its folder or file, or a run's folder to go through.",
         ),
     ] = None,
     seed: Annotated[int, typer.Option(**options.FROM_0, help="Key of all random draws.")] = 0,
@@ -52,7 +53,7 @@ def _first(
         if settings or scheme is not None or seed:
             raise SocialmindError(f"{what} is a run, which has its seed, parameters and schemes")
         return {"do": "open", "folder": what}
-    if Path(what).is_file():
+    if Path(what).is_file() and Path(what).suffix != ".py":
         raise SocialmindError(f"{what} is a file; expected a model (socialmind list) or a run")
     from socialmind.catalogue import load_model
     from socialmind.society.settings import sorted_out

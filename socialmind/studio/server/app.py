@@ -79,8 +79,8 @@ class Studio:
             *runs.routes(self._folders),
             *skills.routes(self._folders),
             *plots.routes(self._stages),
-            *sweeps.routes(self._folders, Path(self._copies.name)),
             *schemes.routes(self._folders, self._known),
+            *sweeps.routes(self._folders, Path(self._copies.name)),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]

@@ -2,6 +2,7 @@
 
 import pytest
 
+from socialmind.catalogue import catalogue
 from socialmind.experiments import Run, replay
 
 TICK = "Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, ''))"
@@ -98,5 +99,22 @@ def test_every_kind_of_world_is_drawn(browser, studio):
         page.click("[data-test=step]")
         wait_for_tick(page, 1)
         assert page.evaluate(COLOURS) > 2  # something else than the ground
+    assert page.failures == []
+    page.close()
+
+
+@pytest.mark.study
+def test_every_model_is_set_up_and_runs(browser, studio):
+    page = studio.page(browser)
+    for model in catalogue():
+        page.select_option("[data-test=model]", model)
+        page.wait_for_selector(f"h2:text-is('{model.replace('_', ' ')}')")
+        page.wait_for_selector("[data-test=setup]:not([disabled])")
+        page.wait_for_function(f"{TICK} == 0")
+        for tick in (1, 2, 3):
+            page.click("[data-test=step]")
+            wait_for_tick(page, tick)
+        assert page.evaluate(COLOURS) > 2
+        assert not page.is_visible(".said.wrong"), page.inner_text(".said")
     assert page.failures == []
     page.close()

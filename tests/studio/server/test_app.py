@@ -8,6 +8,7 @@ from socialmind.studio.server.folders import Folders
 
 @pytest.fixture
 def studio(tmp_path):
+    (tmp_path / "link").symlink_to("/tmp")
     first = {"do": "setup", "model": "my/own", "scheme": "wild.yaml"}
     return Studio(first, Folders(tmp_path))
 
@@ -20,6 +21,8 @@ def studio(tmp_path):
         {"do": "save", "folder": None},
         {"do": "save", "folder": "runs/one"},
         {"do": "go"},
+        {"do": "open", "folder": "runs/one"},
+        {"do": "branch", "into": "w1"},
     ],
 )
 def test_models_of_the_catalogue_and_folders_below_are_allowed(studio, command):
@@ -36,6 +39,9 @@ def test_models_of_the_catalogue_and_folders_below_are_allowed(studio, command):
         {"do": "save", "folder": "/etc/cron.d/x"},
         {"do": "open", "folder": "/tmp/run"},
         {"do": "join"},
+        {"do": "copy", "folder": "runs/one"},
+        {"do": "branch", "into": ["w1"]},
+        {"do": "open", "folder": "link"},
         {"do": "__init__"},
         {},
     ],

@@ -29,6 +29,7 @@ class Panels {
         ? one.names.some((name) => series.includes(name))
         : colourings[one.population]?.includes(one.x) && (one.kind === "histogram" || colourings[one.population].includes(one.y)),
     );
+    for (const one of kept) if (one.kind === "series") one.names = one.names.filter((name) => series.includes(name));
     this.all = kept.length ? kept : [{ key: this.#next++, kind: "series", names: series.slice(0, 2) }];
   }
   add(kind: Panel["kind"]): void {

@@ -9,6 +9,8 @@ const DISC = 0;
 const ARROW = 1;
 const SQUARE = 2;
 const RING = 3;
+/** Between agents that have no places. */
+const APART = 1.8;
 const GREEN: Colour = [31, 140, 58];
 /** As models name them (looks.py), by their numbers in the renderer. */
 const SHAPES: Record<string, number> = {
@@ -30,6 +32,8 @@ export interface Standing {
 export interface Scene {
   picture: Picture;
   standing: Standing[];
+  /** How far down those go that have no places, from 0. */
+  foot: number;
 }
 
 export interface Wanted {
@@ -83,6 +87,7 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
   const numbers = new Float32Array(5 * count);
   const colours = new Uint8Array(4 * count);
   const standing: Standing[] = [];
+  let foot = 0; // of the agents without places that are laid out so far
   const below = new Lines();
   const above = new Lines();
   let row = 0;
@@ -120,14 +125,23 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
         const [x, y, angle, half] = rows.subarray(4 * one, 4 * one + 4);
         add(x, y, angle, half, SQUARE, ofWord(4), 110);
       }
-    } else if (columns[`${name}.x`]) {
-      const [x, y, heading] = ["x", "y", "heading"].map((part) => columns[`${name}.${part}`]);
+    } else {
+      const heading = columns[`${name}.heading`];
+      const placed = wanted.extent !== null || isPlaced(columns[`${name}.x`], columns[`${name}.y`]);
+      const [x, y] = placed ? [columns[`${name}.x`], columns[`${name}.y`]] : lattice(said.count, foot);
+      if (!placed) foot = lowest(y, foot) - 2 * APART;
       const shape = SHAPES[said.shape ?? ""] ?? (heading ? ARROW : DISC);
       const sizes = columns[`${name}.size`];
       const turned = heading && TURNED.includes(shape);
       for (let one = 0; one < said.count; one += 1) {
         const angle = turned ? Math.PI / 2 - (heading[one] * Math.PI) / 180 : 0;
-        add(x[one], y[one], angle, sizes ? sizes[one] / 2 : 0.62, shape);
+        const at = 5 * row;
+        numbers[at] = x[one];
+        numbers[at + 1] = y[one];
+        numbers[at + 2] = angle;
+        numbers[at + 3] = sizes ? sizes[one] / 2 : 0.62;
+        numbers[at + 4] = shape;
+        row += 1;
       }
       coloured(columns[`${name}.colour`], said, colours, from);
     }
@@ -148,8 +162,25 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
       above: above.segments,
     },
     standing,
+    foot,
   };
 }
+
+/** Places for agents that have none: rows from left to right, in the order of birth, below `top`. */
+function lattice(count: number, top: number): [Float32Array, Float32Array] {
+  const across = Math.max(1, Math.ceil(Math.sqrt(count)));
+  const [x, y] = [new Float32Array(count), new Float32Array(count)];
+  for (let one = 0; one < count; one += 1) {
+    x[one] = ((one % across) - (across - 1) / 2) * APART;
+    y[one] = top - Math.floor(one / across) * APART;
+  }
+  return [x, y];
+}
+/** Whether agents stand anywhere: in a model without a world all are at 0, 0. */
+function isPlaced(x: Column | undefined, y: Column | undefined): boolean {
+  return !!x && !!y && (x.length < 2 || x.some((one) => one !== x[0]) || y.some((one) => one !== y[0]));
+}
+const lowest = (y: ArrayLike<number>, otherwise: number) => (y.length ? y[y.length - 1] : otherwise);
 
 export function found(standing: Standing[], population: string, id: number) {
   const those = standing.find((one) => one.population === population);
