@@ -194,6 +194,7 @@ class LiveRun:
             hierarchy,
             every=every,
             out=folder,
+            compiled=self._first.compiled,
             interventions=self.interventions[: self._met],
             progress=False,
         )

@@ -178,6 +178,7 @@ class Stage:
         self._prepare(run)
         begin, before = time.perf_counter(), run.tick
         run.advance(int(ticks))
+        self._turn = None
         self._pass(run.tick - before, max(time.perf_counter() - begin, FRAME_SECONDS))
         self._note()
         over = bool(run.society.stopped)
@@ -410,7 +411,7 @@ class Stage:
     def _pass(self, ticks: int, seconds: float) -> None:
         """Note how fast time passes."""
         self._rate += 0.1 * (ticks / seconds - self._rate)
-        self._turn, self._changed = None, True
+        self._changed = True
 
     def _take_turn(self) -> None:
         run = self._of()

@@ -149,6 +149,16 @@ def test_a_tick_is_gone_through_turn_by_turn(stage):
     assert stage._run.society.series() == society.series()
 
 
+def test_turns_are_a_speed_too(stage):
+    stage.do({"do": "pace", "ticks": "turn"})
+    stage.do({"do": "go"})
+    seen(stage)
+    for _ in range(3):
+        stage._next_piece = 0.0
+        frame = seen(stage)
+    assert (frame["tick"], frame["turn"]["number"], frame["running"]) == (0, 4, True)
+
+
 def test_a_copy_is_opened_where_it_was_taken(stage, tmp_path):
     stage.do({"do": "step", "ticks": 40})
     stage.do({"do": "set", "tool_price": 90})
