@@ -64,7 +64,7 @@ def summary(folder: Path) -> dict[str, Any]:
         "lessons": [one["name"] for one in lessons_in(manifest.lessons)],
         "attempts": manifest.attempts,
         "finished": manifest.finished,
-        "seed": manifest.seed,
+        "seed": str(manifest.seed),  # a page's numbers have but 53 bits
         "created": manifest.timings.get("created"),
         "seconds": manifest.timings.get("seconds", 0.0),
     }

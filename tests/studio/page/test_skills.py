@@ -115,6 +115,7 @@ def test_a_hierarchy_is_drawn_from_nothing(browser, studio):
     page = studio.page(browser, "#/skills", "[data-test=open]")
     page.click("[data-test=open]")
     page.click("[data-test=open-empty]")
+    page.wait_for_selector("dialog", state="detached")
     add(page, "s", "EYE")
     add(page, "m", "MotL")
     add(page, "k", "Turn")

@@ -15,7 +15,7 @@ export interface Summary {
   failure: string | null;
   attempts?: number;
   finished?: number;
-  seed?: number;
+  seed?: string;
   created?: string;
   seconds?: number;
 }

@@ -84,7 +84,7 @@ class Editor {
     this.error = this.note = "";
     let found: Opened;
     try {
-      found = await ask<Opened>("open", file ? { file } : {});
+      found = file ? await ask<Opened>("open", { file }) : { document: { ...EMPTY, skills: [] }, base: null, writable: false };
     } catch (error) {
       this.error = (error as Error).message;
       return;
