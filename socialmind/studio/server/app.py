@@ -18,7 +18,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
-from socialmind.studio.server import schemes
+from socialmind.studio.server import first_hour, schemes
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.folders import Folders
 from socialmind.studio.server.stages import StageProcess, Viewer
@@ -66,6 +66,7 @@ class Studio:
         routes = [
             Route("/api/models", self._models),
             *schemes.routes(self._folders, self._known),
+            *first_hour.routes(),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]

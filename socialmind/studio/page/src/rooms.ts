@@ -3,6 +3,7 @@
 import type { Component } from "svelte";
 import Run from "./run/Run.svelte";
 import Mind from "./scheme/Mind.svelte";
+import FirstHour from "./tutorials/FirstHour.svelte";
 
 export interface Room {
   /** In the address, after #/. */
@@ -14,4 +15,5 @@ export interface Room {
 export const ROOMS: Room[] = [
   { word: "run", title: "Run", component: Run },
   { word: "mind", title: "Mind", component: Mind },
+  { word: "first-hour", title: "First hour", component: FirstHour },
 ];
