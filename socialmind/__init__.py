@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from socialmind.networks.network import Network as Network
     from socialmind.networks.start import generator as generator
     from socialmind.society.founding.civilisations import Civilisation as Civilisation
+    from socialmind.society.looks import Looks as Looks
     from socialmind.society.messages import Messages as Messages
     from socialmind.society.parameter import Parameter as Parameter
     from socialmind.society.parameter import parameter as parameter
@@ -50,6 +51,7 @@ else:
             "socialmind.networks.network": "Link Network",
             "socialmind.networks.start": "generator",
             "socialmind.society.founding.civilisations": "Civilisation",
+            "socialmind.society.looks": "Looks",
             "socialmind.society.messages": "Messages",
             "socialmind.society.parameter": "Parameter parameter",
             "socialmind.society.phases": "each once",

@@ -10,7 +10,7 @@ instance is a running society:
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
@@ -45,6 +45,7 @@ from socialmind.worlds.contract import World
 if TYPE_CHECKING:
     from coglogo_py.receipts.receipt import Receipt
     from socialmind.mind.steering import Steering
+    from socialmind.society.looks import Looks
 
 Loaded = TypeVar("Loaded", bound="Model")
 
@@ -66,9 +67,12 @@ class Model(metaclass=ModelKind):
     - messages between agents, `offers = Messages(Offer, to=humans)`, and what two of them may come
       to, `theft = Interaction(…)`;
     - `world = Torus("world_size", Land)`;
-    - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`.
+    - `setup` and `schedule`: tuples of `each(population, rule)` and `once(rule)`;
+    - `buttons`: functions of the society, as of shocks, by what stands on their buttons in the
+      studio: `buttons = {"Drought": drought}`.
 
-    And methods: `series()` and `agents()` say what a run records, `stop_when()` when it stops.
+    And methods: `series()` and `agents()` say what a run records, `stop_when()` when it stops,
+    `looks()` how the studio draws it.
 
     Args:
         seed: the key of all random draws, 0 … 2⁶⁴ − 1.
@@ -104,6 +108,7 @@ class Model(metaclass=ModelKind):
     rewards: ClassVar[dict[str, Any]] = {}
     interruptions: ClassVar[dict[str, Any]] = {}
     measures: ClassVar[dict[str, Any]] = {}
+    buttons: ClassVar[dict[str, Callable[..., None]]] = {}
     shape: ClassVar[ModelShape]
     _programs: ClassVar[dict[bool, Program]] = {}
     _blueprint: ClassVar[Blueprint]
@@ -232,7 +237,7 @@ class Model(metaclass=ModelKind):
         """Whether robots have minds: not in a model made with `hierarchy=False`."""
         return self._given[1] is not False
 
-    def steer(self, population: str, commands: ArrayLike | None) -> None:
+    def steer(self, population: str, commands: ArrayLike | None, agent: int | None = None) -> None:
         """Steer robots from outside, in place of their minds.
 
         Actuators carry commands out from the next tick on, until others are given.
@@ -241,11 +246,13 @@ class Model(metaclass=ModelKind):
             population: the robots' population.
             commands: 0 … 1, (robots, actuators) in the order of the living and of the body's
                 actuators, or (actuators,) for all of them; None gives them back to their minds.
+            agent: the identity of a robot that is steered alone, one at a time. Its mind goes on
+                thinking and is not obeyed; the others obey theirs.
 
         Raises:
             SocialmindError: no plane, no such robots, or wrong commands.
         """
-        self.ground.steer(population, commands)
+        self.ground.steer(population, commands, agent)
 
     def series(self) -> dict[str, Any]:
         """Return what a run records of the society at a tick: a name and a number for each column.
@@ -267,6 +274,14 @@ class Model(metaclass=ModelKind):
             return {}
         there = self.ground.agents()
         return agent_columns(self) if there is None else there
+
+    def looks(self) -> dict[str, Looks]:
+        """Return how the studio draws agents, by their population, and patches, as "patches".
+
+        A model in a world of patches, or in none, overrides it. It is asked for each picture, and
+        may look at anything but change nothing.
+        """
+        return {}
 
     def keep_events(self) -> None:
         """Keep from now on who is born and who dies, for `kept_events`; copies do not."""

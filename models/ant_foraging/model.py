@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from socialmind import Agent, Grid, Model, Patch, Population, each, once, parameter
+from socialmind import Agent, Grid, Looks, Model, Patch, Population, each, once, parameter
 
 STEPS = ((0, 1), (1, 1), (1, 0), (1, -1), (0, -1), (-1, -1), (-1, 0), (-1, 1))
 TURN = 45  # degrees from one of the eight steps to the next, clockwise from north
@@ -243,6 +243,21 @@ class AntForaging(Model):
             "pheromone": float(self.world.pheromone.sum()),
             "passed_north": self.passed_north,
             "passed_south": self.passed_south,
+        }
+
+    def looks(self):
+        """Return ants with and without food; nest, food, and the marks on the ground."""
+        world = self.world
+        ground = np.select([world.nest, world.food > 0, ~world.open], [-2.0, -1.0, -3.0], 0.0)
+        marks = np.minimum(np.log1p(world.pheromone) / np.log1p(500.0), 1.0)
+        return {
+            "ants": Looks("animal", {"searching": "black", "with food": "orange"}, self.ants.laden),
+            "patches": Looks(
+                colour=("grey", "brown", "gold", "white", "green"),
+                by=np.where(ground < 0, ground, marks),
+                low=-3,
+                high=1,
+            ),
         }
 
     def agents(self):

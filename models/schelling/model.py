@@ -4,7 +4,7 @@ Schelling (1971), by the rules of the public comparison of agent-based framework
 (DOI 10.5281/zenodo.8016506).
 """
 
-from socialmind import Agent, Grid, Model, Population, each, parameter
+from socialmind import Agent, Grid, Looks, Model, Population, each, parameter
 
 
 class Person(Agent):
@@ -36,6 +36,12 @@ def move(person, model, rng):
     model.world.move_to(person, place.x, place.y)
 
 
+def mix(society, rng):
+    """Let everybody change its kind or not, by chance."""
+    for person in society.people:
+        person.kind = rng.integers(2)
+
+
 class Schelling(Model):
     """Who wants a few neighbours of its own kind leaves, and kinds part (Schelling 1971)."""
 
@@ -50,7 +56,14 @@ class Schelling(Model):
     people = Population(Person, "n_agents")
     setup = (each(people, arrive),)
     schedule = (each(people, settle),)
+    buttons = {"Mix the kinds": mix}
 
     def series(self):
         """Return how many are content."""
         return {"happy": int(self.people.happy.sum()), "people": len(self.people)}
+
+    def looks(self):
+        """Return persons in the colour of their kind, smaller where they are not content."""
+        kinds = {"one kind": "blue", "the other": "gold"}
+        people = self.people
+        return {"people": Looks("person", kinds, people.kind, size=0.75 + 0.35 * people.happy)}

@@ -4,7 +4,9 @@ Wolf sheep predation (Wilensky 1997), by the rules of the public comparison of a
 frameworks (DOI 10.5281/zenodo.8016506).
 """
 
-from socialmind import Agent, Model, Patch, Population, Torus, each, once, parameter
+import numpy as np
+
+from socialmind import Agent, Looks, Model, Patch, Population, Torus, each, once, parameter
 
 SHEEP_GAIN = 5  # energy of the grass of a patch
 WOLF_GAIN = 13  # energy of a sheep
@@ -91,6 +93,18 @@ def grow(model):
             patch.growing -= 1
 
 
+def drought(society):
+    """Let all grass die; it grows again from the root."""
+    society.world.growing = society.regrowth
+
+
+def plague(society, rng):
+    """Let every other sheep die."""
+    for sheep in society.sheep:
+        if rng.random() < 0.5:
+            sheep.die()
+
+
 class WolvesSheep(Model):
     """Wolves, sheep and grass: numbers that go up and down (Wilensky 1997)."""
 
@@ -112,8 +126,21 @@ class WolvesSheep(Model):
     wolves = Population(Animal, "n_wolves")
     setup = (once(sprout), each(sheep, arrive_sheep), each(wolves, arrive_wolf))
     schedule = (each(sheep, live_sheep), each(wolves, live_wolf), once(grow))
+    buttons = {"Drought": drought, "Plague among sheep": plague}
 
     def series(self):
         """Return how many live, and how much grass is grown."""
         grown = int((self.world.growing == 0).sum())
         return {"sheep": len(self.sheep), "wolves": len(self.wolves), "grass": grown}
+
+    def looks(self):
+        """Return white sheep and dark wolves, large where they are well fed, on grass or earth."""
+        return {
+            "sheep": Looks("animal", "white", size=0.7 + 0.02 * np.minimum(self.sheep.energy, 25)),
+            "wolves": Looks(
+                "animal", "black", size=0.9 + 0.01 * np.minimum(self.wolves.energy, 50)
+            ),
+            "patches": Looks(
+                colour=("grass", "earth"), by=self.world.growing, low=0, high=self.regrowth
+            ),
+        }

@@ -20,6 +20,8 @@ def interventions_said(records: Sequence[Mapping[str, Any]]) -> str:
     """Return the sentence of what was done to societies on their way, if anything was."""
     told = []
     for one in records:
+        if "commands" in one:
+            continue
         if "function" in one:
             digest = one["sources"]["sha256"][:HASH_DIGITS]
             what = [f"{one['function']} ({Path(one['file']).name}, SHA-256 {digest}…)"]
@@ -34,7 +36,21 @@ def interventions_said(records: Sequence[Mapping[str, Any]]) -> str:
                 for owner, scheme in one["schemes"].items()
             ]
         told.append(f"at tick {one['tick']:,} {listed(what)}")
-    return f"Societies were changed on their way: {'; '.join(told)}." if told else ""
+    sentences = [f"Societies were changed on their way: {'; '.join(told)}."] if told else []
+    return " ".join(sentences + _steering_said(records))
+
+
+def _steering_said(records: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return a sentence for each robot that somebody steered by hand."""
+    sentences = []
+    steered = [one for one in records if "commands" in one]
+    for population, agent in dict.fromkeys((one["population"], one["agent"]) for one in steered):
+        own = [one for one in steered if (one["population"], one["agent"]) == (population, agent)]
+        sentences.append(
+            f"Robot {agent} of {population} was steered by hand from tick {own[0]['tick']:,} on "
+            f"({len(own):,} commands)."
+        )
+    return sentences
 
 
 def opening(

@@ -7,7 +7,7 @@ more.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,8 @@ from socialmind.streams import ORDER_TAG, Stream, shuffle
 if TYPE_CHECKING:
     from socialmind.agents.running import Running
     from socialmind.language.program import Phase
+
+    AfterTurn = Callable[[Phase, Any], None]
 
 
 @contextmanager
@@ -52,26 +54,38 @@ def run_setup(model: Running, functions: dict[str, Rule]) -> None:
     _settle(model)
 
 
-def run_tick(model: Running, functions: dict[str, Rule]) -> None:
-    """Run one tick of a model in interpreted Python."""
+def run_tick(
+    model: Running, functions: dict[str, Rule], after_turn: AfterTurn | None = None
+) -> None:
+    """Run one tick of a model in interpreted Python.
+
+    Args:
+        model: the society.
+        functions: its rules.
+        after_turn: called after each turn with the phase and who had it, None for the model.
+    """
     with following_rules(model):
-        model.ground.run_tick(functions, lambda: _run_schedule(model, functions))
+        model.ground.run_tick(functions, lambda: _run_schedule(model, functions, after_turn))
         _bear(model, functions)
     _settle(model)
     model.context["_tick"] += 1
 
 
-def _run_schedule(model: Running, functions: dict[str, Rule]) -> None:
+def _run_schedule(model: Running, functions: dict[str, Rule], after_turn: AfterTurn | None) -> None:
     for phase in model.program.schedule:
-        _run(model, functions, phase)
+        _run(model, functions, phase, after_turn)
 
 
-def _run(model: Running, functions: dict[str, Rule], phase: Phase) -> None:
+def _run(
+    model: Running, functions: dict[str, Rule], phase: Phase, after_turn: AfterTurn | None = None
+) -> None:
     stream = Stream(model.seed)
     rule = functions[phase.symbol]
     if phase.shape.population is None:
         stream.begin(phase.tag, 0, model.tick)
         _follow(model, rule, phase, None, stream)
+        if after_turn is not None:
+            after_turn(phase, None)
         return
     table = model.tables[phase.shape.population]
     acting = table.acting_order
@@ -83,6 +97,8 @@ def _run(model: Running, functions: dict[str, Rule], phase: Phase) -> None:
             agent = table.row_class(table, slot)
             stream.begin(phase.tag, agent.id, model.tick)
             _follow(model, rule, phase, agent, stream)
+            if after_turn is not None:
+                after_turn(phase, agent)
 
 
 def _bear(model: Running, functions: dict[str, Rule]) -> None:

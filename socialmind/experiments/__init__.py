@@ -2,7 +2,7 @@
 
 - `run`, `resume`: run a model into a folder, go on with one;
 - `branch`: go back to a moment of a capsule, change something, and go on;
-- `Shock`, `Change`, `Edit`: what is done to a society on its way;
+- `Shock`, `Change`, `Edit`, `Steer`: what is done to a society on its way;
 - `replay`: run a capsule again and compare;
 - `Run`: read a capsule's tables, parameters and scheme;
 - `draw_figures`: draw a run's figures into its folder;
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from socialmind.interventions.change import Change as Change
     from socialmind.interventions.edit import Edit as Edit
     from socialmind.interventions.shock import Shock as Shock
+    from socialmind.interventions.steer import Steer as Steer
     from socialmind.runs.branching.branch import branch as branch
     from socialmind.runs.execution import Interrupted as Interrupted
     from socialmind.runs.execution import resume as resume
@@ -58,6 +59,7 @@ else:
             "socialmind.interventions.change": "Change",
             "socialmind.interventions.edit": "Edit",
             "socialmind.interventions.shock": "Shock",
+            "socialmind.interventions.steer": "Steer",
             "socialmind.runs.branching.branch": "branch",
             "socialmind.runs.execution": "Interrupted resume run",
             "socialmind.runs.figures": "draw_figures",

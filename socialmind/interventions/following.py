@@ -8,10 +8,11 @@ from typing import TypeVar
 from socialmind.interventions.change import Change
 from socialmind.interventions.edit import Edit
 from socialmind.interventions.shock import Shock
+from socialmind.interventions.steer import Steer
 from socialmind.model import Model
 
 Society = TypeVar("Society", bound=Model)
-Intervention = Shock | Change | Edit
+Intervention = Shock | Change | Edit | Steer
 
 
 def in_order(interventions: Iterable[Intervention]) -> tuple[Intervention, ...]:

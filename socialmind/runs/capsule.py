@@ -45,6 +45,12 @@ def _copied(place: str) -> kinds.Fields:
     return kinds.Fields({place: kinds.NAME_WITHIN, "sha256": kinds.SHA256}, {"name": kinds.TEXT})
 
 
+_COMMANDS = kinds.Kind(
+    "a list of numbers, or null",
+    lambda value: (
+        value is None or (isinstance(value, list) and all(map(kinds.NUMBER.holds, value)))
+    ),
+)
 _INTERVENTION = kinds.Fields(
     {"tick": kinds.whole()},
     {
@@ -57,10 +63,12 @@ _INTERVENTION = kinds.Fields(
         "agent": kinds.whole(),
         "part": kinds.TEXT,
         "value": kinds.optional(kinds.SETTING),
+        "commands": _COMMANDS,
     },
 )
 _OF_SHOCKS, _OF_CHANGES = ("function", "file", "sources"), ("parameters", "schemes")
 _OF_EDITS = ("population", "agent", "part", "value")
+_OF_STEERING = ("population", "agent", "commands")
 _BRANCH = kinds.Kind(
     "of which run, at which tick and with what change a run is a branch, or null",
     lambda value: (
@@ -99,7 +107,8 @@ class Manifest(folders.FolderManifest):
         interventions: what is done to it on its way, in order: the ``tick``, and of a shock the
             ``function``, the ``file`` (the copy in the run's folder) and its ``sources``; of a
             change the ``parameters`` and ``schemes``; of an edit the ``population``, ``agent``,
-            ``part`` and ``value``.
+            ``part`` and ``value``; of steering by hand the ``population``, ``agent`` and
+            ``commands``.
         branch: of a branch: the ``run`` that it left, as a path, that run's ``identity``, the
             ``tick`` and the ``change``, in words.
         status: ``running``, ``interrupted``, ``failed`` or ``finished``.
@@ -152,6 +161,8 @@ class Manifest(folders.FolderManifest):
             needed: tuple[str, ...] = _OF_EDITS if "agent" in one else _OF_CHANGES
             if "function" in one:
                 needed = _OF_SHOCKS
+            elif "commands" in one:
+                needed = _OF_STEERING
             place = f"{path}: interventions[{number}]"
             check_record(one, kinds.Fields(dict.fromkeys(needed, kinds.ANY)), place)
         if content["status"] == folders.FINISHED:

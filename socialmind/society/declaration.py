@@ -33,6 +33,7 @@ SETTINGS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "rewards": ((dict,), "rewards by name, on a plane"),
     "interruptions": ((dict,), "interruptions by name, on a plane"),
     "measures": ((dict,), "measures by name, on a plane"),
+    "buttons": ((dict,), "functions of the society by what stands on their buttons"),
 }
 """The class attributes of `Model` that a modeller sets, and what they are."""
 
@@ -150,6 +151,8 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
             alone = isinstance(value, PhaseDeclaration)
             remedy = f"write {name} = (…,), with a comma" if alone else None
             _refuse(cls, name, f"{name} = {value if alone else shown(value)}", expected, remedy)
+        if name == "buttons":
+            _check_buttons(cls, value)
     elif name in kept_names(model) or (hasattr(model, name) and not name.startswith("__")):
         there = getattr(model, name, None)
         allowed: tuple[type, ...] = ()
@@ -166,6 +169,14 @@ def _check_attribute(cls: type, model: type, name: str, value: Any) -> None:
                 None,
                 "call it something else",
             )
+
+
+def _check_buttons(cls: type, buttons: Mapping[Any, Any]) -> None:
+    for label, function in buttons.items():
+        if not isinstance(label, str) or not label.strip() or not callable(function):
+            expected = "functions of the society by what stands on their buttons"
+            remedy = 'write buttons = {"Drought": drought}'
+            _refuse(cls, "buttons", f"{shown(label)}: {shown(function)}", expected, remedy)
 
 
 def _placed(cls: type, name: str, check: Callable[[], None]) -> None:

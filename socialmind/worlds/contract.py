@@ -210,9 +210,13 @@ class Ground:
     def settle(self) -> None:
         """Pay robots what is still due to them: an episode ends at a limit of ticks."""
 
-    def steer(self, population: str, commands: ArrayLike | None) -> None:
+    def steer(self, population: str, commands: ArrayLike | None, agent: int | None = None) -> None:
         """Steer robots from outside, in place of their minds; see `Model.steer`."""
         raise SocialmindError(f"{self.society.name} has no plane with robots to steer")
+
+    def steered(self, population: str) -> int | None:
+        """Return the identity of the robot that is steered alone; None where none is."""
+        return None
 
     def series(self) -> dict[str, Any]:
         """Return what a run records of the world beside the society."""

@@ -93,6 +93,11 @@ class Attempt:
         return self.position is None
 
     @property
+    def teaching(self) -> Teaching | None:
+        """The lesson in hand, as its last generation left it; None between two lessons."""
+        return self._teaching
+
+    @property
     def generation(self) -> int:
         """How many generations of the lesson in hand are done."""
         return 0 if self._teaching is None else self._teaching.generation

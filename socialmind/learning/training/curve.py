@@ -56,15 +56,20 @@ def _lessons(folder: Path) -> list[tuple[int, str, np.ndarray]]:
     found = []
     for file, told, own in results_of(folder):
         with archive.reading(file):
-            found.append((told["cycle"], told["lesson"], _rows(own["rows"])))
+            found.append((told["cycle"], told["lesson"], checked_rows(own["rows"])))
     if record["in_hand"] is not None:
         with archive.reading(folder / CHECKPOINT):
-            rows = _rows(arrays["teaching/rows"])
+            rows = checked_rows(arrays["teaching/rows"])
             found.append((record["position"][1], record["in_hand"], rows))
     return [one for one in found if len(one[2])]
 
 
-def _rows(found: np.ndarray) -> np.ndarray:
+def checked_rows(found: np.ndarray) -> np.ndarray:
+    """Return the rows of a lesson as its file had them, (generations, columns).
+
+    Raises:
+        ValueError: they are no such rows.
+    """
     columns = len(COLUMNS)
     if found.ndim == 1 and not len(found):
         return found

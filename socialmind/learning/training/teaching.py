@@ -130,6 +130,11 @@ class Teaching:
         return population
 
     @property
+    def best(self) -> Individual | None:
+        """The best individual of all generations so far (thesis, Algorithm 1)."""
+        return self._best
+
+    @property
     def generation(self) -> int:
         """How many generations are done."""
         return len(self.rows)

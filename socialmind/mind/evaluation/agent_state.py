@@ -72,6 +72,18 @@ class Readings(ABC):
         """Return what each skill's function gave by itself, V_O of equation 4.1."""
         return self._named(self._entries(), self._read.output)
 
+    def inputs(self, skill: str) -> dict[str, float]:
+        """Return what a skill read in the last evaluation, by its inputs' texts.
+
+        Args:
+            skill: one that is evaluated (`skills`).
+        """
+        structure, number = self.assembly.structure, self.skills.index(skill)
+        begin, end = structure.input_begin[number : number + 2]
+        read = self._read.signals[self._slot, structure.input_signal[begin:end], 0]
+        texts = [str(one) for one in self.description.skills[skill].inputs]
+        return dict(zip(texts, read.tolist(), strict=True))
+
     def sensors(self) -> dict[str, float]:
         """Return the sensors' values of the last evaluation."""
         return self._named(self.description.sensors, self._read.sensors)

@@ -14,6 +14,7 @@ from socialmind.interventions.change import Change
 from socialmind.interventions.edit import Edit
 from socialmind.interventions.following import Intervention, in_order
 from socialmind.interventions.shock import Shock, loaded
+from socialmind.interventions.steer import Steer
 from socialmind.runs.record import within
 from socialmind.runs.schemes import as_kept
 from socialmind.sources.folders import digest
@@ -51,7 +52,7 @@ def copies_of(
         if isinstance(one, Shock):
             home = f"{FOLDER}/{number:02d}-{re.sub(r'[^0-9A-Za-z_]', '_', one.name)}"
             record, own = _kept_shock(one, home)
-        elif isinstance(one, Edit):
+        elif isinstance(one, Edit | Steer):
             record, own = asdict(one), {}
         else:
             record, own = _kept_change(one, f"{FOLDER}/{number:02d}", model_class)
@@ -117,6 +118,8 @@ def interventions_of(capsule: Made, trust: bool = False) -> tuple[Intervention, 
 def _intervention(capsule: Made, record: Mapping[str, Any], trust: bool) -> Intervention:
     if "function" in record:
         return _shock_of(capsule, record, trust)
+    if "commands" in record:
+        return Steer(**record)
     return Edit(**record) if "agent" in record else _change_of(capsule, record)
 
 

@@ -9,9 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from socialmind.errors import SocialmindError, nearest
+from socialmind.errors import SocialmindError, nearest, place_of
 from socialmind.model import Model
+from socialmind.society.looks import Looks
 
+PATCHES = "patches"
+LOOKS = "looks"
+"""What agents or patches are coloured by where the model says how they look."""
 NOTHING = 255
 """The place of who has none of the words."""
 
@@ -23,17 +27,27 @@ class Coloured:
     Attributes:
         values: u1, places among the words, `NOTHING` for none; or f4, NaN for none.
         words: what can be; none where values are numbers.
+        colours: of the words, or along the scale, as ``#rrggbb``; the usual ones unless given.
+        ends: values at the ends of the scale, where they are given.
     """
 
     values: NDArray[Any]
     words: Sequence[str] = ()
+    colours: Sequence[str] = ()
+    ends: tuple[float | None, float | None] = (None, None)
 
 
 def colourings(society: Model, population: str) -> list[str]:
     """Return what the agents of a population can be coloured by.
 
-    "one" is one colour for all; "plan"; for a group "role GROUP"; "cogniton NAME" and "field NAME".
+    "looks" is as the model says, where it does; "one" is one colour for all; "plan"; for a group
+    "role GROUP"; "cogniton NAME" and "field NAME".
     """
+    own = [LOOKS] if _has_colour(society, population) else []
+    return [*own, *_usual(society, population)]
+
+
+def _usual(society: Model, population: str) -> list[str]:
     table = society.tables[population]
     found = ["one"]
     if table.society is not None:
@@ -55,7 +69,10 @@ def of_agents(society: Model, population: str, colouring: str) -> Coloured:
         SocialmindError: it is none.
     """
     table = society.tables[population]
-    if colouring not in (known := colourings(society, population)):
+    looks = looks_of(society).get(population) if colouring == LOOKS else None
+    if looks is not None and looks.colour is not None:
+        return _as_said(looks, population, len(table))
+    if colouring not in (known := _usual(society, population)):
         raise SocialmindError(
             f"{population!r} coloured by {colouring!r}; {nearest(colouring, known)}"
         )
@@ -80,14 +97,56 @@ def of_patches(society: Model, name: str) -> Coloured:
         name: a field of the patches.
     """
     world = society.ground.world
+    looks = looks_of(society).get(PATCHES) if name == LOOKS else None
+    if looks is not None and looks.colour is not None:
+        return _as_said(looks, PATCHES, len(world.rows))
     if name not in (known := _shown(world.fields)):
         raise SocialmindError(f"patches coloured by {name!r}; {nearest(name, known)}")
     return _field(world.fields[name], world.columns, slice(None), None)
 
 
 def patch_fields(society: Model) -> list[str]:
-    """Return the fields by which patches can be coloured."""
-    return _shown(getattr(getattr(society.ground, "world", None), "fields", {}))
+    """Return what patches can be coloured by: "looks", where the model says how, and fields."""
+    fields = _shown(getattr(getattr(society.ground, "world", None), "fields", {}))
+    return [LOOKS, *fields] if _has_colour(society, PATCHES) else fields
+
+
+def looks_of(society: Model) -> dict[str, Looks]:
+    """Return how a model says that it looks.
+
+    Raises:
+        SocialmindError: its method failed, or names what there is not.
+    """
+    kind = type(society)
+    if kind.looks is Model.looks:
+        return {}
+    try:
+        found = society.looks()
+    except Exception as error:  # the modeller's
+        raise SocialmindError(f"{place_of(error)}: looks() of {kind.name}: {error}") from error
+    known = [*society.populations, PATCHES]
+    for name, one in found.items():
+        if name not in known:
+            raise SocialmindError(f"looks() of {kind.name}: {name!r}; {nearest(name, known)}")
+        if not isinstance(one, Looks):
+            raise SocialmindError(
+                f"looks() of {kind.name}: {name!r} has {one!r}; expected Looks(…)"
+            )
+    return found
+
+
+def _has_colour(society: Model, name: str) -> bool:
+    found = looks_of(society).get(name)
+    return found is not None and found.colour is not None
+
+
+def _as_said(looks: Looks, name: str, count: int) -> Coloured:
+    if isinstance(looks.colour, str):
+        return Coloured(np.zeros(count, np.uint8), (name,), looks.palette)
+    values = looks.values(name, count)
+    if looks.is_scale:
+        return Coloured(values, (), looks.palette, (looks.low, looks.high))
+    return Coloured(_places(values), looks.words, looks.palette)
 
 
 def _shown(fields: Mapping[str, Any]) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from copy import copy
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from socialmind.runs.branching.kept import interventions_of
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.execution import run
 from socialmind.runs.sources import model_of
+from socialmind.studio.running.turns import Turn, after_turns
 
 STATES = 64
 """How many states are kept at most; each second one is dropped when there are more."""
@@ -53,6 +55,8 @@ class LiveRun:
     def __init__(self, first: Model, interventions: Iterable[Intervention] = ()) -> None:
         self.society = self._first = first
         self.interventions: list[Intervention] = list(interventions)
+        self.turns = 0
+        """How many turns of the next tick are looked at."""
         self._met = 0
         """How many interventions the society has met."""
         self._kept: list[Kept] = []
@@ -80,6 +84,27 @@ class LiveRun:
         """The last tick that it has been at, since something was last done to it."""
         return max(self.tick, self._furthest)
 
+    @property
+    def first(self) -> Model:
+        """The society before its first tick, as it was given."""
+        return self._first
+
+    def turn(self) -> tuple[Model, Turn] | None:
+        """Let one more agent have its turn, and return the society after it.
+
+        After the last turn of a tick the society goes on to the next tick.
+
+        Raises:
+            SocialmindError: ticks of the model have no turns; a rule failed.
+        """
+        self._leave()
+        found = after_turns(self.society, self.turns + 1)
+        if found is None:
+            self.advance(1)
+        else:
+            self.turns += 1
+        return found
+
     def advance(self, ticks: int = 1) -> None:
         """Let it go on through the interventions that stand there.
 
@@ -89,6 +114,7 @@ class LiveRun:
         Raises:
             SocialmindError: a rule or an intervention failed.
         """
+        self.turns = 0
         end = self.tick + ticks
         while self.tick < end and not self.society.stopped:
             self._leave()
@@ -105,12 +131,24 @@ class LiveRun:
             tick: 0 or more.
         """
         self._furthest = self.furthest
+        self.turns = 0
         if tick < self.tick or any(self.tick < one.tick <= tick for one in self._kept):
             last = max((one for one in self._kept if one.tick <= tick), key=lambda one: one.tick)
-            self.society = begun_for(self._first.fresh(), self.interventions, last.tick)
+            self.society = begun_for(copy(self._first), self.interventions, last.tick)
             self.society.restore(last.arrays)
             self._met = sum(one.tick < last.tick for one in self.interventions)
         self.advance(tick - self.tick)
+
+    def before(self, tick: int) -> LiveRun:
+        """Return the same run at an earlier tick, which goes on without this one.
+
+        Args:
+            tick: 0 or more, before this one.
+        """
+        other = copy(self)
+        other._kept, other.interventions = list(self._kept), list(self.interventions)
+        other.go_to(tick)
+        return other
 
     def intervene(self, intervention: Intervention) -> None:
         """Do something to the society now; what lay ahead is forgotten.
@@ -121,6 +159,7 @@ class LiveRun:
         Raises:
             SocialmindError: it failed; the society is as it was.
         """
+        self.turns = 0
         before = self.society.state()
         try:
             self._leave()
@@ -133,6 +172,10 @@ class LiveRun:
         self._met += 1
         self._furthest = self.tick
         self._kept = [one for one in self._kept if one.tick <= self.tick]
+
+    def repeated(self) -> tuple[Model, list[Intervention]]:
+        """Return the society anew, before its first tick, and what was done to it so far."""
+        return self._first.fresh(), self.interventions[: self._met]
 
     def save(self, folder: str | Path | None = None, every: int | None = None) -> Path:
         """Make the run up to here as a folder of its own, by repeating it.
@@ -154,6 +197,32 @@ class LiveRun:
             interventions=self.interventions[: self._met],
             progress=False,
         )
+
+    def reset(self) -> None:
+        """Go back to the start; whatever was done to the society is forgotten."""
+        self.go_to(0)
+        self.interventions.clear()
+        self._met = self._furthest = 0
+        self._kept = self._kept[:1]
+
+    def death_of(self, population: str, agent: int, since: int) -> int | None:
+        """Return the tick at which an agent was no more, by repeating the run.
+
+        Args:
+            population: of the agent.
+            agent: its identity.
+            since: a tick at which it lived, before this one.
+
+        Returns:
+            None if it lives now, or did not live then.
+        """
+        if since >= self.tick:
+            return self.tick
+        other = self.before(since)
+        while other.tick < self.tick and other.society.tables[population].contains(agent):
+            other.advance(1)
+        lives = other.society.tables[population].contains(agent)
+        return None if lives or other.tick == since else other.tick
 
     def _leave(self) -> None:
         """Meet the interventions that stand at this tick."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,14 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from socialmind.model import Model
+from socialmind.society.looks import Looks
 from socialmind.studio.running.colouring import (
+    LOOKS,
     Coloured,
     colourings,
+    looks_of,
     of_agents,
     of_patches,
     patch_fields,
 )
 from socialmind.studio.running.frames import packed
+from socialmind.studio.running.plots import Panel
 from socialmind.worlds.plane.arena import Arena
 from socialmind.worlds.plane.scene import scene_of
 
@@ -40,20 +44,25 @@ class Shown:
 
     @classmethod
     def of(cls, society: Model) -> Shown:
-        """Return what is shown unless somebody chooses: plans, the first field, all networks."""
+        """Return what is shown unless somebody chooses.
+
+        As the model says it looks; or plans, the first field of patches, all networks.
+        """
         agents = {}
         for name in society.populations:
-            agents[name] = "plan" if "plan" in colourings(society, name) else "one"
+            known = colourings(society, name)
+            agents[name] = next(one for one in (LOOKS, "plan", "one") if one in known)
         fields = patch_fields(society)
         return cls(agents, fields[0] if fields else "", tuple(society.networks))
 
 
-def frame_of(society: Model, shown: Shown, **said: Any) -> bytes:
+def frame_of(society: Model, shown: Shown, plots: Sequence[Panel] = (), **said: Any) -> bytes:
     """Return a society at this moment as a frame.
 
     Args:
         society: whose moment.
         shown: what of it.
+        plots: what panels show of its agents.
         said: what else the header says.
     """
     header: dict[str, Any] = {"tick": society.tick, "populations": {}, **said}
@@ -61,19 +70,30 @@ def frame_of(society: Model, shown: Shown, **said: Any) -> bytes:
     if isinstance(society.ground, Arena):
         _plane(society, header, columns)
     else:
+        looks = looks_of(society)
         for name in society.populations:
-            _population(society, name, shown.agents.get(name, "one"), header, columns)
+            colouring = shown.agents.get(name, "one")
+            _population(society, name, colouring, looks.get(name), header, columns)
     if shown.patches:
         found = of_patches(society, shown.patches)
         header["patches"] = {"field": shown.patches, **_colours(found)}
         columns["patches"] = found.values
+    if plots:
+        header["plots"] = [one.said for one in plots]
+        for number, one in enumerate(plots):
+            columns |= {f"plot{number}.{name}": values for name, values in one.columns.items()}
     for name in shown.networks:
         columns[f"{name}.links"] = _links(society, name)
     return packed(header, columns)
 
 
 def _population(
-    society: Model, name: str, colouring: str, header: dict[str, Any], columns: dict[str, Any]
+    society: Model,
+    name: str,
+    colouring: str,
+    looks: Looks | None,
+    header: dict[str, Any],
+    columns: dict[str, Any],
 ) -> None:
     table = society.tables[name]
     slots, fields = table.slots, table.shape.fields
@@ -86,11 +106,21 @@ def _population(
     if "heading" in fields:
         columns[f"{name}.heading"] = table.columns["heading"][slots].astype(np.float32)
     columns[f"{name}.colour"] = found.values
+    if looks is not None:
+        header["populations"][name]["shape"] = looks.shape
+        sizes = looks.sizes(name, len(slots))
+        if sizes is not None:
+            columns[f"{name}.size"] = sizes
 
 
 def _plane(society: Model, header: dict[str, Any], columns: dict[str, Any]) -> None:
     scene = scene_of(society)
     header["plane"] = {"half_width": scene.half_width, "over": scene.over}
+    header["in_hand"] = [
+        {"population": name, "id": robot}
+        for name in type(society).shape.world.robots
+        if (robot := society.ground.steered(name)) is not None
+    ]
     teams = list(dict.fromkeys(one.team for one in scene.robots))
     header["populations"] = {team: {"count": 0} for team in teams}
     for team in teams:
@@ -118,7 +148,11 @@ def _links(society: Model, name: str) -> NDArray[np.uint32]:
 
 
 def _colours(found: Coloured) -> Mapping[str, Any]:
+    said: dict[str, Any] = {"colours": list(found.colours)} if found.colours else {}
     if found.words:
-        return {"words": list(found.words)}
+        return {"words": list(found.words), **said}
     known = found.values[np.isfinite(found.values)]
-    return {"range": [float(known.min()), float(known.max())] if len(known) else [0.0, 1.0]}
+    low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
+    given = found.ends
+    low, high = low if given[0] is None else given[0], high if given[1] is None else given[1]
+    return {"range": [low, high], **said}

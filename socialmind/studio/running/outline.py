@@ -6,8 +6,10 @@ import inspect
 import math
 from typing import Any
 
+from socialmind.learning.imprinting.steered import shown_skills
 from socialmind.model import Model
 from socialmind.studio.running.colouring import colourings, patch_fields
+from socialmind.studio.running.turns import turnless
 from socialmind.worlds.plane.arena import Arena
 
 
@@ -38,6 +40,11 @@ def outline_of_model(model_class: type[Model]) -> dict[str, Any]:
             }
             for name, one in model_class.populations.items()
         },
+        "buttons": {
+            label: (inspect.getdoc(function) or "").partition("\n")[0]
+            for label, function in model_class.buttons.items()
+        },
+        "turnless": turnless(model_class),
     }
 
 
@@ -48,6 +55,7 @@ def outline_of_society(society: Model) -> dict[str, Any]:
     return {
         "world": extent._asdict() if extent is not None and ends else None,
         "plane": {"half_width": ground.half_width} if isinstance(ground, Arena) else None,
+        "robots": _robots(society) if isinstance(ground, Arena) else {},
         "colourings": {name: colourings(society, name) for name in society.populations},
         "patches": patch_fields(society),
         "networks": {
@@ -56,3 +64,25 @@ def outline_of_society(society: Model) -> dict[str, Any]:
         },
         "series": [name for name in society.series() if name != "tick"],
     }
+
+
+def _robots(society: Model) -> dict[str, Any]:
+    """Return what robots can be told, and which of their skills one can show by steering them."""
+    return {
+        name: {
+            "actuators": [
+                {"name": one, "side": _side(act)} for one, act in robots.actuators.items()
+            ],
+            "skills": shown_skills(society, name),
+        }
+        for name, robots in type(society).shape.world.robots.items()
+        if robots.actuators
+    }
+
+
+def _side(act: Any) -> str:
+    """Return on which side of the body a wheel pushes; nothing for what is no wheel."""
+    left = act.settings.get("left")
+    if left is None or not isinstance(left, int | float):
+        return ""
+    return "left" if left > 0 else "right" if left < 0 else "middle"

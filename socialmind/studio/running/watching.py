@@ -7,9 +7,9 @@ from typing import Any
 
 from coglogo_py.receipts.receipt import Receipt
 from socialmind.errors import SocialmindError
-from socialmind.mind.evaluation.agent_state import AgentState, Readings
-from socialmind.mind.views.plan import Plan, planned, values_of
+from socialmind.mind.evaluation.agent_state import AgentState
 from socialmind.model import Model
+from socialmind.studio.running.hierarchies import values_in
 
 
 def watched(society: Model, population: str, identity: int) -> dict[str, Any]:
@@ -50,7 +50,7 @@ def watched(society: Model, population: str, identity: int) -> dict[str, Any]:
             seen["receipt"] = receipt.to_dict()
             seen["words"] = _words(receipt)
     if table.minds is not None:
-        seen["skills"] = _skills(AgentState(table.minds, agent._slot))
+        seen["skills"] = values_in(AgentState(table.minds, agent._slot))
     return seen
 
 
@@ -108,45 +108,6 @@ def _words(receipt: Receipt) -> list[str]:
         line = str(receipt).rstrip().splitlines()[-1]
         said.append(line)
     return said
-
-
-def _skills(hierarchy: Readings) -> dict[str, Any]:
-    """Return a hierarchy as a drawing: boxes with values, links with influence."""
-    plan: Plan = planned(hierarchy, key=False)
-    known = hierarchy.tick > 0
-    values = values_of(hierarchy) if known else {}
-    sent = {(f"SK:{skill}", to): value for (skill, to), value in hierarchy.links().items()}
-    gave = {(f"SK:{skill}", to): value for (skill, to), value in hierarchy.outputs().items()}
-    return {
-        "width": plan.width,
-        "height": plan.height,
-        "boxes": [
-            {
-                "name": name,
-                "x": box.x,
-                "y": box.y,
-                "width": box.width,
-                "height": box.height,
-                "lines": list(plan.lines[name]),
-                "value": float(values[name]) if name in values else None,
-            }
-            for name, box in plan.boxes.items()
-        ],
-        "links": [
-            {
-                "from": link[0],
-                "to": link[1],
-                "curve": [coordinate for point in curve for coordinate in point],
-                "sent": _plain(sent.get(link)) if known else None,
-                "gave": _plain(gave.get(link)) if known else None,
-            }
-            for link, curve in plan.routes.items()
-        ],
-        "readings": [
-            {"from": a, "to": b, "curve": [c for point in curve for c in point]}
-            for (a, b), curve in plan.readings.items()
-        ],
-    }
 
 
 def _plain(value: Any) -> Any:

@@ -7,6 +7,7 @@ import json
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from starlette.applications import Starlette
@@ -18,29 +19,24 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
-from socialmind.studio.server import first_hour, schemes
+from socialmind.studio.learning.processes import LearningProcesses
+from socialmind.studio.server import first_hour, learning, plots, runs, schemes
 from socialmind.studio.server.access import App, Guarded
+from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
 from socialmind.studio.server.stages import StageProcess, Viewer
 
 PAGE = Path(__file__).parents[1] / "built"
+FIRST = "first"
+"""The name of the society that the program begins with."""
 COMMANDS = frozenset(
-    (
-        "setup",
-        "go",
-        "pause",
-        "step",
-        "pace",
-        "go_to",
-        "show",
-        "watch",
-        "set",
-        "edit",
-        "rescheme",
-        "save",
-    )
+    "setup open reset go pause step turn pace go_to show watch set edit rescheme press suppose "
+    "plots save branch end act steer imprint trace".split()
 )
 """What a page may ask of a stage."""
+STANDING = frozenset("pause step turn go_to setup open reset branch save act imprint".split())
+"""What ends the common going on of societies."""
+MOST_STAGES = 12
 
 
 class Studio:
@@ -55,6 +51,10 @@ class Studio:
         self._first = first
         self._folders = folders
         self._stages: dict[str, StageProcess] = {}
+        self._learning = LearningProcesses(folders.home)
+        self._clocks: list[Clock] = []
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._copies = TemporaryDirectory(prefix="socialmind-studio-")
 
     def application(self, hosts: tuple[str, ...], token: str | None = None) -> App:
         """Return the application, guarded.
@@ -65,6 +65,10 @@ class Studio:
         """
         routes = [
             Route("/api/models", self._models),
+            *learning.routes(self._folders, self._learning),
+            Route("/api/running", self._running),
+            *runs.routes(self._folders),
+            *plots.routes(self._stages),
             *schemes.routes(self._folders, self._known),
             *first_hour.routes(),
             WebSocketRoute("/live/{name}", self._live),
@@ -74,12 +78,14 @@ class Studio:
 
     @asynccontextmanager
     async def _lifespan(self, app: Starlette) -> AsyncIterator[None]:
-        self._stages["first"] = first = StageProcess()
+        self._stages[FIRST] = first = StageProcess()
         if self._first is not None:
             first.command(self._first)
         yield
         for stage in self._stages.values():
             stage.end()
+        self._learning.end()
+        self._copies.cleanup()
 
     def _known(self) -> set[str]:
         """The models that pages may load: those of the catalogue, and the first one."""
@@ -88,6 +94,16 @@ class Studio:
 
     async def _models(self, request: Request) -> JSONResponse:
         return JSONResponse(list(catalogue()))
+
+    async def _running(self, request: Request) -> JSONResponse:
+        """Return the societies that run, for a page that looks for one."""
+        found = []
+        for name, stage in self._stages.items():
+            model, society = stage.said.get("model"), stage.said.get("society")
+            if stage.alive and model and society:
+                said = {"name": name, "model": model["name"], "seed": society["seed"]}
+                found.append({**said, "pages": len(stage.viewers)})
+        return JSONResponse(found)
 
     def _refusal(self, command: dict[str, Any]) -> str | None:
         """Say why a page may not ask that: no path leaves the folders that the program was given.
@@ -100,11 +116,16 @@ class Studio:
             return f"no command {do!r}"
         if do == "setup" and model not in self._known():
             return f"no model {model!r}; start the studio with its folder"
-        if do == "save" and folder:
-            try:
+        try:
+            if (do == "save" and folder) or do == "imprint":
                 self._folders.to_write(folder)
-            except SocialmindError as error:
-                return str(error)
+            if do in ("open", "act"):
+                self._folders.to_read(folder)
+        except SocialmindError as error:
+            return str(error)
+        into = command.get("into")
+        if do == "branch" and (not isinstance(into, str) or into in self._stages):
+            return f"a society called {into!r} is there, or can be none"
         return None
 
     def _with_scheme(self, command: dict[str, Any]) -> dict[str, Any]:
@@ -118,10 +139,12 @@ class Studio:
     async def _live(self, socket: WebSocket) -> None:
         """Let a page look at a society, command it, and go."""
         await socket.accept()
-        name = socket.path_params["name"]
-        stage = self._stages.get(name)
-        if stage is None or not stage.alive:
-            stage = self._stages[name] = StageProcess()
+        stage = self._stage(socket.path_params["name"])
+        if stage is None:
+            text = f"{MOST_STAGES} societies run already; close one"
+            await socket.send_text(json.dumps({"said": "error", "of": "page", "text": text}))
+            await socket.close(1013)
+            return
         viewer = Viewer()
         stage.join(viewer)
         telling = asyncio.create_task(_tell(socket, viewer))
@@ -135,12 +158,70 @@ class Studio:
                 elif (refusal := self._refusal(command)) is not None:
                     viewer.tell(json.dumps({"said": "error", "of": "page", "text": refusal}))
                 else:
-                    stage.command(self._with_scheme(command))
+                    self._do(stage, self._with_scheme(command))
         except (WebSocketDisconnect, json.JSONDecodeError):
             pass
         finally:
             telling.cancel()
             stage.viewers.remove(viewer)
+
+    def _stage(self, name: str) -> StageProcess | None:
+        """Return the process of a name, begun if there is none; None where there are too many."""
+        stage = self._stages.get(name)
+        if stage is not None and stage.alive:
+            return stage
+        for other in [n for n, one in self._stages.items() if not one.alive]:
+            del self._stages[other]
+        if len(self._stages) >= MOST_STAGES:
+            return None
+        stage = self._stages[name] = StageProcess()
+        return stage
+
+    def _do(self, stage: StageProcess, command: dict[str, Any]) -> None:
+        """Let a stage do what a page asks; what concerns several societies is done here."""
+        do = command["do"]
+        clock = next((one for one in self._clocks if one.running and stage in one.stages), None)
+        if clock is not None and do in STANDING:
+            clock.stop()
+        if clock is not None and do == "pace":
+            clock.pace = command.get("ticks")
+        if do == "go" and command.get("together"):
+            stages = [self._stages[one] for one in command["together"] if one in self._stages]
+            self._clocks = [one for one in self._clocks if one.running]
+            self._clocks.append(Clock(stages, command.get("pace")))
+        elif do == "branch":
+            self._branch(stage, command["into"])
+        elif do == "end":
+            self._end(stage)
+        else:
+            stage.command(command)
+
+    def _branch(self, stage: StageProcess, into: str) -> None:
+        """Let another stage show the run of a stage up to its tick, to go on with it."""
+        other = self._stage(into)
+        if other is None:
+            return
+
+        async def copying() -> None:
+            folder = str(Path(self._copies.name) / into)
+            try:
+                copied = await stage.answer({"do": "copy", "folder": folder}, "copied")
+            except SocialmindError as error:
+                text = f"not set beside it: {error}"
+                other.tell(json.dumps({"said": "error", "of": "branch", "text": text}))
+                return
+            said = {key: copied[key] for key in ("folder", "tick", "source")}
+            other.command({"do": "open", **said})
+
+        self._tasks.add(task := asyncio.create_task(copying()))
+        task.add_done_callback(self._tasks.discard)
+
+    def _end(self, stage: StageProcess) -> None:
+        """End a stage at which no other page looks."""
+        if len(stage.viewers) > 1:
+            return
+        for name in [n for n, one in self._stages.items() if one is stage and n != FIRST]:
+            self._stages.pop(name).end()
 
 
 async def _tell(socket: WebSocket, viewer: Viewer) -> None:

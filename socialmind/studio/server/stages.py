@@ -10,8 +10,11 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Any
 
+from socialmind.errors import SocialmindError
 from socialmind.studio.running.stage import FRAME, perform
 
+SILENT = ("stood", "copied", "table")
+"""What answers the program, and is no page's business."""
 WAITING = 256
 """Messages that may wait for a page; one that falls further behind is told all anew."""
 
@@ -50,6 +53,9 @@ class StageProcess:
         self._process.start()
         other.close()
         self.viewers: list[Viewer] = []
+        self.said: dict[str, Any] = {}
+        """What was last said of the model and the society, for who asks what runs."""
+        self._answers: list[tuple[str, asyncio.Future[dict[str, Any]]]] = []
         self._asked = False
         self._reader = asyncio.get_running_loop().create_task(self._read())
 
@@ -63,7 +69,29 @@ class StageProcess:
         try:
             self._connection.send_bytes(json.dumps(command).encode())
         except (BrokenPipeError, OSError):
-            self._tell_all(_gone())
+            self._hear(_gone())
+
+    async def answer(self, command: dict[str, Any], what: str) -> dict[str, Any]:
+        """Send a command, and return what is said to it.
+
+        Args:
+            command: as of `command`.
+            what: the kind of message that answers it.
+
+        Raises:
+            SocialmindError: it failed, or the process has ended.
+        """
+        if not self.alive:
+            raise SocialmindError("the process of this society has ended")
+        waiting: asyncio.Future[dict[str, Any]] = asyncio.get_running_loop().create_future()
+        self._answers.append((what, waiting))
+        self.command(command)
+        return await waiting
+
+    def tell(self, message: str) -> None:
+        """Let something be said to all pages that look at it."""
+        for viewer in self.viewers:
+            viewer.tell(message)
 
     def want_frame(self) -> None:
         """Ask for a frame, unless one has been asked for."""
@@ -90,7 +118,7 @@ class StageProcess:
             try:
                 message = await loop.run_in_executor(None, self._connection.recv_bytes)
             except (EOFError, OSError):
-                self._tell_all(_gone())
+                self._hear(_gone())
                 return
             if message[:1] == FRAME:
                 self._asked = False
@@ -99,11 +127,26 @@ class StageProcess:
                 if any(viewer.ready for viewer in self.viewers):
                     self.want_frame()
             else:
-                self._tell_all(message[1:].decode())
+                self._hear(message[1:].decode())
 
-    def _tell_all(self, message: str) -> None:
-        for viewer in self.viewers:
-            viewer.tell(message)
+    def _hear(self, message: str) -> None:
+        """Note what is said, give it to who waits for it, and pass it on."""
+        content = json.loads(message)
+        what = content["said"]
+        if what in ("model", "society"):
+            self.said[what] = content
+        answers, self._answers = self._answers, []
+        for wanted, waiting in answers:
+            if waiting.done():
+                continue
+            if what == "error":
+                waiting.set_exception(SocialmindError(content["text"]))
+            elif what == wanted:
+                waiting.set_result(content)
+            else:
+                self._answers.append((wanted, waiting))
+        if what not in SILENT:
+            self.tell(message)
 
 
 def _begin(connection: Connection) -> None:

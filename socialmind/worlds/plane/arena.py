@@ -21,6 +21,7 @@ from socialmind.worlds.plane.devices.sensors import RangeFinder
 from socialmind.worlds.plane.kernel.arrays import Bodies, Eyes, Obstacles, PlaneArrays
 from socialmind.worlds.plane.kernel.code import kernel
 from socialmind.worlds.plane.shape import CELL, PlaneShape, RobotShape
+from socialmind.worlds.plane.steering import MINDS, OUTSIDE, in_hand
 from socialmind.worlds.plane.trajectories import trajectories
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ class Arena(Ground):
             raise ModelError(error.found, error.expected, error.remedy, *place) from None
         self._known = {kind: table.rows for kind, table in self._attached()}
         for name in () if model.minded else self.shape.robots:
-            model.context[f"_{name}_steered"] = 1
+            model.context[f"_{name}_steered"] = OUTSIDE
 
     def _arrays(self) -> PlaneArrays:
         tables = self.society.tables
@@ -251,7 +252,7 @@ class Arena(Ground):
             place -= len(table.rows)
         return SocialmindError("the motion of a body is not finite")
 
-    def steer(self, population: str, commands: ArrayLike | None) -> None:
+    def steer(self, population: str, commands: ArrayLike | None, agent: int | None = None) -> None:
         """Steer robots from outside, in place of their minds; see `Model.steer`."""
         robots = self.shape.robots
         if population not in robots:
@@ -260,25 +261,44 @@ class Arena(Ground):
                 f"{nearest(population, robots)}"
             )
         steered = f"_{population}_steered"
+        table = self.society.tables[population]
+        if agent is not None and not table.contains(agent):
+            raise SocialmindError(
+                f"no robot {agent} of {population!r} lives at tick {self.society.tick}"
+            )
         if commands is None:
             if not self.society.minded:
                 raise SocialmindError(
                     f"robots of {self.society.name} without minds, which was made with "
                     "hierarchy=False; steer them with commands"
                 )
-            self.society.context[steered] = 0
+            self.society.context[steered] = MINDS
             return
-        table, count = self.society.tables[population], len(robots[population].actuators)
+        count, names = len(robots[population].actuators), robots[population].actuators
         given, slots = np.asarray(commands, np.float64), table.slots
-        if given.shape not in ((count,), (len(slots), count)):
+        several = () if agent is not None else ((len(slots), count),)
+        if given.shape not in ((count,), *several):
+            whose, shape = f"for a robot of {population!r}, which has", str((count,))
+            if several:
+                whose, shape = f"a row for each robot of {population!r} with", str(several[0])
             raise SocialmindError(
-                f"commands of shape {given.shape}; expected {(len(slots), count)}, a row for each "
-                f"robot of {population!r} with {', '.join(robots[population].actuators) or 'none'}"
+                f"commands of shape {given.shape}; expected {shape}, {whose} "
+                f"{', '.join(names) or 'none'}"
             )
         if not ((given >= 0.0) & (given <= 1.0)).all():
             raise SocialmindError(f"commands {given.tolist()}; expected numbers, 0 … 1")
+        if agent is not None:
+            table.rows["commands"][slots[table.rows["_id"][slots] == agent], :count] = given
+            if self.society.minded:
+                self.society.context[steered] = in_hand(agent)
+            return
         table.rows["commands"][slots, :count] = given
-        self.society.context[steered] = 1
+        self.society.context[steered] = OUTSIDE
+
+    def steered(self, population: str) -> int | None:
+        """Return the identity of the robot that is steered alone; None where none is."""
+        code = int(self.society.context[f"_{population}_steered"])
+        return in_hand(code) if code < 0 else None
 
     @property
     def motion(self) -> Any:

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
-from socialmind.experiments import Change, Edit, Run, replay
+from socialmind.experiments import Change, Edit, Run, Shock, replay
 from socialmind.studio.running.live_run import STATES, LiveRun
 
 
@@ -95,3 +95,51 @@ def test_what_fails_changes_nothing(village):
             live.intervene(wrong)
         assert live.society.series() == before
         assert live.interventions == []
+
+
+def test_a_button_of_the_model_is_pressed_kept_and_replayed(tmp_path):
+    kind = load_model("wolves_sheep")
+    live = LiveRun(kind(seed=2, compiled=False))
+    live.advance(10)
+    before = live.society.series()["sheep"]
+    live.intervene(Shock(10, kind.buttons["Plague among sheep"]))
+    assert 0.3 * before < live.society.series()["sheep"] < 0.7 * before
+    live.advance(5)
+    after = live.society.series()
+    live.go_to(0)
+    live.go_to(15)
+    assert live.society.series() == after
+    folder = live.save(tmp_path / "run")
+    assert Run(folder).manifest.interventions[0]["function"] == "plague"
+    assert Run(folder).series.iloc[-1].to_dict() == {"tick": 15, **after}
+    assert replay(folder).equal
+
+
+def test_who_died_is_told_with_the_tick():
+    live = LiveRun(load_model("wolves_sheep")(seed=2, compiled=False))
+    live.advance(3)
+    living = set(live.society.sheep.id.tolist())
+    live.advance(7)
+    gone = min(living - set(live.society.sheep.id.tolist()))
+    died = live.death_of("sheep", gone, 3)
+    assert live.tick == 10
+    live.go_to(died - 1)
+    assert live.society.sheep.contains(gone)
+    live.go_to(died)
+    assert not live.society.sheep.contains(gone)
+    live.go_to(10)
+    there = live.society.sheep.id.tolist()[0]
+    assert live.death_of("sheep", there, 9) is None
+
+
+def test_a_reset_run_has_nothing_of_what_was_done(village):
+    live = LiveRun(village(seed=2))
+    live.advance(50)
+    undisturbed = live.society.series()
+    live.go_to(20)
+    live.intervene(Change(20, {"tool_price": 50.0}))
+    live.advance(30)
+    live.reset()
+    assert (live.tick, live.furthest, live.interventions) == (0, 0, [])
+    live.advance(50)
+    assert live.society.series() == undisturbed

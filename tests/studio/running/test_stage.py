@@ -112,3 +112,72 @@ def test_an_edit_is_seen_at_once(stage):
         {"do": "edit", "population": "humans", "id": 3, "part": "cogniton Farmer", "value": 25}
     )
     assert seen(stage)["watched"]["cognitons"]["Farmer"] == 25
+
+
+def test_what_would_be_decided_is_told_and_nothing_changes(stage):
+    stage.do({"do": "step", "ticks": 50})
+    edit = {"population": "humans", "id": 3, "part": "cogniton Farmer", "value": 500}
+    stage.do({"do": "suppose", **edit})
+    said = stage.heard.last("supposed")
+    assert said["probabilities"]["GrowWheat"] > 0.8
+    assert said["choice"] in said["text"]
+    society = load_model("farmer_artisan")(seed=4, n_agents=7)
+    society.advance(50)
+    assert stage._run.society.series() == society.series()
+    assert stage._run.society.humans[3].mind.cognitons() == society.humans[3].mind.cognitons()
+    stage.do({"do": "suppose", **edit, "part": "cogniton Famer"})
+    assert "Farmer" in stage.heard.last("error")["text"]
+    stage.do({"do": "edit", **edit})
+    stage.do({"do": "watch", "population": "humans", "id": 3})
+    plans = seen(stage)["watched"]["receipt"]["plans"]
+    assert said["probabilities"] == {one["name"]: one["probability"] for one in plans}
+
+
+def test_a_tick_is_gone_through_turn_by_turn(stage):
+    stage.do({"do": "step", "ticks": 10})
+    stage.do({"do": "turn"})
+    frame = seen(stage)
+    assert (frame["tick"], frame["turn"]["number"]) == (10, 1)
+    stage.do({"do": "turn"})
+    assert seen(stage)["turn"]["number"] == 2
+    stage.do({"do": "step"})
+    frame = seen(stage)
+    assert frame["tick"] == 11
+    assert "turn" not in frame
+    society = load_model("farmer_artisan")(seed=4, n_agents=7)
+    society.advance(11)
+    assert stage._run.society.series() == society.series()
+
+
+def test_a_copy_is_opened_where_it_was_taken(stage, tmp_path):
+    stage.do({"do": "step", "ticks": 40})
+    stage.do({"do": "set", "tool_price": 90})
+    stage.do({"do": "copy", "folder": str(tmp_path / "copy")})
+    said = stage.heard.last("copied")
+    other = Stage(Heard())
+    other.do({"do": "open", **{key: said[key] for key in ("folder", "tick", "source")}})
+    assert other._run.tick == 40
+    for one in (stage, other):
+        one.do({"do": "step", "ticks": 60})
+    assert other._run.society.series() == stage._run.society.series()
+
+
+def test_who_has_died_is_named_with_the_tick(stage):
+    stage.do({"do": "setup", "model": "wolves_sheep", "seed": 2})
+    stage.do({"do": "watch", "population": "sheep", "id": 0})
+    stage.do({"do": "step", "ticks": 1})
+    assert seen(stage)["watched"]["id"] == 0
+    stage.do({"do": "step", "ticks": 60})
+    gone = seen(stage)["watched"]["gone"]
+    died = int(gone.split("died at tick ")[1].split(";")[0])
+    stage.do({"do": "go_to", "tick": died - 1})
+    assert seen(stage)["watched"]["id"] == 0
+    stage.do({"do": "press", "button": "Plage"})
+    assert "there is Drought" in stage.heard.last("error")["text"]
+
+
+def test_compiling_is_said_before_the_first_tick(stage):
+    stage.do({"do": "go"})
+    stage.go_on()
+    said = [one["text"] for one in stage.heard.said if one["said"] == "preparing"]
+    assert said[:2] == ["compiling the rules", ""]

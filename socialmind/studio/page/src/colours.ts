@@ -50,6 +50,21 @@ export function ofNumber(value: number, low: number, high: number): Colour {
   return [TABLE[at], TABLE[at + 1], TABLE[at + 2]];
 }
 
+/** A colour written as #rrggbb. */
+export function read(text: string): Colour {
+  const number = parseInt(text.slice(1), 16);
+  return [number >> 16, (number >> 8) & 255, number & 255];
+}
+
+/** A colour along a scale of several. */
+export function along(scale: Colour[], value: number, low: number, high: number): Colour {
+  if (!Number.isFinite(value)) return NONE;
+  const share = high > low ? Math.max(0, Math.min(1, (value - low) / (high - low))) : 0;
+  const at = share * (scale.length - 1);
+  const from = Math.min(Math.floor(at), scale.length - 2);
+  return [0, 1, 2].map((part) => scale[from][part] + (at - from) * (scale[from + 1][part] - scale[from][part])) as Colour;
+}
+
 export function css([red, green, blue]: Colour): string {
   return `rgb(${red} ${green} ${blue})`;
 }

@@ -1,6 +1,7 @@
 // The rooms of the studio, in the order of their tabs; each is a component and a word in the address.
 
 import type { Component } from "svelte";
+import Learning from "./learning/Learning.svelte";
 import Run from "./run/Run.svelte";
 import Mind from "./scheme/Mind.svelte";
 import FirstHour from "./tutorials/FirstHour.svelte";
@@ -15,5 +16,6 @@ export interface Room {
 export const ROOMS: Room[] = [
   { word: "run", title: "Run", component: Run },
   { word: "mind", title: "Mind", component: Mind },
+  { word: "learning", title: "Learning", component: Learning },
   { word: "first-hour", title: "First hour", component: FirstHour },
 ];

@@ -16,6 +16,7 @@ from socialmind.streams import Stream
 from socialmind.worlds.contract import Functions
 from socialmind.worlds.plane.devices.relative import bearing_of, bounded, counted, mounted
 from socialmind.worlds.plane.kernel.code import kernel
+from socialmind.worlds.plane.steering import OUTSIDE, in_hand
 from socialmind.worlds.plane.ticks.stages import PLACED, STAGES, Call, Seek, Stage
 
 if TYPE_CHECKING:
@@ -62,7 +63,8 @@ def _think(arena: Arena) -> None:
     """Evaluate the hierarchies of skills, and hand their commands to the actuators."""
     model = arena.society
     for name, senses in arena.senses.items():
-        if model.context[f"_{name}_steered"]:
+        steered = int(model.context[f"_{name}_steered"])
+        if steered == OUTSIDE:
             continue
         table = model.tables[name]
         minds: Any = table.minds
@@ -75,6 +77,8 @@ def _think(arena: Arena) -> None:
         motors = arena.motors[name]
         known = motors >= 0
         for slot in living:
+            if table.rows["_id"][slot] == in_hand(steered):
+                continue
             commands = minds.state.actuators[slot, motors[known], 0]
             table.rows["commands"][slot, : len(motors)][known] = commands
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from socialmind.compiling.layout import view_function_text
+from socialmind.worlds.plane.steering import OUTSIDE
 from socialmind.worlds.plane.ticks.stages import PLACED, Call, PlaneProgram, Seek, Stage
 
 HEAD = """import math as _math
@@ -68,8 +69,9 @@ def _obey_NAME(_model):
     rows = _rows_NAME(_model)
     alive = _alive_NAME(_model)
     motors = _motors_NAME(_model)
+    in_hand = -1 - _model._NAME_steered
     for slot in range(len(rows)):
-        if alive[slot]:
+        if alive[slot] and rows[slot]._id != in_hand:
             commands = rows[slot].commands
             number = _model._NAME_first + slot
             for place in range(len(motors)):
@@ -173,9 +175,10 @@ TICK = """    over = _model._over
 
 
 def _unsteered(what: str, minded: list[str]) -> str:
-    """Return the calls of a function of each population that nothing outside steers."""
+    """Return the calls of a function of each population whose minds are asked."""
     return "\n".join(
-        f"    if not _model._{name}_steered:\n        _{what}_{name}(_model)" for name in minded
+        f"    if _model._{name}_steered != {OUTSIDE}:\n        _{what}_{name}(_model)"
+        for name in minded
     )
 
 

@@ -4,11 +4,14 @@ export interface Colouring {
   by?: string;
   words?: string[];
   range?: [number, number];
+  /** Of the words, or along the range, where the model says how it looks. */
+  colours?: string[];
 }
 
 export interface PopulationShown extends Colouring {
   count: number;
   kind?: "robots" | "objects" | "zones";
+  shape?: string | null;
 }
 
 export interface Header {
@@ -19,7 +22,22 @@ export interface Header {
   populations: Record<string, PopulationShown>;
   patches?: Colouring & { field: string };
   plane?: { half_width: number; over: string | null };
+  /** Robots that somebody steers by hand. */
+  in_hand?: { population: string; id: number }[];
   watched?: Watched | { gone: string };
+  turn?: { number: number; rule: string; population: string | null; id: number | null };
+  plots?: PanelShown[];
+}
+
+/** What a panel of agents shows; its numbers are columns (running/plots.py). */
+export interface PanelShown {
+  kind: string;
+  population?: string;
+  x?: string;
+  y?: string;
+  words?: string[];
+  low?: number;
+  high?: number;
 }
 
 export type Column = Float32Array | Uint32Array | Uint8Array;
@@ -55,22 +73,20 @@ export interface Receipt {
   choice: string | null;
 }
 
-export interface Box {
-  name: string;
-  x: number;
-  y: number;
+/** Where a hierarchy of skills is drawn; nodes are called "SK:Avoid", "SE:S1", "VA:ROLE", "MO:MotL". */
+export interface HierarchyPlan {
   width: number;
   height: number;
-  lines: string[];
-  value: number | null;
+  boxes: { name: string; x: number; y: number; width: number; height: number; lines: string[]; flat: boolean }[];
+  links: { from: string; to: string; curve: number[] }[];
+  readings: { from: string; to: string; curve: number[] }[];
 }
 
+/** What the last evaluation of a hierarchy came to: of nodes, and of links by "SKILL OUTPUT". */
 export interface Skills {
-  width: number;
-  height: number;
-  boxes: Box[];
-  links: { from: string; to: string; curve: number[]; sent: number | null; gave: number | null }[];
-  readings: { from: string; to: string; curve: number[] }[];
+  values: Record<string, number>;
+  sent: Record<string, number>;
+  gave: Record<string, number>;
 }
 
 export interface Membership {
@@ -93,7 +109,7 @@ export interface Watched {
   groups?: Membership[];
   receipt?: Receipt;
   words?: string[];
-  skills?: Skills;
+  skills?: Skills | null;
 }
 
 const TYPES: Record<string, (buffer: ArrayBuffer, at: number, count: number) => Column> = {

@@ -1,8 +1,8 @@
 // From a frame to what the renderer draws.
 
-import { NONE, ofNumber, ofWord, type Colour } from "../../colours";
+import { along, NONE, ofNumber, ofWord, read, type Colour } from "../../colours";
 import type { Colouring, Column, Frame } from "../frame";
-import type { Extent } from "../studio.svelte";
+import type { Extent } from "../live.svelte";
 import type { Picture, Segments } from "./renderer";
 
 const DISC = 0;
@@ -10,6 +10,12 @@ const ARROW = 1;
 const SQUARE = 2;
 const RING = 3;
 const GREEN: Colour = [31, 140, 58];
+/** As models name them (society/looks.py), by their numbers in the renderer. */
+const SHAPES: Record<string, number> = {
+  disc: DISC, arrow: ARROW, square: SQUARE, ring: RING, triangle: 4, diamond: 5, person: 6, animal: 7, house: 8, tree: 9,
+};
+/** Shapes that turn with who has them; the others stand upright. */
+const TURNED = [ARROW, 7];
 
 /** Where agents are, to find the one that is clicked. */
 export interface Standing {
@@ -33,11 +39,19 @@ export interface Wanted {
   trail: Float32Array;
 }
 
-/** The colours of a column, RGBA; words by their place, numbers on the scale. */
-export function coloured(column: Column, said: Colouring, into: Uint8Array, from: number): void {
+/** What colour a value has: a word's by its place, a number's on the scale. */
+function colouring(said: Colouring): (value: number) => Colour {
   const [low, high] = said.range ?? [0, 1];
+  const own = said.colours?.map(read);
+  if (said.words) return own ? (place) => own[place] ?? NONE : ofWord;
+  return own ? (value) => along(own, value, low, high) : (value) => ofNumber(value, low, high);
+}
+
+/** The colours of a column, RGBA. */
+export function coloured(column: Column, said: Colouring, into: Uint8Array, from: number): void {
+  const colourOf = colouring(said);
   for (let row = 0; row < column.length; row += 1) {
-    const colour = said.words ? ofWord(column[row]) : ofNumber(column[row], low, high);
+    const colour = colourOf(column[row]);
     const at = 4 * (from + row);
     into[at] = colour[0];
     into[at + 1] = colour[1];
@@ -108,9 +122,12 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
       }
     } else if (columns[`${name}.x`]) {
       const [x, y, heading] = ["x", "y", "heading"].map((part) => columns[`${name}.${part}`]);
+      const shape = SHAPES[said.shape ?? ""] ?? (heading ? ARROW : DISC);
+      const sizes = columns[`${name}.size`];
+      const turned = heading && TURNED.includes(shape);
       for (let one = 0; one < said.count; one += 1) {
-        const angle = heading ? Math.PI / 2 - (heading[one] * Math.PI) / 180 : 0;
-        add(x[one], y[one], angle, 0.62, heading ? ARROW : DISC);
+        const angle = turned ? Math.PI / 2 - (heading[one] * Math.PI) / 180 : 0;
+        add(x[one], y[one], angle, sizes ? sizes[one] / 2 : 0.62, shape);
       }
       coloured(columns[`${name}.colour`], said, colours, from);
     }
@@ -164,14 +181,14 @@ function patchesOf(frame: Frame, extent: Extent | null): Picture["patches"] {
   if (!column || !frame.header.patches || !extent) return undefined;
   const pixels = new Uint8Array(4 * column.length);
   const said = frame.header.patches;
-  const [low, high] = said.range ?? [0, 1];
+  const colourOf = colouring(said);
   for (let at = 0; at < column.length; at += 1) {
-    const colour = said.words ? ofWord(column[at]) : ofNumber(column[at], low, high);
+    const colour = colourOf(column[at]);
     pixels[4 * at] = colour[0];
     pixels[4 * at + 1] = colour[1];
     pixels[4 * at + 2] = colour[2];
-    // Pale, so that agents stand out; a word's first place is the ground itself.
-    pixels[4 * at + 3] = said.words && column[at] === 0 ? 25 : 110;
+    // Pale, so that agents stand out, unless the model says how; a word's first place is the ground itself.
+    pixels[4 * at + 3] = said.colours ? 255 : said.words && column[at] === 0 ? 25 : 110;
   }
   return {
     width: extent.width,

@@ -14,16 +14,26 @@ void main() {
 const SPRITE_PAINT = `#version 300 es
 precision mediump float;
 in vec2 at; in vec4 tint; flat in float form; out vec4 paint;
+float upright(vec2 at, float half_base, float foot, float top) {  // within a triangle
+  return min(at.y - foot, half_base * (top - at.y) / (top - foot) - abs(at.x));
+}
 void main() {
   float edge = fwidth(at.x) * 1.2;
   float inside;
   if (form < 0.5) inside = 1.0 - length(at);                                  // a disc
   else if (form < 1.5) inside = min((0.95 - at.x) * 0.45 - abs(at.y) * 0.85 + 0.05, at.x + 0.75 - 0.5 * (0.5 - abs(at.y)));  // an arrow
   else if (form < 2.5) inside = 1.0 - max(abs(at.x), abs(at.y));              // a square
-  else inside = min(1.0 - length(at), length(at) - 0.8);                      // a ring
+  else if (form < 3.5) inside = min(1.0 - length(at), length(at) - 0.8);      // a ring
+  else if (form < 4.5) inside = upright(at, 0.85, -0.75, 0.95);               // a triangle
+  else if (form < 5.5) inside = 0.95 - abs(at.x) - abs(at.y);                 // a diamond
+  else if (form < 6.5) inside = max(0.34 - length(at - vec2(0.0, 0.62)), upright(at, 0.62, -0.95, 0.75));  // a person
+  else if (form < 7.5) inside = max(max(0.55 - length(at * vec2(0.72, 1.15) + vec2(0.2, 0.0)), 0.3 - length(at - vec2(0.68, 0.0))),
+    0.11 - length(vec2(abs(at.x + 0.25) - 0.35, abs(at.y) - 0.55)));          // an animal, from above
+  else if (form < 8.5) inside = max(min(0.62 - abs(at.x), min(0.2 - at.y, at.y + 0.85)), upright(at, 0.95, 0.05, 0.95));  // a house
+  else inside = max(min(0.14 - abs(at.x), min(at.y + 0.98, -at.y)), upright(at, 0.75, -0.5, 0.98));  // a tree
   float shown = smoothstep(0.0, edge, inside);
   if (shown <= 0.0) discard;
-  float rim = form > 2.5 ? 1.0 : smoothstep(0.0, edge, inside - 0.12);
+  float rim = form > 2.5 && form < 3.5 ? 1.0 : smoothstep(0.0, edge, inside - 0.12);
   paint = vec4(mix(tint.rgb * 0.45, tint.rgb, rim), tint.a * shown);
 }`;
 const PATCHES = `#version 300 es

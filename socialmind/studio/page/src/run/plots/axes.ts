@@ -1,0 +1,9 @@
+// How axes look in all panels.
+
+import type uPlot from "uplot";
+
+export function axes(): uPlot.Axis[] {
+  const ink = getComputedStyle(document.documentElement).getPropertyValue("color");
+  const axis = { stroke: ink, grid: { stroke: "#88888833" }, ticks: { stroke: "#88888866" }, font: "11px system-ui" };
+  return [{ ...axis, size: 32 }, { ...axis, size: 52 }];
+}
