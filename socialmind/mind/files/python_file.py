@@ -112,7 +112,9 @@ def _outlines(path: Path) -> dict[str, FunctionType]:
             given.kw_defaults = [one and ast.Constant(0.0) for one in given.kw_defaults]
             # At its own line, for messages.
             head = "\n" * (node.lineno - 1) + f"def {node.name}({ast.unparse(given)}): pass"
-            made: dict[str, Any] = {}
+            made: dict[str, Any] = {
+                "__name__": PRIVATE
+            }  # of a file of a mind, as those that are run
             exec(compile(head, str(path), "exec"), made)
             heads[node.name] = made[node.name]
         elif isinstance(node, ast.Assign) and isinstance(node.value, ast.Name):

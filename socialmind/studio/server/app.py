@@ -20,7 +20,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
 from socialmind.studio.learning.processes import LearningProcesses
-from socialmind.studio.server import first_hour, learning, plots, runs, schemes
+from socialmind.studio.server import first_hour, learning, plots, runs, schemes, skills
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -68,6 +68,7 @@ class Studio:
             *learning.routes(self._folders, self._learning),
             Route("/api/running", self._running),
             *runs.routes(self._folders),
+            *skills.routes(self._folders),
             *plots.routes(self._stages),
             *schemes.routes(self._folders, self._known),
             *first_hour.routes(),

@@ -5,6 +5,7 @@ import Learning from "./learning/Learning.svelte";
 import Run from "./run/Run.svelte";
 import Mind from "./scheme/Mind.svelte";
 import FirstHour from "./tutorials/FirstHour.svelte";
+import Skills from "./skills/Skills.svelte";
 
 export interface Room {
   /** In the address, after #/. */
@@ -16,6 +17,7 @@ export interface Room {
 export const ROOMS: Room[] = [
   { word: "run", title: "Run", component: Run },
   { word: "mind", title: "Mind", component: Mind },
+  { word: "skills", title: "Skills", component: Skills },
   { word: "learning", title: "Learning", component: Learning },
   { word: "first-hour", title: "First hour", component: FirstHour },
 ];

@@ -1,0 +1,202 @@
+// What the room of skills knows: the mind with its past, where it came from, and what is odd about it.
+
+import type { Finding } from "../graph/Findings.svelte";
+import { History } from "../graph/history.svelte";
+import type { Place } from "../graph/layout";
+import { added, EMPTY, fresh, linkBetween, linked, LISTS, parsedLink, partOf, set, without, type Kind, type Mind, type Module, type Skill } from "./document";
+import { placed, type Places, type Weights } from "./drawing";
+
+export interface Base {
+  file: string;
+  sha256: string;
+}
+interface State {
+  mind: Mind;
+  put: Places;
+}
+type Sent = Omit<Mind, "skills"> & { skills: (Skill & { was: string | null })[] };
+interface Opened {
+  document: Sent;
+  base: Base | null;
+  writable: boolean;
+}
+const CHECK_AFTER = 150;
+
+export class Refused extends Error {
+  constructor(text: string, readonly exists: boolean) {
+    super(text);
+  }
+}
+export async function ask<T>(what: string, asked?: unknown): Promise<T> {
+  let answer: Response;
+  try {
+    answer = await fetch(`api/skills/${what}`, asked === undefined ? undefined : { method: "POST", body: JSON.stringify(asked) });
+  } catch {
+    throw new Refused("The program does not answer.", false);
+  }
+  const said = await answer.json().catch(() => ({ error: `The program failed (${answer.status}).` }));
+  if (!answer.ok) throw new Refused(said.error, said.exists === true);
+  return said as T;
+}
+
+class Editor {
+  history = new History<State>({ mind: EMPTY, put: new Map() });
+  selected = $state.raw<string[]>([]);
+  findings = $state.raw<Finding[]>([]);
+  weights = $state.raw<Record<string, Weights>>({});
+  masters = $state.raw<string[]>([]);
+  base = $state.raw<Base | null>(null);
+  writable = $state(false);
+  error = $state("");
+  note = $state("");
+  /** How often something was opened: the view is fitted then. */
+  opened = $state(0);
+
+  #kept = $state.raw<Mind>(EMPTY);
+  /** Under which names the files of skills lie, by their ids; no undo changes that. */
+  #files = new Map<string, string>();
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #checks = 0;
+
+  constructor() {
+    addEventListener("beforeunload", (event) => {
+      if (this.changed) event.preventDefault();
+    });
+  }
+
+  get mind(): Mind {
+    return this.history.now.mind;
+  }
+  get places(): Places {
+    return placed(this.mind, this.history.now.put);
+  }
+  get changed(): boolean {
+    return this.mind !== this.#kept;
+  }
+  get wrong(): boolean {
+    return this.findings.some((one) => one.wrong);
+  }
+  get part() {
+    return this.selected.length === 1 ? partOf(this.mind, this.selected[0]) : null;
+  }
+
+  async open(file: string): Promise<void> {
+    this.error = this.note = "";
+    let found: Opened;
+    try {
+      found = await ask<Opened>("open", file ? { file } : {});
+    } catch (error) {
+      this.error = (error as Error).message;
+      return;
+    }
+    const { skills, ...rest } = found.document;
+    const mind = { ...rest, skills: skills.map(({ was: _, ...one }) => one) };
+    this.#files = new Map(skills.filter((one) => one.was).map((one) => [one.id, one.was!]));
+    this.history.begin({ mind, put: placed(mind, new Map()) });
+    this.#kept = mind;
+    this.base = found.base;
+    this.writable = found.writable;
+    this.selected = [];
+    this.opened += 1;
+    this.#check(0);
+  }
+
+  /** Save; throws `Refused` if another mind stands there. */
+  async save(file: string, replace = false): Promise<void> {
+    this.error = this.note = "";
+    const mind = this.mind;
+    const found = await ask<{ notes: string[]; base: Base; writable: boolean }>("save", { document: this.#sent(mind), base: this.base, file, replace });
+    this.base = found.base;
+    this.writable = found.writable;
+    this.#files = new Map(mind.skills.map((one) => [one.id, one.name]));
+    this.#kept = mind;
+    this.note = [`Saved in ${found.base.file}`, ...found.notes].join("; ");
+    this.#check(0);
+  }
+
+  /** Take another mind; changes under the same key, one after another, are one step. */
+  change(mind: Mind, key = ""): void {
+    const put = new Map(this.history.now.put);
+    for (const [id, place] of this.places) if (!put.has(id)) put.set(id, place);
+    this.history.change({ mind, put }, key);
+    this.#check();
+  }
+  undo(): void {
+    this.history.undo();
+    this.#after();
+  }
+  redo(): void {
+    this.history.redo();
+    this.#after();
+  }
+  #after(): void {
+    this.selected = this.selected.filter((id) => partOf(this.mind, id) || parsedLink(id));
+    this.#check(0);
+  }
+
+  set(id: string, fields: Partial<Module & Skill>, key = ""): void {
+    this.change(set(this.mind, id, fields), key && `${id} ${key}`);
+  }
+  /** Give a part another name, and links with it; returns why it cannot be, or nothing. */
+  rename(id: string, name: string): string | void {
+    const part = partOf(this.mind, id)!;
+    if (!name.trim() || name !== name.trim()) return "a name without blanks at its ends is needed";
+    if (/[:#/\\]/.test(name)) return "no name has : # / or \\ in it";
+    if ((this.mind[LISTS[part.part]] as Module[]).some((one) => one.id !== id && one.name === name)) return "another one is called so";
+    this.set(id, { name }, "name");
+  }
+  nameMind(name: string): string | void {
+    if (!name.trim() || /[:#/\\]/.test(name)) return "a name without : # / or \\ is needed";
+    this.change({ ...this.mind, name }, "mind name");
+  }
+  add(part: Kind, at?: Place): void {
+    const id = fresh();
+    const mind = added(this.mind, part, id);
+    const put = new Map(this.places);
+    const among = this.mind[LISTS[part]].map((one) => put.get(one.id)!);
+    put.set(id, at ?? (among.length ? { x: among[0].x, y: Math.max(...among.map((one) => one.y)) + 70 } : { x: part === "actuator" ? 460 : part === "skill" ? 230 : 0, y: 0 }));
+    this.history.change({ mind, put });
+    this.selected = [id];
+    this.#check();
+  }
+  linkable(from: string, to: string): boolean {
+    return linkBetween(this.mind, from, to) !== null;
+  }
+  link(from: string, to: string): void {
+    this.change(linked(this.mind, from, to));
+  }
+  remove(ids: string[]): void {
+    this.change(without(this.mind, ids));
+    this.selected = [];
+  }
+  move(places: Places): void {
+    this.history.change({ mind: this.mind, put: new Map([...this.places, ...places]) });
+  }
+  layOut(): void {
+    this.history.change({ mind: this.mind, put: placed(this.mind, new Map()) });
+    this.opened += 1;
+  }
+
+  #sent(mind: Mind): Sent {
+    return { ...mind, skills: mind.skills.map((one) => ({ ...one, was: this.#files.get(one.id) ?? null })) };
+  }
+  #check(after = CHECK_AFTER): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(async () => {
+      const number = (this.#checks += 1);
+      try {
+        const found = await ask<{ findings: Finding[]; weights: Record<string, Weights>; masters: string[] }>("check", {
+          document: this.#sent(this.mind), base: this.base,
+        });
+        if (number !== this.#checks) return;
+        this.findings = found.findings;
+        this.weights = found.weights;
+        this.masters = found.masters;
+      } catch (error) {
+        this.error = (error as Error).message;
+      }
+    }, after);
+  }
+}
+
+export const editor = new Editor();
