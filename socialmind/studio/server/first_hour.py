@@ -13,15 +13,13 @@ from starlette.responses import JSONResponse
 from starlette.routing import Route
 
 from coglogo_py import CogLogoError
-from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
-from socialmind.studio.schemes.checking import Bearers, runnable_of
-from socialmind.studio.tutorials.showing import courses
 from socialmind.studio.tutorials.step import Tutorial
 from socialmind.studio.tutorials.turtle import TURTLE
 from socialmind.studio.tutorials.two_minds import TWO_MINDS
+from socialmind.studio.tutorials.vehicle import VEHICLE
 
-TUTORIALS = {one.word: one for one in (TURTLE, TWO_MINDS)}
+TUTORIALS = {one.word: one for one in (TURTLE, VEHICLE, TWO_MINDS)}
 _loading = Lock()
 
 
@@ -63,17 +61,13 @@ def missing(asked: dict[str, Any]) -> dict[str, Any]:
 
 
 def shown(asked: dict[str, Any]) -> dict[str, Any]:
-    """Say what a mind does: the measure of its tutorial over time, beside that of the model's own.
+    """Say what a mind does: the measure of its tutorial over time, beside what it is compared with.
 
     Args:
         asked: `tutorial` and the `document` as it is.
     """
-    tutorial = _tutorial(asked)
     with _loading:
-        bearers = Bearers.of(load_model(tutorial.model), tutorial.population)
-        edited = runnable_of(asked["document"], bearers)
-        both = [None, edited] if tutorial.begins else [edited]
-        return courses(bearers.model, tutorial.population, both, tutorial.measure, tutorial.ticks)
+        return dict(_tutorial(asked).courses(asked["document"]))
 
 
 def _tutorial(asked: dict[str, Any]) -> Tutorial:

@@ -1,14 +1,15 @@
-"""What a step of a tutorial wants to see in a scheme that is being edited, and what it says if not.
+"""What a step of a tutorial wants to see in a scheme that is edited, and what it says if not.
 
-A goal is data with one method, `missing(parts)`: None when it is met, else a sentence that says what to
-do. `superfluous` finds what no goal wants: a slip of the mouse is told as well as what lacks.
+A goal is data with one method, `missing(parts)`: None when it is met, else a sentence that says
+what to do. `Parts.superfluous` finds what no goal wants: a slip of the mouse is told as well as
+what lacks.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 Document = Mapping[str, Any]
 """A scheme as `socialmind.studio.schemes.document` has it."""
@@ -38,12 +39,27 @@ class Parts:
             for plan in cogniton["conditional"]:
                 self.links["conditional", cogniton["name"], names[plan]] = None
 
+    def superfluous(self, goals: Iterable[object]) -> list[str]:
+        """Return a sentence for each part that no goal wants.
 
-class Goal(Protocol):
-    """Something that a step wants to see."""
-
-    def missing(self, parts: Parts) -> str | None:
-        """Return what to do; None when it is met."""
+        Args:
+            goals: all that is wanted.
+        """
+        wanted = tuple(goals)
+        plans = {one.name for one in wanted if isinstance(one, Plan)}
+        cognitons = {one.name for one in wanted if isinstance(one, Cogniton)}
+        links = {(one.kind, one.cogniton, one.plan) for one in wanted if isinstance(one, Link)}
+        named = [("plan", name) for name in self.plans if name not in plans]
+        named += [("cogniton", name) for name in self.cognitons if name not in cognitons]
+        named += [("group", name) for name in self.groups]
+        said = [
+            f"The {kind} {name!r} is not wanted here: delete or rename it." for kind, name in named
+        ]
+        return said + [
+            f"The {kind} link between {cogniton} and {plan} is not wanted here: delete it."
+            for kind, cogniton, plan in self.links
+            if (kind, cogniton, plan) not in links and cogniton in cognitons and plan in plans
+        ]
 
 
 @dataclass(frozen=True)
@@ -51,6 +67,11 @@ class Called:
     """The scheme has a name."""
 
     name: str
+
+    @property
+    def subject(self) -> object:
+        """What it is about."""
+        return "name"
 
     def missing(self, parts: Parts) -> str | None:
         """Return what to do; None when it is met."""
@@ -65,6 +86,11 @@ class Decides:
 
     maker: str
 
+    @property
+    def subject(self) -> object:
+        """What it is about."""
+        return "decision maker"
+
     def missing(self, parts: Parts) -> str | None:
         """Return what to do; None when it is met."""
         if parts.maker == self.maker:
@@ -77,6 +103,11 @@ class Plan:
     """There is a plan."""
 
     name: str
+
+    @property
+    def subject(self) -> object:
+        """What it is about."""
+        return ("plan", self.name)
 
     def missing(self, parts: Parts) -> str | None:
         """Return what to do; None when it is met.
@@ -95,6 +126,11 @@ class Cogniton:
 
     name: str
     start: float = 0.0
+
+    @property
+    def subject(self) -> object:
+        """What it is about."""
+        return ("cogniton", self.name)
 
     def missing(self, parts: Parts) -> str | None:
         """Return what to do; None when it is met."""
@@ -124,6 +160,11 @@ class Link:
     plan: str
     weight: float | None = None
 
+    @property
+    def subject(self) -> object:
+        """What it is about."""
+        return (self.kind, self.cogniton, self.plan)
+
     def missing(self, parts: Parts) -> str | None:
         """Return what to do; None when it is met."""
         key = (self.kind, self.cogniton, self.plan)
@@ -136,25 +177,3 @@ class Link:
         if weight != self.weight:
             return f"The {self.kind} link {to} weighs {weight:g}: let it weigh {self.weight:g}."
         return None
-
-
-def superfluous(parts: Parts, goals: Iterable[Goal]) -> list[str]:
-    """Return a sentence for each part that no goal wants.
-
-    Args:
-        parts: what there is.
-        goals: all that is wanted so far.
-    """
-    wanted = tuple(goals)
-    plans = {one.name for one in wanted if isinstance(one, Plan)}
-    cognitons = {one.name for one in wanted if isinstance(one, Cogniton)}
-    links = {(one.kind, one.cogniton, one.plan) for one in wanted if isinstance(one, Link)}
-    named = [("plan", name) for name in parts.plans if name not in plans]
-    named += [("cogniton", name) for name in parts.cognitons if name not in cognitons]
-    named += [("group", name) for name in parts.groups]
-    said = [f"The {kind} {name!r} is not wanted here: delete or rename it." for kind, name in named]
-    return said + [
-        f"The {kind} link between {cogniton} and {plan} is not wanted here: delete it."
-        for kind, cogniton, plan in parts.links
-        if (kind, cogniton, plan) not in links and cogniton in cognitons and plan in plans
-    ]

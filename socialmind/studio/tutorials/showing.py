@@ -2,45 +2,61 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping
 from typing import Any
 
-from coglogo_py import CognitiveScheme
+from socialmind.catalogue import load_model
 from socialmind.model import Model
+from socialmind.studio.schemes.checking import Bearers, runnable_of
+from socialmind.studio.tutorials.step import Courses, Document
 
 SHOWN = 100
 """Points of a curve."""
+YOURS = "your mind"
+SEED = 1
 
 
-def courses(
-    model: type[Model],
-    population: str,
-    schemes: Sequence[CognitiveScheme | None],
-    measure: str,
-    ticks: int,
-    seed: int = 1,
-) -> dict[str, Any]:
-    """Run a model once with each of some schemes, and return what came of it.
+def courses(societies: Mapping[str, Model], measure: Callable[[Any], float], ticks: int) -> Courses:
+    """Run societies, and return what came of them.
 
     Args:
-        model: the model's class.
-        population: whose minds they are.
-        schemes: one a run; None for the model's own.
-        measure: a column of the series.
+        societies: by what they are called.
+        measure: takes a number of a society.
         ticks: how long, 1 or more.
-        seed: of all runs alike.
 
     Returns:
-        `ticks`, and `courses`: for each scheme the measure at these ticks.
+        `ticks`, `names`, and `courses`: for each name the numbers at these ticks.
     """
-    step = max(ticks // SHOWN, 1)
-    shown = range(0, ticks + 1, step)
+    shown = range(0, ticks + 1, max(ticks // SHOWN, 1))
     found = []
-    for scheme in schemes:
-        society = model(seed=seed, scheme=None if scheme is None else {population: scheme})
+    for society in societies.values():
         values = []
         for tick in shown:
             society.advance(tick - society.tick)
-            values.append(float(society.series()[measure]))
+            values.append(float(measure(society)))
         found.append(values)
-    return {"ticks": list(shown), "courses": found}
+    return {"ticks": list(shown), "names": list(societies), "courses": found}
+
+
+def courses_of_scheme(
+    model: str, population: str, measure: str, ticks: int, document: Document, beside: bool = False
+) -> Courses:
+    """Return what a model does with an edited scheme.
+
+    Args:
+        model: its name.
+        population: whose minds it is.
+        measure: a column of the series.
+        ticks: how long.
+        document: the scheme, as the editor has it.
+        beside: whether the same is shown with the model's own scheme.
+
+    Raises:
+        SchemeError: the document is no scheme that the model can run with.
+    """
+    bearers = Bearers.of(load_model(model), population)
+    edited = runnable_of(dict(document), bearers)
+    societies = {YOURS: bearers.model(seed=SEED, scheme={population: edited})}
+    if beside:
+        societies["the model's own"] = bearers.model(seed=SEED)
+    return courses(societies, lambda society: society.series()[measure], ticks)

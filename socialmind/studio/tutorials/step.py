@@ -2,10 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
-from socialmind.studio.tutorials.goals import Document, Goal, Parts, superfluous
+Document = Mapping[str, Any]
+"""What is edited, as its editor has it."""
+Courses = Mapping[str, Any]
+"""What was seen over time: `ticks`, and `courses` with values at these ticks for each `name`."""
+
+
+class Parts(Protocol):
+    """The parts of a document, by their names."""
+
+    def superfluous(self, goals: Iterable[Any]) -> list[str]:
+        """Return a sentence for each part that no goal wants."""
+
+
+class Goal(Protocol):
+    """Something that a step wants to see."""
+
+    @property
+    def subject(self) -> object:
+        """What it is about: a later goal about the same takes its place."""
+
+    def missing(self, parts: Any) -> str | None:
+        """Return what to do; None when it is met."""
 
 
 @dataclass(frozen=True)
@@ -29,29 +51,33 @@ class Step:
 
 @dataclass(frozen=True)
 class Tutorial:
-    """Steps beside the editor of schemes.
+    """Steps beside an editor.
 
     Attributes:
         word: in addresses.
         title: for the reader.
         about: a sentence.
-        model: the model that runs with the scheme.
-        population: whose minds it is.
+        editor: the room whose editor it is: `mind` (schemes) or `skills`.
+        parts: makes the parts of a document of that editor.
+        courses: what the mind of a document does.
+        measure: what the courses are of.
         steps: in order.
-        begins: whether it begins with the scheme of the model; with an empty one otherwise.
-        measure: the column of the series that is shown.
-        ticks: how many ticks are shown.
+        model: of schemes: the model that runs with it.
+        population: of schemes: whose minds it is.
+        begins: of schemes: whether it begins with that of the model; with an empty one otherwise.
     """
 
     word: str
     title: str
     about: str
-    model: str
-    population: str
+    editor: str
+    parts: Callable[[Document], Parts]
+    courses: Callable[[Document], Courses]
+    measure: str
     steps: tuple[Step, ...]
+    model: str = ""
+    population: str = ""
     begins: bool = False
-    measure: str = ""
-    ticks: int = 1000
 
     def to_json(self) -> dict[str, Any]:
         """Return it as the page has it, without what is checked."""
@@ -59,7 +85,7 @@ class Tutorial:
             {"title": one.title, "says": one.says, "hint": one.hint, "shows": one.shows}
             for one in self.steps
         ]
-        told = ("word", "title", "about", "model", "population", "begins", "measure", "ticks")
+        told = ("word", "title", "about", "editor", "measure", "model", "population", "begins")
         return {**{name: getattr(self, name) for name in told}, "steps": steps}
 
     def missing(self, document: Document, step: int) -> list[str]:
@@ -69,16 +95,16 @@ class Tutorial:
         thing takes the place of that of an earlier one. Who is ahead is not held back.
 
         Args:
-            document: the scheme as it is edited.
+            document: the mind as it is edited.
             step: the number of the step, from 0 on.
 
         Returns:
             Sentences; none when the step is done.
         """
-        parts = Parts(document)
+        parts = self.parts(document)
         goals = self.goals_of(step)
         lacking = [said for one in goals if (said := one.missing(parts)) is not None]
-        return lacking + superfluous(parts, self.goals_of(len(self.steps) - 1))
+        return lacking + parts.superfluous(self.goals_of(len(self.steps) - 1))
 
     def goals_of(self, step: int) -> tuple[Goal, ...]:
         """Return all that is wanted by the end of a step.
@@ -88,12 +114,5 @@ class Tutorial:
         """
         wanted: dict[object, Goal] = {}
         for one in self.steps[: step + 1]:
-            wanted |= {_subject(goal): goal for goal in one.goals}
+            wanted |= {goal.subject: goal for goal in one.goals}
         return tuple(wanted.values())
-
-
-def _subject(goal: Any) -> object:
-    """What a goal is about, without its number."""
-    told = (getattr(goal, name, None) for name in ("kind", "cogniton", "plan"))
-    name = getattr(goal, "name", None)
-    return (type(goal).__name__, name if type(goal).__name__ != "Called" else "", *told)

@@ -19,10 +19,11 @@ def on(page):
     page.click("[data-test=step-on]")
 
 
-def add(page, key, name):
+def add(page, key, name, field="name"):
     page.focus("[data-test=step-title]")
     page.keyboard.press(key)
-    page.wait_for_selector("[data-test=name]:focus")
+    page.wait_for_selector(f"[data-test={field}]:focus")
+    page.keyboard.press("Control+a")
     page.keyboard.type(name)
     page.keyboard.press("Enter")
 
@@ -45,8 +46,9 @@ def link(page, plan, influence="", opens=False, feeds=""):
         page.keyboard.press("Enter")
 
 
-def select(page, name):
+def select(page, name, field="name"):
     page.locator(f".svelte-flow__node[data-name='{name}']").click()
+    page.wait_for_function(f"document.querySelector('[data-test={field}]')?.value === '{name}'")
 
 
 def test_the_mind_of_the_turtle_is_built_step_by_step(browser, studio):
@@ -106,6 +108,36 @@ def test_the_mind_of_the_turtle_is_built_step_by_step(browser, studio):
     page.goto(page.url.split("#")[0] + "#/first-hour")
     page.click("[data-test=step-on]")
     page.wait_for_selector("text=done")
+    assert page.failures == []
+    page.close()
+
+
+def test_a_vehicle_is_wired(browser, studio):
+    page = studio.page(browser, "#/first-hour", "[data-test=begin-vehicle]")
+    page.click("[data-test=begin-vehicle]")
+    page.wait_for_selector("text=There is no sensor 'LEFT' yet.")
+    for key, name in (("s", "LEFT"), ("s", "RIGHT"), ("m", "WHEEL_LEFT"), ("m", "WHEEL_RIGHT")):
+        add(page, key, name, "part-name")
+    on(page)
+    for name in ("LeftWire", "RightWire"):
+        add(page, "k", name, "part-name")
+        page.fill("[data-test=size-LAYERS]", "0")
+    on(page)
+    for name, side in (("LeftWire", "LEFT"), ("RightWire", "RIGHT")):
+        select(page, name, "part-name")
+        page.select_option("[data-test=add-inputs]", f"SE:{side}")
+        page.select_option("[data-test=add-outputs]", f"MO:WHEEL_{side}")
+    done(page)
+    page.wait_for_selector("[data-test=course-0]")
+    assert float(page.locator("[data-test=course-0]").inner_text()) > 10
+    on(page)
+    for name, side, other in (("LeftWire", "LEFT", "RIGHT"), ("RightWire", "RIGHT", "LEFT")):
+        select(page, name, "part-name")
+        page.click(f"[aria-label='take MO:WHEEL_{side} out']")
+        page.select_option("[data-test=add-outputs]", f"MO:WHEEL_{other}")
+    done(page)
+    page.wait_for_selector("[data-test=course-1]")
+    assert float(page.locator("[data-test=course-0]").inner_text()) < 1
     assert page.failures == []
     page.close()
 

@@ -1,7 +1,7 @@
-// How far somebody has come in a tutorial: its steps, what is missing, and the scheme as it was when a step began.
+// How far somebody has come in a tutorial: its steps, what is missing, and the mind as it was when a step began.
 
-import type { Scheme } from "../scheme/document";
-import { editor } from "../scheme/editor.svelte";
+import { editor as schemes } from "../scheme/editor.svelte";
+import { editor as skills } from "../skills/editor.svelte";
 
 export interface Step {
   title: string;
@@ -14,19 +14,63 @@ export interface Tutorial {
   word: string;
   title: string;
   about: string;
+  /** The room whose editor it is. */
+  editor: "mind" | "skills";
+  measure: string;
+  steps: Step[];
+  /** Of schemes: the model that runs with it, and whether it begins with that model's own. */
   model: string;
   population: string;
-  /** Whether it begins with the scheme of the model, not with an empty one. */
   begins: boolean;
-  measure: string;
-  ticks: number;
-  steps: Step[];
 }
 export interface Courses {
   ticks: number[];
-  /** The measure over these ticks, of each mind. */
+  names: string[];
+  /** The measure over these ticks, for each name. */
   courses: number[][];
 }
+
+/** An editor, as a tutorial needs it. */
+interface Desk {
+  readonly document: unknown;
+  readonly changed: boolean;
+  open(one: Tutorial): Promise<void>;
+  change(document: never): void;
+}
+const DESKS: Record<Tutorial["editor"], Desk> = {
+  mind: {
+    get document() {
+      return schemes.scheme;
+    },
+    get changed() {
+      return schemes.changed;
+    },
+    async open(one) {
+      await schemes.open(one.begins ? { model: one.model, population: one.population } : {});
+      if (!one.begins) schemes.bear(one.model, one.population);
+    },
+    change(scheme) {
+      schemes.history.settle();
+      schemes.change(scheme);
+      schemes.selected = [];
+    },
+  },
+  skills: {
+    get document() {
+      return skills.mind;
+    },
+    get changed() {
+      return skills.changed;
+    },
+    open: () => skills.open(""),
+    change(mind) {
+      skills.history.settle();
+      skills.change(mind);
+      skills.selected = [];
+    },
+  },
+};
+export const deskOf = (one: Tutorial): Desk => DESKS[one.editor];
 
 const CHECK_AFTER = 150;
 const KEPT = "socialmind first hour";
@@ -49,7 +93,7 @@ class Walk {
   /** Titles of the tutorials that were gone through to their end, by their words. */
   finished = $state.raw<string[]>(JSON.parse(localStorage.getItem(KEPT) ?? "[]"));
 
-  #before = $state.raw<Scheme | null>(null);
+  #before = $state.raw<unknown>(null);
   #timer: ReturnType<typeof setTimeout> | undefined;
   #asked = 0;
   #shown = "";
@@ -67,16 +111,19 @@ class Walk {
   get last(): boolean {
     return this.at === this.tutorial!.steps.length - 1;
   }
-  /** Whether the scheme is another one than when the step began. */
+  /** What is edited. */
+  get document(): unknown {
+    return this.tutorial && deskOf(this.tutorial).document;
+  }
+  /** Whether it is another one than when the step began. */
   get changed(): boolean {
-    return this.#before !== null && editor.scheme !== this.#before;
+    return this.#before !== null && this.document !== this.#before;
   }
 
   /** Begin a tutorial; what is in the editor goes. */
   async begin(one: Tutorial): Promise<void> {
     this.error = "";
-    await editor.open(one.begins ? { model: one.model, population: one.population } : {});
-    if (!one.begins) editor.bear(one.model, one.population);
+    await deskOf(one).open(one);
     this.tutorial = one;
     this.#enter(0);
   }
@@ -89,16 +136,14 @@ class Walk {
   }
   /** Take everything back to where the step began; Undo takes that back. */
   startOver(): void {
-    if (this.#before) editor.change(this.#before);
-    editor.selected = [];
+    deskOf(this.tutorial!).change(this.#before as never);
   }
 
   #enter(step: number): void {
     this.at = step;
-    this.#before = editor.scheme;
+    this.#before = this.document;
     this.missing = this.courses = null;
     this.#shown = "";
-    editor.history.settle();
     if (this.last) {
       this.finished = [...new Set([...this.finished, this.tutorial!.word])];
       localStorage.setItem(KEPT, JSON.stringify(this.finished));
@@ -115,7 +160,7 @@ class Walk {
     const tutorial = this.tutorial;
     if (!tutorial) return;
     const number = (this.#asked += 1);
-    const asked = { tutorial: tutorial.word, step: this.at, document: editor.scheme };
+    const asked = { tutorial: tutorial.word, step: this.at, document: this.document };
     try {
       const { missing } = await ask<{ missing: string[] }>("/check", asked);
       if (number !== this.#asked) return;
