@@ -47,7 +47,8 @@ def link(page, plan, influence="", opens=False, feeds=""):
 
 
 def select(page, name, field="name"):
-    page.locator(f".svelte-flow__node[data-name='{name}']").click()
+    kind = "cogniton" if field == "name" else "skill"
+    page.click(f".svelte-flow__node[aria-label^='{kind}'][aria-label*='{name}']")
     page.wait_for_function(f"document.querySelector('[data-test={field}]')?.value === '{name}'")
 
 
