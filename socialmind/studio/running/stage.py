@@ -11,6 +11,7 @@ import json
 import time
 from collections.abc import Callable, Mapping
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import Any
 
 from coglogo_py import CogLogoError
@@ -331,7 +332,10 @@ class Stage:
     def do_save(self, folder: str | None = None, every: int | None = None) -> None:
         """Make the run up to here as a folder."""
         self._say("busy", text="saving")
-        self._say("saved", folder=str(self._of().save(folder, every)))
+        made, home = self._of().save(folder, every), Path.cwd()
+        self._say(
+            "saved", folder=str(made.relative_to(home) if made.is_relative_to(home) else made)
+        )
 
     def do_copy(self, folder: str) -> None:
         """Make the run up to here as a folder, for another stage to open."""

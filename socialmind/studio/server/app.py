@@ -30,11 +30,20 @@ PAGE = Path(__file__).parents[1] / "built"
 FIRST = "first"
 """The name of the society that the program begins with."""
 COMMANDS = frozenset(
-    "setup open reset go pause step turn pace go_to show watch set edit rescheme press suppose "
-    "plots save branch end act steer imprint trace".split()
-)
+    (
+        "setup", "open", "reset", "save", "branch", "end", "act",
+        "go", "pause", "step", "turn", "pace", "go_to",
+        "show", "watch", "trace", "plots", "suppose",
+        "set", "edit", "rescheme", "press", "steer", "imprint",
+    )
+)  # fmt: skip
 """What a page may ask of a stage."""
-STANDING = frozenset("pause step turn go_to setup open reset branch save act imprint".split())
+STANDING = frozenset(
+    (
+        "pause", "step", "turn", "go_to",
+        "setup", "open", "reset", "branch", "save", "act", "imprint",
+    )
+)  # fmt: skip
 """What ends the common going on of societies."""
 MOST_STAGES = 12
 

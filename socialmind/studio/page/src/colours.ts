@@ -29,7 +29,7 @@ const SCALE: Colour[] = [
 ];
 
 export function ofWord(place: number): Colour {
-  return place === 255 ? NONE : WORDS[place % WORDS.length];
+  return place === 255 || place < 0 ? NONE : WORDS[place % WORDS.length];
 }
 
 /** A table of 256 colours, RGB. */

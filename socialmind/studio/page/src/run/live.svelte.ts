@@ -122,9 +122,9 @@ export class Live {
   #ended = false;
   #waiting: Command[] = [];
 
-  #heard: (said: string, rest: Record<string, unknown>) => void;
+  #heard?: (said: string, rest: Record<string, unknown>) => void;
 
-  constructor(name: string, heard: (said: string, rest: Record<string, unknown>) => void) {
+  constructor(name: string, heard?: (said: string, rest: Record<string, unknown>) => void) {
     this.name = name;
     this.#heard = heard;
     this.#connect();
@@ -254,7 +254,7 @@ export class Live {
       this.busy = "";
       this.error = rest.text as string;
     }
-    this.#heard(said, rest);
+    this.#heard?.(said, rest);
   }
 
   #note(row: Record<string, number | null>): void {
