@@ -55,7 +55,7 @@ COMMANDS: dict[str, tuple[tuple[str, ...], str]] = {
         ("run farmer-artisan --seed 1 --ticks 500000 --figures --out lands",),
         "lands/figures/lands.png",
     ),
-    "flock": (("run boids --figures --out boids",), "boids/figures/flock.png"),
+    "flock": (("run boids --figures --out boids",), "boids/figures/snapshots.png"),
     "collect": (
         (
             "run collect --seed 1 --out collecting",
@@ -73,13 +73,14 @@ def run_society(page) -> None:
     page.wait_for_selector("[data-test=setup]:not([disabled])")
     page.select_option("[data-test=pace]", label="100 ticks a frame")
     page.click("[data-test=go]")
-    page.wait_for_timeout(12_000)
+    tick = "document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, '')"
+    page.wait_for_function(f"Number({tick}) >= 20000")
     page.click("[data-test=go]")
-    page.wait_for_timeout(1500)
     world = page.locator("canvas").first.bounding_box()
-    page.mouse.click(world["x"] + world["width"] / 2, world["y"] + world["height"] / 2)
+    page.mouse.click(world["x"] + world["width"] - 60, world["y"] + world["height"] - 60)
     page.keyboard.press("n")
-    page.wait_for_timeout(2500)
+    page.keyboard.press("n")
+    page.wait_for_timeout(3000)
 
 
 def draw_mind(page) -> None:
