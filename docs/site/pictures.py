@@ -76,11 +76,11 @@ def run_society(page) -> None:
     tick = "document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, '')"
     page.wait_for_function(f"Number({tick}) >= 20000")
     page.click("[data-test=go]")
-    world = page.locator("canvas").first.bounding_box()
-    page.mouse.click(world["x"] + world["width"] - 60, world["y"] + world["height"] - 60)
+    page.wait_for_selector("[data-test=step]:not([disabled])")
+    page.focus("[data-test=world]")
     page.keyboard.press("n")
-    page.keyboard.press("n")
-    page.wait_for_timeout(3000)
+    page.wait_for_selector("[data-test=watched]")
+    page.wait_for_timeout(1500)
 
 
 def draw_mind(page) -> None:
