@@ -47,7 +47,8 @@ class Looks:
             are.
         by: a value for each of the living in order of birth, or for each patch.
         size: how far each reaches across, in patches; a number, or one for each.
-        low, high: values of `by` at the ends of a scale; by default the least and the greatest.
+        low: the value of `by` at the beginning of a scale; by default the least.
+        high: that at its end; by default the greatest.
 
     Raises:
         SocialmindError: no such shape or colour, or values are missing.

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from socialmind.sources.loading import load_file
+
 pytest.importorskip("material", reason="mkdocs-material is not installed")
 
 ROOT = Path(__file__).parents[2]
@@ -113,6 +115,22 @@ def test_the_reference_holds_every_public_name(package):
         for name in importlib.import_module(f"{package}.{file}").__all__
     ]  # fmt: skip
     assert sorted(set(public) - told - {"__version__"}) == []
+
+
+def test_its_pictures_are_small_shown_and_made_by_the_command(monkeypatch):
+    # The script imports what stands beside it.
+    monkeypatch.syspath_prepend(str(ROOT / "docs/site"))
+    pictures = load_file(ROOT / "docs/site/pictures.py")
+    made = {one for page in pictures.PAGES.values() for one in page}
+    made |= {*pictures.COMMANDS, *pictures.SCREENS}
+    there = {path.stem: path for path in (ROOT / "docs/figures").iterdir()}
+    assert made == set(there)
+    text = "".join(
+        path.read_text("utf-8") for path in (ROOT / "README.md", *(ROOT / "docs").rglob("*.md"))
+    )
+    for name, path in there.items():
+        assert path.suffix == ".png" and path.stat().st_size <= pictures.MOST, name
+        assert f"figures/{name}.png)" in text, name
 
 
 def test_examples_in_docstrings_are_code(site):

@@ -6,7 +6,10 @@ from pathlib import Path
 import pytest
 
 from socialmind.experiments import Sweep
-from tests.docs.following import DOCS, follow
+from socialmind.sources.loading import load_file
+
+DOCS = Path(__file__).parents[2] / "docs"
+follow = load_file(DOCS / "site" / "following.py").follow
 
 
 @pytest.fixture(scope="module")

@@ -20,7 +20,15 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
 from socialmind.studio.learning.processes import LearningProcesses
-from socialmind.studio.server import learning, plots, runs, schemes, skills, sweeps
+from socialmind.studio.server import (
+    first_hour,
+    learning,
+    plots,
+    runs,
+    schemes,
+    skills,
+    sweeps,
+)
 from socialmind.studio.server.access import App, Guarded
 from socialmind.studio.server.clock import Clock
 from socialmind.studio.server.folders import Folders
@@ -81,6 +89,7 @@ class Studio:
             *plots.routes(self._stages),
             *schemes.routes(self._folders, self._known),
             *sweeps.routes(self._folders, Path(self._copies.name)),
+            *first_hour.routes(),
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]

@@ -5,6 +5,7 @@ import Experiments from "./experiments/Experiments.svelte";
 import Learning from "./learning/Learning.svelte";
 import Run from "./run/Run.svelte";
 import Mind from "./scheme/Mind.svelte";
+import FirstHour from "./tutorials/FirstHour.svelte";
 import Skills from "./skills/Skills.svelte";
 
 export interface Room {
@@ -20,4 +21,5 @@ export const ROOMS: Room[] = [
   { word: "skills", title: "Skills", component: Skills },
   { word: "learning", title: "Learning", component: Learning },
   { word: "experiments", title: "Experiments", component: Experiments },
+  { word: "first-hour", title: "First hour", component: FirstHour },
 ];
