@@ -48,6 +48,6 @@ def test_a_sweep_is_watched_drawn_and_one_of_its_runs_opened(browser, studio):
     # What cannot be read says so.
     page.goto(f"http://127.0.0.1:{studio.port}/#/experiments?sweep=sweeps/nothing")
     page.wait_for_selector("[role=alert]:has-text('no such folder')")
-    assert page.is_visible(f"{LIST}:has-text('broken') .wrong")
+    page.wait_for_selector(f"{LIST}:has-text('broken') .wrong")
     assert page.failures == []
     page.close()

@@ -17,7 +17,7 @@ from socialmind.learning.imprinting.steered import recording_of_run
 TESTS = Path(__file__).parents[2]
 ROVER = TESTS / "studio" / "learning" / "rover"
 ROVERS = TESTS / "interventions" / "rovers"
-TICK = "Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, ''))"
+TICK = "Number((document.querySelector('[data-test=tick]')?.innerText ?? '').replace(/\\D/g, ''))"
 GENERATION = TICK.replace("tick", "generation")
 ACTS = "/tick [1-9]/.test(document.querySelector('[data-test=act-tick]')?.innerText)"
 PAST = "Number(document.querySelector('[data-test=past]').dataset.ticks)"

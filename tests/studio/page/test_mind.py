@@ -12,7 +12,7 @@ from socialmind.catalogue import load_model
 from socialmind.experiments import Run, replay, run
 
 READY = "[data-test=canvas]"
-TICK = "Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, ''))"
+TICK = "Number((document.querySelector('[data-test=tick]')?.innerText ?? '').replace(/\\D/g, ''))"
 CHECKED = "[data-test=findings]"
 
 

@@ -5,7 +5,7 @@ import pytest
 from socialmind.catalogue import catalogue
 from socialmind.experiments import Run, replay
 
-TICK = "Number(document.querySelector('[data-test=tick]').innerText.replace(/\\D/g, ''))"
+TICK = "Number((document.querySelector('[data-test=tick]')?.innerText ?? '').replace(/\\D/g, ''))"
 SCRUB = """tick => {
   const slider = document.querySelector("[data-test=scrub]");
   slider.value = tick ?? slider.max;

@@ -11,7 +11,7 @@ from socialmind.studio.server.clock import Clock
 class Standing:
     """A stage that takes its time, and notes where the others were when it set out."""
 
-    def __init__(self, seconds, ends=10**9, fails=None):
+    def __init__(self, seconds, ends=10**40, fails=None):
         self.seconds, self.ends, self.fails = seconds, ends, fails
         self.tick, self.told, self.others, self.apart = 0, [], [], set()
 
