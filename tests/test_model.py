@@ -160,8 +160,8 @@ def test_every_name_of_a_society_is_taken():
     own = [name for name in vars(society) if not name.startswith("_")]
     methods = [name for name in dir(Model) if not name.startswith("_")]
     assert {"seed", "tables", "schemes"} <= set(own)
-    settings = {"ticks", "setup", "schedule", "name", "rewards", "interruptions", "measures",
-                "score_every", "record_links", "record_events"}  # fmt: skip
+    settings = {"ticks", "setup", "schedule", "name", "buttons", "rewards", "interruptions",
+                "measures", "score_every", "record_links", "record_events"}  # fmt: skip
     for name in {*own, *methods, "scheme", "shape", "world"} - settings:
         with pytest.raises(
             ModelError, match=f"found a variable called '{name}'|{name!r}, which hides"

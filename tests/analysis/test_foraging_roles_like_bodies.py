@@ -138,6 +138,7 @@ def test_it_is_chosen_in_worlds_for_choosing():
     assert not set(worlds.CHOOSING) & set(worlds.REPORTED)
 
 
+@pytest.mark.study
 def test_minds_are_judged_by_the_worlds_that_settle(mind):
     share = choosing.settles(mind, {"reverse_at": 499}, range(3001, 3003), ticks=1000)
     assert share in (0.0, 0.5, 1.0)

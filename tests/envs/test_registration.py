@@ -39,6 +39,7 @@ def test_gymnasium_finds_nothing_wrong(taught, name):
     assert spec.make().unwrapped.observation_space == env.observation_space
 
 
+@pytest.mark.study
 @pytest.mark.parametrize("identity", SHIPPED)
 def test_gymnasium_finds_nothing_wrong_with_those_that_ship(identity):
     with warnings.catch_warnings():

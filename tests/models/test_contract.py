@@ -13,7 +13,7 @@ from socialmind.worlds.plane.trajectories import RECORDED
 
 WITHOUT_LUCK = ("tutorial",)  # models that draw nothing
 TICKS = 300
-SEEDS = (0, 1, 2**40 + 7)
+SEEDS = (0, 2**40 + 7)
 
 
 @pytest.fixture(scope="module", params=list(catalogue()))

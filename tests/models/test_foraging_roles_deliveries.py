@@ -122,6 +122,7 @@ def test_errands_ask_for_two_meanings_and_for_going_straight(mind):
 # In bodies --------------------------------------------------------------------------------------
 
 
+@pytest.mark.study
 def test_robots_are_measured_by_what_they_bring_in_the_same_worlds():
     plain = load_model("foraging_roles")(seed=3, start=0, programmed=1.0)
     seen = BY_DELIVERIES.ForagingByDeliveries(seed=3, start=0, programmed=1.0, add_at=1500)
@@ -142,6 +143,7 @@ def test_robots_are_measured_by_what_they_bring_in_the_same_worlds():
     assert seen.in_b == (seen.robots.brought == 2).sum()
 
 
+@pytest.mark.study
 def test_a_robot_in_the_thesis_lesson_is_paid_for_nearness_to_the_ratio():
     model = LESSONS.ForageInBodies(seed=3, start=1, foragers=3, hierarchy=FOLDER / "mind")
     while model.robots.delivered_b.sum() + model.robots.delivered_a.sum() == 0:

@@ -35,6 +35,7 @@ def lived(mind, record=RECORD, **parameters):
     return episodes.run(None, WORLDS).fields
 
 
+@pytest.mark.study
 def test_the_head_that_sleeps_does_nothing():
     first, second = MIND, settled_mind()
     without = lived(ELSEWHERE.two_headed(first, second))

@@ -24,6 +24,9 @@ from socialmind.sources.folders import catalogue
 
 CHECKOUT = Path(__file__).parents[2]
 
+OF_EACH_KIND = ("farmer_artisan_learned", "fields_and_flocks", "foraging", "schelling", "wolf_cow")
+"""Of the models that ship; the others, which tell little more, are gone through as a study."""
+
 
 def tables_of(folder):
     """The bytes of both tables: the files of equal runs are equal, not only their content."""
@@ -614,7 +617,13 @@ def test_reading_what_is_no_run(tmp_path):
         Run(tmp_path)
 
 
-@pytest.mark.parametrize("name", catalogue())
+@pytest.mark.parametrize(
+    "name",
+    [
+        name if name in OF_EACH_KIND else pytest.param(name, marks=pytest.mark.study)
+        for name in catalogue()
+    ],
+)
 def test_every_model_that_ships_goes_on_as_if_never_stopped(tmp_path, frequent_progress, name):
     model = load_model(name)
     options = {"ticks": 700, "seed": 6, "every": 3, "agents_every": 50}

@@ -1,24 +1,37 @@
 // The world in WebGL2: a texture of patches, sprites for all agents at once, lines.
 
-const SPRITES = `#version 300 es
-in vec2 corner; in vec2 place; in float angle; in float size; in vec4 colour; in float shape;
+/** A sprite is a square of four corners; many small ones are points, which cost far less without a graphics card. */
+const sprites = (points: boolean) => `#version 300 es
+${points ? "" : "in vec2 corner;"} in vec2 place; in float angle; in float size; in vec4 colour; in float shape;
 uniform vec2 centre; uniform vec2 scale; uniform float pixel;
-out vec2 at; out vec4 tint; flat out float form;
+flat out vec4 tint; flat out float form; flat out float edge; ${points ? "flat out vec2 turn;" : "out vec2 at;"}
 void main() {
-  float c = cos(angle), s = sin(angle);
   float radius = max(size, 2.5 * pixel);
-  vec2 turned = vec2(corner.x * c - corner.y * s, corner.x * s + corner.y * c);
+  vec2 way = vec2(cos(angle), sin(angle));
+  tint = colour; form = shape; edge = 1.3 * pixel / radius;
+${
+  points
+    ? `  gl_Position = vec4((place - centre) * scale, 0.0, 1.0);
+  gl_PointSize = 2.3 * radius / pixel;
+  turn = way;`
+    : `  vec2 turned = vec2(corner.x * way.x - corner.y * way.y, corner.x * way.y + corner.y * way.x);
   gl_Position = vec4((place + turned * radius * 1.15 - centre) * scale, 0.0, 1.0);
-  at = corner * 1.15; tint = colour; form = shape;
+  at = corner * 1.15;`
+}
 }`;
-const SPRITE_PAINT = `#version 300 es
+const spritePaint = (points: boolean) => `#version 300 es
 precision mediump float;
-in vec2 at; in vec4 tint; flat in float form; out vec4 paint;
+flat in vec4 tint; flat in float form; flat in float edge; ${points ? "flat in vec2 turn;" : "in vec2 at;"} out vec4 paint;
 float upright(vec2 at, float half_base, float foot, float top) {  // within a triangle
   return min(at.y - foot, half_base * (top - at.y) / (top - foot) - abs(at.x));
 }
 void main() {
-  float edge = fwidth(at.x) * 1.2;
+${
+  points
+    ? `  vec2 there = vec2(gl_PointCoord.x - 0.5, 0.5 - gl_PointCoord.y) * 2.3;
+  vec2 at = vec2(there.x * turn.x + there.y * turn.y, there.y * turn.x - there.x * turn.y);`
+    : ""
+}
   float inside;
   if (form < 0.5) inside = 1.0 - length(at);                                  // a disc
   else if (form < 1.5) inside = min((0.95 - at.x) * 0.45 - abs(at.y) * 0.85 + 0.05, at.x + 0.75 - 0.5 * (0.5 - abs(at.y)));  // an arrow
@@ -81,9 +94,32 @@ export interface Picture {
   above: Segments;
 }
 
+/** Up to so many sprites are squares. */
+const FEW = 500;
+/** Up to so many pixels from its middle to its edge a sprite can be a point, which is cut where its middle is out of sight. */
+const POINT = 12;
+
+/** The sprites that are in sight, and how far the largest of them reaches. */
+function within(sprites: Sprites, view: View, width: number, height: number): Sprites & { largest: number } {
+  const { count, numbers, colours } = sprites;
+  const seen = { count: 0, numbers: new Float32Array(5 * count), colours: new Uint8Array(4 * count), largest: 0 };
+  const [into, from] = [new Uint32Array(seen.colours.buffer), new Uint32Array(colours.buffer, colours.byteOffset, count)];
+  for (let one = 0; one < count; one += 1) {
+    const at = 5 * one;
+    const reach = 1.63 * numbers[at + 3]; // to the corners
+    if (Math.abs(numbers[at] - view.x) > width / 2 + reach || Math.abs(numbers[at + 1] - view.y) > height / 2 + reach) continue;
+    for (let part = 0; part < 5; part += 1) seen.numbers[5 * seen.count + part] = numbers[at + part];
+    into[seen.count] = from[one];
+    seen.largest = Math.max(seen.largest, numbers[at + 3]);
+    seen.count += 1;
+  }
+  return { ...seen, numbers: seen.numbers.subarray(0, 5 * seen.count), colours: seen.colours.subarray(0, 4 * seen.count) };
+}
+
 export class Renderer {
   #gl: WebGL2RenderingContext;
   #sprites: WebGLProgram;
+  #points: WebGLProgram;
   #patches: WebGLProgram;
   #lines: WebGLProgram;
   #texture: WebGLTexture;
@@ -95,7 +131,8 @@ export class Renderer {
     const gl = canvas.getContext("webgl2", { antialias: true, alpha: false, preserveDrawingBuffer: true });
     if (!gl) throw new Error("This browser has no WebGL2, which draws the world.");
     this.#gl = gl;
-    this.#sprites = this.#program(SPRITES, SPRITE_PAINT);
+    this.#sprites = this.#program(sprites(false), spritePaint(false));
+    this.#points = this.#program(sprites(true), spritePaint(true));
     this.#patches = this.#program(PATCHES, PATCH_PAINT);
     this.#lines = this.#program(LINES, LINE_PAINT);
     this.#texture = gl.createTexture()!;
@@ -127,9 +164,13 @@ export class Renderer {
     }
     look(this.#lines);
     this.#drawLines(picture.below);
-    look(this.#sprites);
-    gl.uniform1f(gl.getUniformLocation(this.#sprites, "pixel"), (2 * view.half) / canvas.height);
-    this.#drawSprites(picture.sprites);
+    const pixel = (2 * view.half) / canvas.height;
+    const seen = within(picture.sprites, view, canvas.width * pixel, canvas.height * pixel);
+    const points = seen.count > FEW && seen.largest < POINT * pixel;
+    const program = points ? this.#points : this.#sprites;
+    look(program);
+    gl.uniform1f(gl.getUniformLocation(program, "pixel"), pixel);
+    this.#drawSprites(seen, program, points);
     look(this.#lines);
     this.#drawLines(picture.above);
   }
@@ -148,20 +189,25 @@ export class Renderer {
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
   }
 
-  #drawSprites(sprites: Sprites): void {
+  #drawSprites(sprites: Sprites, program: WebGLProgram, points: boolean): void {
     const gl = this.#gl;
     if (!sprites.count) return;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.#numbers);
     gl.bufferData(gl.ARRAY_BUFFER, sprites.numbers, gl.STREAM_DRAW);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.#colours);
     gl.bufferData(gl.ARRAY_BUFFER, sprites.colours, gl.STREAM_DRAW);
-    this.#attribute(this.#sprites, "corner", this.#corners, 2, 0, 0, 0);
-    this.#attribute(this.#sprites, "place", this.#numbers, 2, 20, 0, 1);
-    this.#attribute(this.#sprites, "angle", this.#numbers, 1, 20, 8, 1);
-    this.#attribute(this.#sprites, "size", this.#numbers, 1, 20, 12, 1);
-    this.#attribute(this.#sprites, "shape", this.#numbers, 1, 20, 16, 1);
-    this.#attribute(this.#sprites, "colour", this.#colours, 4, 4, 0, 1, true);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, sprites.count);
+    const each = points ? 0 : 1;
+    this.#attribute(program, "place", this.#numbers, 2, 20, 0, each);
+    this.#attribute(program, "angle", this.#numbers, 1, 20, 8, each);
+    this.#attribute(program, "size", this.#numbers, 1, 20, 12, each);
+    this.#attribute(program, "shape", this.#numbers, 1, 20, 16, each);
+    this.#attribute(program, "colour", this.#colours, 4, 4, 0, each, true);
+    if (points) {
+      gl.drawArrays(gl.POINTS, 0, sprites.count);
+    } else {
+      this.#attribute(program, "corner", this.#corners, 2, 0, 0, 0);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, sprites.count);
+    }
   }
 
   #drawLines(lines: Segments): void {
