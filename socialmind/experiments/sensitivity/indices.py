@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -121,7 +122,7 @@ def sensitivity_of(
     notes: list[str] = []
     varying = _varying(swept, notes)
     if method == REGRESSION:
-        analysis: _Analysis = _Regression(swept, level, seed)
+        analysis: _Designed | _Regression = _Regression(swept, level, seed)
     else:
         varying = _whole(swept, varying, name, notes)
         analysis = (_Morris if method == MORRIS else _Variance)(swept, level, seed)
@@ -169,8 +170,8 @@ def sampled_ranges(made: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
     return found
 
 
-class _Analysis:
-    """A method, for the points of a sweep.
+class _Designed(ABC):
+    """A method that needs the points of its own design.
 
     Args:
         swept: the sweep.
@@ -191,8 +192,9 @@ class _Analysis:
         rows = self._indices(output.means)
         return rows, _told(output, luck, self._floor(luck, float(output.means.var(ddof=1))))
 
+    @abstractmethod
     def _indices(self, means: NDArray[np.float64]) -> Rows:
-        raise NotImplementedError
+        """Return the indices of an output by its means at the points."""
 
     def _floor(self, luck: Luck, spread: float) -> float:
         """Return what a parameter without any effect has by luck, of a variance of the means."""
@@ -209,7 +211,7 @@ class _Analysis:
         return points[self.names].to_numpy(np.float64)
 
 
-class _Variance(_Analysis):
+class _Variance(_Designed):
     """Sobol indices of Saltelli's design, and FAST."""
 
     def __init__(self, swept: Swept, level: float, seed: int) -> None:
@@ -233,7 +235,7 @@ class _Variance(_Analysis):
         return float(luck.of_means[0])
 
 
-class _Morris(_Analysis):
+class _Morris(_Designed):
     """Elementary effects."""
 
     def __init__(self, swept: Swept, level: float, seed: int) -> None:
@@ -253,8 +255,12 @@ class _Morris(_Analysis):
         return effects.effect_of_luck(luck.error_of_means(spread), self._steps)
 
 
-class _Regression(_Analysis):
-    """Coefficients and correlations of any points."""
+class _Regression:
+    """Coefficients and correlations of any points; arguments as of `_Designed`."""
+
+    def __init__(self, swept: Swept, level: float, seed: int) -> None:
+        self._swept, self._level, self._seed = swept, level, seed
+        self.notes: list[str] = []
 
     def of(self, output: Response) -> tuple[Rows, dict[str, Any]]:
         """Return the indices of an output at the points that have a number of it."""

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from threading import Lock
 from typing import Any
 
-from starlette.concurrency import run_in_threadpool
-from starlette.requests import Request
-from starlette.responses import JSONResponse
 from starlette.routing import Route
 
-from coglogo_py import CogLogoError, CognitiveScheme
+from coglogo_py import CognitiveScheme
 from coglogo_py.files.reading import text_in
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
@@ -22,6 +18,7 @@ from socialmind.sources.folders import digest
 from socialmind.studio.schemes.checking import Bearers, checked
 from socialmind.studio.schemes.document import EMPTY, document_of, matched
 from socialmind.studio.schemes.files import SUFFIXES, YAML, opened, written
+from socialmind.studio.server.answering import Asked, OtherFileError, answering
 from socialmind.studio.server.folders import Folders
 from socialmind.work.files import replace_file
 
@@ -30,8 +27,6 @@ MOST_LOOKED_AT = 20_000
 """Files and folders below the studio's own that are looked at for a list of schemes."""
 HEAD = 20_000
 """Bytes of a YAML file that say whether it holds a scheme."""
-
-Asked = dict[str, Any]
 
 
 def routes(folders: Folders, models: Callable[[], Collection[str]]) -> list[Route]:
@@ -43,33 +38,12 @@ def routes(folders: Folders, models: Callable[[], Collection[str]]) -> list[Rout
     """
     schemes = _Schemes(folders, models)
     return [
-        Route("/api/schemes/files", _answering(schemes.files)),
-        Route("/api/schemes/populations", _answering(schemes.populations), methods=["POST"]),
-        Route("/api/schemes/open", _answering(schemes.open), methods=["POST"]),
-        Route("/api/schemes/check", _answering(schemes.check), methods=["POST"]),
-        Route("/api/schemes/save", _answering(schemes.save), methods=["POST"]),
+        Route("/api/schemes/files", answering(schemes.files)),
+        Route("/api/schemes/populations", answering(schemes.populations), methods=["POST"]),
+        Route("/api/schemes/open", answering(schemes.open), methods=["POST"]),
+        Route("/api/schemes/check", answering(schemes.check), methods=["POST"]),
+        Route("/api/schemes/save", answering(schemes.save), methods=["POST"]),
     ]
-
-
-def _answering(do: Callable[[Asked], Asked]) -> Callable[[Request], Any]:
-    """Let a plain function answer; what is wrong with what was asked is one sentence."""
-
-    async def answer(request: Request) -> JSONResponse:
-        try:
-            asked = json.loads(await request.body() or b"{}")
-            if not isinstance(asked, dict):
-                raise SocialmindError("asked for nothing that is known")
-            return JSONResponse(await run_in_threadpool(do, asked))
-        except _OtherFileError as error:
-            return JSONResponse({"error": str(error), "exists": True}, 400)
-        except (SocialmindError, CogLogoError, ValueError) as error:
-            return JSONResponse({"error": str(error)}, 400)
-
-    return answer
-
-
-class _OtherFileError(SocialmindError):
-    """A file that is not the one that was opened stands where one is to be saved."""
 
 
 class _Schemes:
@@ -139,7 +113,7 @@ class _Schemes:
         own = there is not None and digest(there) == base.get("sha256")
         if there is not None and not own and not asked.get("replace"):
             changed = "was changed by another program since it was opened"
-            raise _OtherFileError(f"{shown} {changed if base.get('file') == shown else 'is there'}")
+            raise OtherFileError(f"{shown} {changed if base.get('file') == shown else 'is there'}")
         if there is None or text_in(path, latin_1=True) != file.text:
             try:
                 path.parent.mkdir(parents=True, exist_ok=True)

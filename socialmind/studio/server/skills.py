@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
-from starlette.concurrency import run_in_threadpool
-from starlette.requests import Request
-from starlette.responses import JSONResponse
 from starlette.routing import Route
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
 from socialmind.mind.files.evoagents.folder_reader import BOTDESC
+from socialmind.studio.server.answering import Asked, OtherFileError, answering
 from socialmind.studio.server.folders import Folders
 from socialmind.studio.skills.checking import checked
 from socialmind.studio.skills.document import EMPTY, Document, checked_shape
@@ -29,16 +25,11 @@ from socialmind.studio.skills.files import (
     saved,
 )
 
-Asked = dict[str, Any]
 MOST_FILES = 300
 MOST_LOOKED_AT = 20_000
 """Files and folders below the studio's own that are looked at for a list of minds."""
 HEAD = 20_000
 """Bytes of a YAML file that say whether it holds a mind."""
-
-
-class OtherMindError(SocialmindError):
-    """Where a mind is to be saved stands another than the one that was opened."""
 
 
 def routes(folders: Folders) -> list[Route]:
@@ -49,28 +40,11 @@ def routes(folders: Folders) -> list[Route]:
     """
     room = _Skills(folders)
     return [
-        Route("/api/skills/files", _answering(room.files)),
-        Route("/api/skills/open", _answering(room.open), methods=["POST"]),
-        Route("/api/skills/check", _answering(room.check), methods=["POST"]),
-        Route("/api/skills/save", _answering(room.save), methods=["POST"]),
+        Route("/api/skills/files", answering(room.files)),
+        Route("/api/skills/open", answering(room.open), methods=["POST"]),
+        Route("/api/skills/check", answering(room.check), methods=["POST"]),
+        Route("/api/skills/save", answering(room.save), methods=["POST"]),
     ]
-
-
-def _answering(do: Callable[[Asked], Asked]) -> Callable[[Request], Any]:
-    """Let a plain function answer; what is wrong with what was asked is one sentence."""
-
-    async def answer(request: Request) -> JSONResponse:
-        try:
-            asked = json.loads(await request.body() or b"{}")
-            if not isinstance(asked, dict):
-                raise SocialmindError("asked for nothing that is known")
-            return JSONResponse(await run_in_threadpool(do, asked))
-        except OtherMindError as error:
-            return JSONResponse({"error": str(error), "exists": True}, 400)
-        except (SocialmindError, OSError, ValueError) as error:
-            return JSONResponse({"error": str(error)}, 400)
-
-    return answer
 
 
 class _Skills:
@@ -123,9 +97,9 @@ class _Skills:
         there = target.exists() and not (target.is_dir() and not any(target.iterdir()))
         if there and not asked.get("replace"):
             if target != home:
-                raise OtherMindError(f"{shown} is there")
+                raise OtherFileError(f"{shown} is there")
             if fingerprint(target) != base.get("sha256"):
-                raise OtherMindError(f"{shown} was changed by another program since it was opened")
+                raise OtherFileError(f"{shown} was changed by another program since it was opened")
         if there and not is_yaml(target) and not any(target.glob(f"*{BOTDESC}")):
             raise SocialmindError(f"{shown} holds something else than a mind; give another folder")
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,7 @@
 // What the room of schemes knows: the document with its past, where it came from, what is odd about it, and the society
 // that runs with it.
 
+import { asking } from "../ask";
 import type { Finding } from "../graph/Findings.svelte";
 import { History } from "../graph/history.svelte";
 import type { Place } from "../graph/layout";
@@ -39,24 +40,7 @@ interface Opened {
 const EMPTY: Scheme = { name: "scheme", decision_maker: { name: "MaximumWeight", bias: 1 }, breeds: [], ordered: true, plans: [], cognitons: [], groups: [] };
 const CHECK_AFTER = 150;
 
-/** An answer of the server that says what is wrong. */
-export class Refused extends Error {
-  constructor(text: string, readonly exists: boolean) {
-    super(text);
-  }
-}
-
-export async function ask<T>(what: string, asked?: unknown): Promise<T> {
-  let answer: Response;
-  try {
-    answer = await fetch(`api/schemes/${what}`, asked === undefined ? undefined : { method: "POST", body: JSON.stringify(asked) });
-  } catch {
-    throw new Refused("The program does not answer.", false);
-  }
-  const said = await answer.json().catch(() => ({ error: `The program failed (${answer.status}).` }));
-  if (!answer.ok) throw new Refused(said.error, said.exists === true);
-  return said as T;
-}
+export const ask = asking("schemes");
 
 class Editor {
   history = new History<State>({ scheme: EMPTY, put: new Map() });

@@ -1,5 +1,6 @@
 // What the room of skills knows: the mind with its past, where it came from, and what is odd about it.
 
+import { asking } from "../ask";
 import type { Finding } from "../graph/Findings.svelte";
 import { History } from "../graph/history.svelte";
 import type { Place } from "../graph/layout";
@@ -22,22 +23,7 @@ interface Opened {
 }
 const CHECK_AFTER = 150;
 
-export class Refused extends Error {
-  constructor(text: string, readonly exists: boolean) {
-    super(text);
-  }
-}
-export async function ask<T>(what: string, asked?: unknown): Promise<T> {
-  let answer: Response;
-  try {
-    answer = await fetch(`api/skills/${what}`, asked === undefined ? undefined : { method: "POST", body: JSON.stringify(asked) });
-  } catch {
-    throw new Refused("The program does not answer.", false);
-  }
-  const said = await answer.json().catch(() => ({ error: `The program failed (${answer.status}).` }));
-  if (!answer.ok) throw new Refused(said.error, said.exists === true);
-  return said as T;
-}
+export const ask = asking("skills");
 
 class Editor {
   history = new History<State>({ mind: EMPTY, put: new Map() });

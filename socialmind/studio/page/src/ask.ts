@@ -1,0 +1,23 @@
+// Asking the program, outside the sockets of societies.
+
+/** An answer of the program that says what is wrong. */
+export class Refused extends Error {
+  constructor(text: string, readonly exists: boolean) {
+    super(text);
+  }
+}
+
+/** Return what asks for something of a room. */
+export function asking(room: string) {
+  return async <T>(what: string, asked?: unknown): Promise<T> => {
+    let answer: Response;
+    try {
+      answer = await fetch(`api/${room}/${what}`, asked === undefined ? undefined : { method: "POST", body: JSON.stringify(asked) });
+    } catch {
+      throw new Refused("The program does not answer.", false);
+    }
+    const said = await answer.json().catch(() => ({ error: `The program failed (${answer.status}).` }));
+    if (!answer.ok) throw new Refused(said.error, said.exists === true);
+    return said as T;
+  };
+}
