@@ -210,8 +210,8 @@ def table(results: dict) -> str:
         ratios = [one / two for one, two in zip(found["1"], found["2"], strict=True)]
         lines += [
             "",
-            f"| 200 runs of {found['ticks']:,} ticks, whole command; rounds: {len(ratios)} | median "
-            "| least – greatest |",
+            f"| 200 runs of {found['ticks']:,} ticks, whole command; rounds: {len(ratios)} "
+            "| median | least – greatest |",
             "|---|---|---|",
             f"| one worker | {spread(found['1'], '.1f', ' s')} |",
             f"| two workers | {spread(found['2'], '.1f', ' s')} |",
