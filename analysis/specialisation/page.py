@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 TITLE = "Programmed and learned specialisation"
-NOT_SO = "Said of the study that is kept, and not so in this run:"
+NOT_SO = "Said of the study as it was kept, and not so in this run:"
 
 
 def found(section: str, tables: Mapping[str, pd.DataFrame], size: Size) -> str:
@@ -39,18 +39,13 @@ def found(section: str, tables: Mapping[str, pd.DataFrame], size: Size) -> str:
     lines = []
     for claim in claims_of(section):
         one = told(claim, tables)
-        lines.append(
-            one.text
-            if one.holds
-            else f"Said of the study as it was kept, and not so in this run: {one.text}"
-        )
+        lines.append(one.text if one.holds else f"{NOT_SO} {one.text}")
     return html.bullets(lines)
 
 
 def page_of(
-    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], village: farmers.Found,
-    size: Size, command: str,
-) -> str:  # fmt: skip
+    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size, command: str
+) -> str:
     """Return the page."""
     seeds = f"{SEED} … {SEED + size.worlds - 1}"
     top = [
@@ -79,7 +74,7 @@ def page_of(
         html.section("After shocks", _shocked(tables, figures, size), "shocks"),
         html.section("Both minds in one society", _mixed(tables, figures, size), "mixed"),
         html.section("The other way round: farmers and artisans",
-                     _farmers(tables, figures, village, size), "farmers"),
+                     _farmers(tables, figures, size), "farmers"),
         html.section("What is measured", _definitions(), "measures"),
         html.section("How it was made", _made(tables, size, command, seeds), "method"),
         html.section("What this does not say", [found("limits", tables, size) or html.paragraph(
@@ -239,9 +234,8 @@ def _mixed(
 
 
 def _farmers(
-    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], village: farmers.Found,
-    size: Size,
-) -> list[str]:  # fmt: skip
+    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size
+) -> list[str]:
     rows = []
     for name, measured in farmers.MEASURED.items():
         cells = {

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import Affine2D
 
 from socialmind.drawing import style as paper
 from socialmind.drawing.scheme import draw_scheme, key, lines_of
@@ -198,11 +200,8 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
         LETTERS, panels.flat, _parts(spells, condition), strict=False
     ):
         unit = paper.time_axis(axes, [0, size.ticks])
-        for row in part.itertuples():
-            axes.broken_barh(
-                [(row.since / unit, (row.until - row.since) / unit)], (row.agent + 0.6, 0.8),
-                facecolors=A if row.role == "A" else B, linewidth=0,
-            )  # fmt: skip
+        for role, colour in (("A", A), ("B", B)):
+            axes.add_patch(PathPatch(_bars(part[part["role"] == role], unit), fc=colour, lw=0))
         for shock in CONDITIONS[condition].shocks(size.half):
             axes.axvline(shock / unit, color=paper.INK, linewidth=0.7, linestyle=(0, (3, 2)))
         axes.set_ylim(0.4, part["agent"].max() + 1.6)
@@ -218,6 +217,20 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
         axes.set_ylabel("robot")
     _legend(figure, [Patch(color=A, label="brings A"), Patch(color=B, label="brings B")])
     return figure
+
+
+def _bars(spells: pd.DataFrame, unit: float) -> Path:
+    """Return the bars of spells as one path, so that they are one part of the figure."""
+    return Path.make_compound_path(
+        *(
+            Path.unit_rectangle().transformed(
+                Affine2D()
+                .scale((row.until - row.since) / unit, 0.8)
+                .translate(row.since / unit, row.agent + 0.6)
+            )
+            for row in spells.itertuples()
+        )
+    )
 
 
 KINDS = {
