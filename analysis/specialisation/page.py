@@ -189,16 +189,16 @@ def _shocked(
 def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str) -> str:
     """A table of societies under a condition, with differences from the programmed one."""
     rows = []
-    for name, measured in MEASURED.items():
-        row: dict[str, object] = {"": f"{measured.title}\n{measured.unit}"}
-        for one in SOCIETIES.values():
-            where = {"society": one.name, "condition": condition}
+    for one in SOCIETIES.values():
+        row: dict[str, object] = {"society": _in_lines(one.title)}
+        where = {"society": one.name, "condition": condition}
+        for name, measured in MEASURED.items():
             cell = spread(one_of(tables["means"], name, **where), measured.digits)
             if one.name != REFERENCE:
                 away = one_of(tables["differences"], name, **where)
                 told = spread({**away, "mean": away["difference"]}, measured.digits)
                 cell = f"{cell}\nΔ {told}"
-            row[one.title] = cell.replace(" (", "\n(")
+            row[f"{measured.title}\n{measured.unit}"] = cell.replace(" (", "\n(")
         rows.append(row)
     return html.table(
         rows,
@@ -206,6 +206,11 @@ def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str
         "in the same worlds.",
         numbers=True,
     )
+
+
+def _in_lines(title: str) -> str:
+    """Return a title in two lines: at its comma, or after its first word."""
+    return title.replace(", ", ",\n") if "," in title else title.replace(" ", "\n", 1)
 
 
 def _mixed(
@@ -219,6 +224,7 @@ def _mixed(
         }
         for row in tables["mixed-kinds-differences"].to_dict("records")
     ]
+    rows.sort(key=lambda row: [one.title for one in CONDITIONS.values()].index(row["condition"]))
     return [
         found("mixed", tables, size),
         html.picture(
@@ -317,15 +323,21 @@ def _made(tables: Mapping[str, pd.DataFrame], size: Size, command: str, seeds: s
             f"{size.farmers - 1}, recorded every {farmers.EVERY} ticks. The same command gives the "
             f"same file, with the same versions: {software}."
         ),
+        html.paragraph(
+            "Lessons and their attempts, of seed 8. `analysis/foraging_roles` has what they were "
+            "judged by, their budgets, and the commands that make them again."
+        ),
         html.table(
             [
-                {"lesson": society.lesson, "attempts": int(part["attempt"].nunique())}
+                {
+                    "society": society.title,
+                    "lesson, or choice": society.lesson,
+                    "attempts": int(part["attempt"].nunique()),
+                }
                 for society in SOCIETIES.values()
                 if society.lesson
                 for part in [tables["attempts"][tables["attempts"]["society"] == society.name]]
-            ],
-            "Lessons and their attempts, of seed 8. `analysis/foraging_roles` has what they were "
-            "judged by, their budgets, and the commands that make them again.",
+            ]
         ),
         html.paragraph(
             "The tables stand beside this page as CSV, the figures as PDF, in the folder "

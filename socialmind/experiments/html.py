@@ -42,9 +42,9 @@ th, td { padding: .28rem .7rem .28rem 0; text-align: left; vertical-align: top; 
 thead th { border-bottom: 1px solid #222; vertical-align: bottom; }
 tbody tr + tr td { border-top: 1px solid #e6e6e6; }
 tbody tr:last-child td { border-bottom: 1px solid #222; }
-.numbers { font-size: 12px; }
+.numbers { font-size: 11px; line-height: 1.3; }
 .numbers td { white-space: nowrap; }
-.numbers th, .numbers td { padding-right: .5rem; }
+.numbers th, .numbers td { padding-right: .4rem; }
 td { font-variant-numeric: tabular-nums; }
 code { font: .88em ui-monospace, Menlo, Consolas, monospace; background: #f4f4f4; padding: 0 .2em; }
 pre { overflow-x: auto; background: #f4f4f4; padding: .8rem 1rem; }
@@ -56,6 +56,8 @@ pre code { padding: 0; }
 
 def paragraph(text: str, lead: bool = False) -> str:
     """A paragraph; what stands between `backticks` is code, and lines stay as they are broken.
+
+    A number and its per cent sign stay together.
 
     >>> paragraph("a < b in `f(x)`")
     '<p>a &lt; b in <code>f(x)</code></p>'
@@ -186,4 +188,4 @@ def page(title: str, top: Iterable[str], sections: Sequence[str]) -> str:
 
 def _inline(text: str) -> str:
     marked = re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(text, quote=False))
-    return marked.replace("\n", "<br>")
+    return re.sub(r"(?<=\d) %", "&nbsp;%", marked).replace("\n", "<br>")
