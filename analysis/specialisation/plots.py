@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from coglogo_py import CognitiveScheme
 
 A, B = paper.GOLD, paper.PURPLE
+COLOURS = {"programmed": paper.RED, "learned": paper.BLUE}
+"""Of both kinds of robots in one society; marks of the latter are hollow."""
 FARMERS = {"written": paper.RED, "learned": paper.BLUE, "distilled": paper.PURPLE}
 LETTERS = "abcdefghijkl"
 ACROSS = 4
@@ -268,13 +270,14 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
         LETTERS[4:], panels[1], KINDS.items(), strict=False
     ):
         for sign, condition in zip(cycle((-1, 1)), MIXED):
-            for kind, colour in (("programmed", paper.RED), ("learned", paper.BLUE)):
+            for aside, (kind, colour) in zip((-2, 2), COLOURS.items(), strict=True):
                 own = kinds[
                     (kinds["measure"] == name)
                     & (kinds["condition"] == condition)
                     & (kinds["kind"] == kind)
                 ].sort_values("share")
-                _over_share(axes, own, colour, condition, sign * nudge)
+                hollow = kind == "learned"
+                _over_share(axes, own, colour, condition, (sign + aside) * nudge, hollow)
         _upwards(axes, kinds[kinds["measure"] == name])
         axes.set_ylabel(unit)
         axes.set_xlabel("programmed (share)")
@@ -286,8 +289,11 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
                linestyle=_dashed(one), label=CONDITIONS[one].title)
         for one in MIXED
     ]  # fmt: skip
-    lines += [Patch(color=paper.RED, label="programmed robots"),
-              Patch(color=paper.BLUE, label="learned robots")]  # fmt: skip
+    lines += [
+        Line2D([], [], color=colour, marker="o", markersize=3, label=f"{kind} robots",
+               mfc="white" if kind == "learned" else colour)
+        for kind, colour in COLOURS.items()
+    ]  # fmt: skip
     _legend(figure, lines)
     return figure
 
@@ -304,15 +310,17 @@ def _dashed(condition: str) -> Any:
     return "-" if condition == MIXED[0] else (0, (3, 2))
 
 
-def _over_share(axes: Axes, own: pd.DataFrame, colour: str, condition: str, nudge: float) -> None:
+def _over_share(
+    axes: Axes, own: pd.DataFrame, colour: str, condition: str, nudge: float, hollow: bool = False
+) -> None:
     """Draw means over the share, each with its interval."""
     known = own[np.isfinite(own["mean"])]
     x = known["share"].to_numpy() + nudge
-    axes.plot(
-        x, known["mean"], color=colour, marker=CONDITIONS[condition].marker, markersize=2.8, mew=0,
-        linestyle=_dashed(condition), linewidth=0.8,
-    )  # fmt: skip
     axes.vlines(x, known["low"], known["high"], color=colour, linewidth=0.8)
+    axes.plot(
+        x, known["mean"], color=colour, marker=CONDITIONS[condition].marker, markersize=2.8,
+        mew=0.7, mfc="white" if hollow else colour, linestyle=_dashed(condition), linewidth=0.8,
+    )  # fmt: skip
 
 
 def villagers(over_time: pd.DataFrame, table: pd.DataFrame, size: Size) -> Figure:
