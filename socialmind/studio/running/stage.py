@@ -42,6 +42,8 @@ from socialmind.studio.schemes.document import document_of
 SAID, FRAME = b"s", b"f"
 """The first byte of what is sent."""
 FRAME_SECONDS = 1 / 30
+EARLY_SECONDS = 1 / 200
+"""How much earlier than its time a frame may go, so that it need not wait for the piece after."""
 PIECE_SECONDS = 1 / 60
 """Length aimed at for one piece of ticks: commands wait for it."""
 MOST_PLOTS = 8
@@ -368,16 +370,17 @@ class Stage:
         if self.running and now >= self._next_piece:
             self._go_piece(now)
             now = time.perf_counter()
-        if self._changed and self._wanted and now >= self._next_frame:
+        if self._changed and self._wanted and now >= self._next_frame - EARLY_SECONDS:
             self._send_frame()
-            self._next_frame = now + FRAME_SECONDS
+            self._next_frame = max(now, self._next_frame + FRAME_SECONDS)
         elif self._plans_due and not self._changed:
             self._say_plans()
-        if self.running:
-            return max(0.0, self._next_piece - time.perf_counter())
+        due = [self._next_piece] if self.running else []
         if self._changed and self._wanted:
-            return max(0.0, self._next_frame - time.perf_counter())
-        return 0.0 if self._plans_due and not self._changed else None
+            due.append(self._next_frame - EARLY_SECONDS)
+        if not due:
+            return 0.0 if self._plans_due and not self._changed else None
+        return max(0.0, min(due) - time.perf_counter())
 
     def _go_piece(self, now: float) -> None:
         run = self._of()
@@ -454,17 +457,14 @@ class Stage:
             said["turn"] = vars(turn)
         if self._watched is not None:
             said["watched"] = self._look_inside(run, society, *self._watched)
-        if run.society is not self._told:  # an intervention was met, or gone back behind
-            self._told = run.society
-            self._say("changed", token=0, **self._changing())
         try:
             plots = [panel_of(society, one) for one in self._plots]
-            frame = frame_of(society, self._shown, plots, **said)
+            frame = frame_of(society, self._shown, plots, FRAME, **said)
         except SocialmindError as error:
             self.running = False
             self._say("error", of="frame", text=str(error))
             return
-        self._send(FRAME + frame)
+        self._send(frame)
         self._wanted = False
 
     def _look_inside(
