@@ -71,7 +71,7 @@ def frame_of(
     header: dict[str, Any] = {"tick": society.tick, "populations": {}, **said}
     columns: dict[str, NDArray[Any]] = {}
     if isinstance(society.ground, Arena):
-        _plane(society, header, columns)
+        _plane(society, shown, header, columns)
     else:
         looks = looks_of(society)
         for name in society.populations:
@@ -114,8 +114,8 @@ def _population(
             columns[f"{name}.size"] = sizes
 
 
-def _plane(society: Model, header: dict[str, Any], columns: dict[str, Any]) -> None:
-    scene = scene_of(society)
+def _plane(society: Model, shown: Shown, header: dict[str, Any], columns: dict[str, Any]) -> None:
+    scene, looks = scene_of(society), looks_of(society)
     header["plane"] = {"half_width": scene.half_width, "over": scene.over}
     header["in_hand"] = [
         {"population": name, "id": robot}
@@ -140,6 +140,12 @@ def _plane(society: Model, header: dict[str, Any], columns: dict[str, Any]) -> N
             columns[f"{name}.{kind}"] = found.astype(np.float32)
             columns[f"{name}.id"] = np.asarray(society.tables[name].id, np.uint32)
     columns["obstacles"] = scene.obstacles.astype(np.float32)
+    for name, said in header["populations"].items():
+        if name in looks:
+            said["shape"] = looks[name].shape
+        if (colouring := shown.agents.get(name, "one")) != "one":
+            colours, columns[f"{name}.colour"] = _colours(of_agents(society, name, colouring))
+            said.update(by=colouring, **colours)
 
 
 def _links(society: Model, name: str) -> NDArray[np.uint32]:

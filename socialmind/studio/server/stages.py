@@ -24,7 +24,7 @@ class Viewer:
 
     def __init__(self) -> None:
         self.said: asyncio.Queue[str] = asyncio.Queue(WAITING)
-        self.frame: memoryview | None = None
+        self.frame: bytes | None = None
         self.ready = True
         self.news = asyncio.Event()
 
@@ -34,7 +34,7 @@ class Viewer:
             self.said.put_nowait(message)
         self.news.set()
 
-    def show(self, frame: memoryview) -> None:
+    def show(self, frame: bytes) -> None:
         """Let it see a frame, in place of one that it has not asked for yet."""
         self.frame = frame
         self.news.set()
@@ -123,7 +123,7 @@ class StageProcess:
             if message[:1] == FRAME:
                 self._asked = False
                 for viewer in self.viewers:
-                    viewer.show(memoryview(message)[1:])
+                    viewer.show(message[1:])
                 if any(viewer.ready for viewer in self.viewers):
                     self.want_frame()
             else:

@@ -10,6 +10,8 @@ const [DISC, ARROW, SQUARE] = ["disc", "arrow", "square"].map(shapeOf);
 /** Between agents that have no places. */
 const APART = 1.8;
 const GREEN: Colour = [31, 140, 58];
+/** How much zones hide of what lies below them, of 255. */
+const PALE = 110;
 /** The last place along a scale; `NOTHING` is after it. */
 const LAST = 254;
 const NOTHING = 255;
@@ -79,25 +81,28 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
   const below = new Lines();
   const above = new Lines();
   let row = 0;
-  const add = (x: number, y: number, angle: number, radius: number, shape: number, colour: Colour, alpha = 255) => {
+  const add = (x: number, y: number, angle: number, radius: number, shape: number, colour: Packed) => {
     numbers.set([x, y, angle, radius, shape], 5 * row);
-    colours[row] = packed(colour, alpha);
+    colours[row] = colour;
     row += 1;
   };
   for (let at = 0; at < obstacles.length; at += 5) {
     const [x, y, angle, half, round] = obstacles.subarray(at, at + 5);
-    add(x, y, angle, half, round ? DISC : SQUARE, GREEN);
+    add(x, y, angle, half, round ? DISC : SQUARE, packed(GREEN));
   }
   names.forEach((name, number) => {
     const said = header.populations[name];
     const ids = columns[`${name}.id`] as Uint32Array;
     const from = row;
+    const places = columns[`${name}.colour`];
+    const colourOf = places && palette(said);
+    const shape = said.shape ? shapeOf(said.shape) : undefined;
     if (said.kind === "robots") {
       const rows = columns[`${name}.robots`];
       for (let one = 0; one < said.count; one += 1) {
         const [x, y, angle, radius, emits] = rows.subarray(5 * one, 5 * one + 5);
         const front = [x, y, x + radius * 1.6 * Math.cos(angle), y + radius * 1.6 * Math.sin(angle)];
-        add(x, y, angle, radius, DISC, ofWord(number + 1));
+        add(x, y, angle, radius, shape ?? DISC, packed(ofWord(number + 1)));
         above.add(front, packed([250, 250, 250]));
         if (emits) above.add(circle(x, y, 2 * radius), packed(ofWord(0)));
       }
@@ -105,24 +110,22 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
       const rows = columns[`${name}.objects`];
       for (let one = 0; one < said.count; one += 1) {
         const [x, y, radius] = rows.subarray(3 * one, 3 * one + 3);
-        add(x, y, 0, radius, DISC, ofWord(5 - number));
+        add(x, y, 0, radius, shape ?? DISC, packed(ofWord(5 - number)));
       }
     } else if (said.kind === "zones") {
       const rows = columns[`${name}.zones`];
       for (let one = 0; one < said.count; one += 1) {
         const [x, y, angle, half] = rows.subarray(4 * one, 4 * one + 4);
-        add(x, y, angle, half, SQUARE, ofWord(4), 110);
+        add(x, y, angle, half, SQUARE, packed(ofWord(4), PALE));
       }
     } else {
       const heading = columns[`${name}.heading`];
       const placed = wanted.extent !== null || isPlaced(columns[`${name}.x`], columns[`${name}.y`]);
       const [x, y] = placed ? [columns[`${name}.x`], columns[`${name}.y`]] : lattice(said.count, foot);
       if (!placed) foot = lowest(y, foot) - 2 * APART;
-      const shape = said.shape ? shapeOf(said.shape) : heading ? ARROW : DISC;
+      const form = shape ?? (heading ? ARROW : DISC);
       const sizes = columns[`${name}.size`];
-      const turned = heading && TURNED.includes(shape);
-      const places = columns[`${name}.colour`];
-      const colourOf = palette(said);
+      const turned = heading && TURNED.includes(form);
       for (let one = 0; one < said.count; one += 1) {
         const angle = turned ? Math.PI / 2 - (heading[one] * Math.PI) / 180 : 0;
         const at = 5 * row;
@@ -130,10 +133,13 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
         numbers[at + 1] = y[one];
         numbers[at + 2] = angle;
         numbers[at + 3] = sizes ? sizes[one] / 2 : 0.62;
-        numbers[at + 4] = shape;
-        colours[row] = colourOf[places[one]];
+        numbers[at + 4] = form;
         row += 1;
       }
+    }
+    if (colourOf) {
+      const alpha = said.kind === "zones" ? (PALE << 24) | 0xffffff : -1;
+      for (let one = 0; one < said.count; one += 1) colours[from + one] = colourOf[places[one]] & alpha;
     }
     standing.push({ population: name, ids, numbers, from, count: row - from });
   });
@@ -143,7 +149,7 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
   if (header.plane && header.plane.half_width > 0) above.add(square(header.plane.half_width), packed(GREEN));
   if (wanted.trail.length) above.add(wanted.trail, packed(ofWord(0)));
   const seen = wanted.watched && found(standing, wanted.watched.population, wanted.watched.id);
-  if (seen) add(seen.x, seen.y, 0, 1.9 * seen.radius, RING, ofWord(1));
+  if (seen) add(seen.x, seen.y, 0, 1.9 * seen.radius, RING, packed(ofWord(1)));
   return {
     picture: {
       patches: patchesOf(frame, wanted.extent),
