@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple
 
 
 class Place(NamedTuple):
-    """Where something stands: a file, relative to the model's folder with `/`, and a line from 1."""
+    """Where something stands: a file, relative to the model's folder, and a line from 1."""
 
     file: str
     line: int
