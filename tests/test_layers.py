@@ -38,6 +38,7 @@ LAYERS = (
     "learning",
     "experiments",
     "documents",
+    "metaciv",
     "envs",
     "studio",
     "commands",
