@@ -37,6 +37,7 @@ from socialmind.commands.experiments.fitting import fit
 from socialmind.commands.experiments.scoring import score
 from socialmind.commands.experiments.sensitivity import sensitivity
 from socialmind.commands.experiments.sweeping import sweep
+from socialmind.commands.importing import import_
 from socialmind.commands.learning import learn
 from socialmind.commands.plotting import plot
 from socialmind.commands.rendering import render
@@ -137,7 +138,7 @@ def list_(
 
 for one in (
     running.run, studio, sweep, sensitivity, fit, branch, compare, learn, score, plot, render,
-    running.replay,
+    running.replay, import_,
 ):  # fmt: skip
     command(one)
 

@@ -24,7 +24,7 @@ from socialmind.metaciv.reading.environment import (
     read_environment,
     settled,
 )
-from socialmind.metaciv.reading.files import LARGEST_MAP, SUFFIX, Document, Folder
+from socialmind.metaciv.reading.files import LARGEST_MAP, Document, Folder
 from socialmind.metaciv.reading.names import WorldNames
 from socialmind.metaciv.reading.record import Record, unlike
 from socialmind.metaciv.reading.schemes import head, read_scheme
@@ -35,8 +35,8 @@ from socialmind.metaciv.reading.things import (
     read_object,
     read_terrain,
 )
+from socialmind.sources.folders import METACIV_FILE
 
-PARAMETERS_FILE = f"parametres{SUFFIX}"
 SCHEMES, WORLD = "schemasCognitifs", "simulation"
 MAKERS: dict[str, Literal["MaxWeight", "WeightedStochastic", "MaxWeightOx2"]] = {
     "MaxWeightDecisionMaker": "MaxWeight",
@@ -73,11 +73,6 @@ class Reading:
         return tuple(one for one in self.findings if one.severity == "error")
 
 
-def is_metaciv(folder: Path) -> bool:
-    """Return whether a folder is a model of MetaCiv's: there is a `parametres.metaciv`."""
-    return (folder / PARAMETERS_FILE).is_file()
-
-
 def read_folder(path: str | Path) -> Reading:
     """Read a model of MetaCiv's, of the format V2.0 or the older, flat one.
 
@@ -94,9 +89,9 @@ def read_folder(path: str | Path) -> Reading:
     root = Path(path)
     if not root.is_dir():
         raise SocialmindError(f"{path}: no such folder")
-    if not (root / PARAMETERS_FILE).is_file():
+    if not (root / METACIV_FILE).is_file():
         raise SocialmindError(
-            f"{path}: found no {PARAMETERS_FILE}; expected the folder of a model of MetaCiv's"
+            f"{path}: found no {METACIV_FILE}; expected the folder of a model of MetaCiv's"
         )
     findings = Findings()
     model = _model(Folder(root, findings), findings)
@@ -114,7 +109,7 @@ def _model(folder: Folder, findings: Findings) -> Model | None:
         folder.class_names(f"{home}actions"),
         older,
     )
-    head_document = folder.document(PARAMETERS_FILE)
+    head_document = folder.document(METACIV_FILE)
     if head_document is None:
         return None
     head_record = Record(head_document, findings)
@@ -196,7 +191,7 @@ def _schemes(
     """Return the schemes by name, each with what is wrong in it."""
     if world.older:
         own = Findings()
-        place = Place(PARAMETERS_FILE, 1)
+        place = Place(METACIV_FILE, 1)
         name = folder.root.name
         return {name: (read_scheme(folder, "", name, place, world, own), own)}
     found: dict[str, tuple[Scheme, Findings]] = {}
