@@ -18,7 +18,16 @@ TAKEN_BY_MODELS = (
     "advance agents compiled copy folder humans idle messages name parameters patches plans "
     "populations reset run schedule seed series setup shape tables tick ticks title typed world"
 )
-TAKEN_BY_FILES = "human model rng child other patch here found settle live"
+TAKEN_BY_FILES = (
+    "human model rng child other own patch here group spot most many message found settle live "
+    "strengthen come_to go_to walk in_reach living is_asked_for is_attacked ask_around is_stranger "
+    "nearest_of_group give_birth any_facility_here come_into_being step_ahead step_towards tread "
+    "wear_off grow clear lay_ground pass_away build_private build_for_group each once parameter "
+    "sequence repeat when until place_around math Agent Civilisation Facility Grid Ground Human "
+    "Land Message Messages Model Patch Population Request LEAST_VALUE SMELL ATTACK TRADE HIRING "
+    "MADE MET SERVED EASIEST PASSABILITY IMPASSABLE PERIOD PEOPLES clear_ownerless clear_deserted"
+)
+"""What nothing of a file can be called but what it stands for."""
 
 
 def identifier(name: str) -> str:
