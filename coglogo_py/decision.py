@@ -242,6 +242,49 @@ class WeightedStochastic(DecisionMaker):
         return weight_shares(weights)
 
 
+class PositiveStochastic(DecisionMaker):
+    """A plan drawn in proportion to its weight, those of weight 0 or less never.
+
+    MetaCiv's WeightedStochasticDecisionMaker. Where no weight is above 0, the largest one wins.
+
+    >>> PositiveStochastic.probabilities(np.array([1.0, -2.0, 3.0]), 1.0).tolist()
+    [0.25, 0.0, 0.75]
+    """
+
+    name = "PositiveStochastic"
+    biased = False
+
+    @staticmethod
+    def choose(weights: Weights, bias: float, u: float) -> int:
+        """Return the first position whose cumulative share is above `u`; no bias plays a part."""
+        shares = PositiveStochastic.probabilities(weights, bias)
+        found = heaviest(weights)
+        cumulative = 0.0
+        for position in range(len(weights)):
+            cumulative += shares[position]
+            if u < cumulative:
+                return position
+        return found
+
+    @staticmethod
+    def probabilities(weights: Weights, bias: float) -> Weights:
+        """Return the shares of the weights that are above 0."""
+        shares = np.zeros(len(weights))
+        best = heaviest(weights)
+        scale = 1e-10 / len(weights) if weights[best] > 1e300 / len(weights) else 1.0
+        total = 0.0
+        for position in range(len(weights)):
+            if weights[position] > 0.0:
+                shares[position] = float(weights[position]) * scale
+                total += shares[position]
+        if total <= 0.0:
+            shares[best] = 1.0
+            return shares
+        for position in range(len(weights)):
+            shares[position] /= total
+        return shares
+
+
 class BiasedWeightedStochastic(DecisionMaker):
     """A plan drawn by share, the draw raised to the power of a bias; strong plans come first.
 
@@ -292,8 +335,9 @@ BUILT_IN: tuple[type[DecisionMaker], ...] = (
     MaximumWeight,
     WeightedStochastic,
     BiasedWeightedStochastic,
+    PositiveStochastic,
 )
-"""The decision makers of CogLogo."""
+"""The decision makers of CogLogo, and MetaCiv's that draws."""
 
 
 def decision_maker_called(

@@ -1,0 +1,37 @@
+"""A model of MetaCiv's as a folder of ours: model.py, its scheme, the map, what readers need."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from socialmind.metaciv.description import Model
+from socialmind.metaciv.writing.model_file import SCHEME_FILE, TERRAIN_FILE, ModelFile
+from socialmind.metaciv.writing.people import people_of
+from socialmind.metaciv.writing.scheme_file import scheme_text
+from socialmind.metaciv.writing.sheet import Sheet, Unsupported
+
+
+def write_model(description: Model, folder: Path) -> list[Unsupported]:
+    """Write a model as one of ours.
+
+    Args:
+        description: what the folder of MetaCiv's says.
+        folder: where to, an empty folder or one that is to be made.
+
+    Returns:
+        What the model does not do, or does otherwise, with file and line; its README says the same.
+    """
+    sheet = Sheet(description, people_of(description))
+    file = ModelFile(sheet)
+    scheme_text(sheet)
+    for _ in range(2):  # what rules need, and what they are called, hangs on all of them
+        sheet = sheet.again()
+        file = ModelFile(sheet, file)
+        scheme = scheme_text(sheet)
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "model.py").write_text(file.text(), "utf-8")
+    (folder / SCHEME_FILE).write_text(scheme, "utf-8")
+    if file.mapped:
+        rows = [",".join(map(str, row)) for row in description.environment.rows]
+        (folder / TERRAIN_FILE).write_text("\n".join(rows) + "\n", "utf-8")
+    return sheet.unsupported
