@@ -66,7 +66,10 @@ def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> t
     target.parent.mkdir(parents=True, exist_ok=True)
     unfinished = target.parent / f".{target.name}-{secrets.token_hex(4)}.partial"
     try:
-        findings = (*reading.findings, *write_model(reading.model, unfinished))
+        said = {one.place for one in reading.findings if _is_left_out(one)}
+        written = write_model(reading.model, unfinished)
+        lacking = [Finding("unsupported", one.place, one.what) for one in written]
+        findings = (*reading.findings, *(one for one in lacking if one.place not in said))
         if strict and any(map(_is_left_out, findings)):
             raise ImportRefusedError(str(folder), findings, strict)
         if target.is_dir():
