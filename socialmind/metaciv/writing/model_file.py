@@ -231,7 +231,7 @@ class ModelFile:
         ground = self._lay_ground()
         if ground:
             parts.append(ground)
-        parts += [self._settle(), self._found()]
+        parts += [self._begin(), self._create_founders()]
         if self._scattered:
             parts.append(_PLACE)
         begins = self._come_into_being()
@@ -259,8 +259,8 @@ class ModelFile:
                 lines.append(f"patch.{field} = FIRST_{field.upper()}[patch.terrain]")
         if not lines:
             return ""
-        head = 'def lay_ground(model):\n    """Give each patch what its terrain has."""\n'
-        return head + _block(["for patch in model.world.patches:", *(f"    {one}" for one in lines)])
+        loop = ["for patch in model.world.patches:", *(f"    {one}" for one in lines)]
+        return _function("lay_ground", "Give each patch what its terrain has.", loop)
 
     @property
     def _scattered(self) -> bool:
@@ -268,55 +268,65 @@ class ModelFile:
             one.scattered > 0 for one in self.people.civilisations
         )
 
-    def _settle(self) -> str:
-        lines = ["if model.tick == 1:"]
+    def _begin(self) -> str:
         height = self.model.environment.height
         by_name = {one.name: one for one in self.people.civilisations}
+        founding, first = self._founding()
+        taken = [one for one in ("model", "rng") if one in parameters(founding).split(", ")]
+        lines = ["if model.tick == 1:"]
         for one in self.people.settlements:
-            x, y = one.u, (height - one.v) % height
-            count = f"model.{self.sheet.counts[one.civilisation]}"
-            call = f"found(model, rng, {as_text(one.civilisation)}, {count}, {x}, {y}"
-            if self._scattered and not self.model.parameters.dispersion:
-                call += f", {max(2 * by_name[one.civilisation].scattered, 1)}"
-            lines.append(f"    {call})")
+            values = {
+                "people": as_text(one.civilisation),
+                "count": f"model.{self.sheet.counts[one.civilisation]}",
+                "x": str(one.u),
+                "y": str((height - one.v) % height),
+                "far": str(max(2 * by_name[one.civilisation].scattered, 1)),
+            }
+            given = [*(values[name] for name in first), *taken]
+            lines.append(f"    create_founders({', '.join(given)})")
         doc = "Let the founders of each civilisation appear at its places, in tick 2."
-        return f'def settle(model, rng):\n    """{doc}"""\n{_block(lines)}'
+        return _function("begin", doc, lines)
 
-    def _found(self) -> str:
-        sheet = self.sheet
-        far = ", far" if self._scattered and not self.model.parameters.dispersion else ""
-        lines = ["for _ in range(count):", "    human = model.humans.create()"]
-        if len(self.people.civilisations) > 1:
-            lines.append("    human.civilisation = people")
-        lines += ["    human.x = x", "    human.y = y"]
-        if "home" in sheet.needs:
-            lines += ["    human.home_x = x", "    human.home_y = y"]
-        if self._begins:
-            lines.append("    come_into_being(human, model, rng)")
+    def _create_founders(self) -> str:
+        lines, first = self._founding()
         doc = "Create founders of a civilisation at a place"
         if self.model.parameters.dispersion:
-            lines.insert(0, "far = math.ceil((math.sqrt(count) - 1) / 2)")
-            lines.append("    place_around(human, model, rng, x - far, y - far, 2 * far + 1)")
             doc += ", scattered over the least square with room for all"
         elif self._scattered:
-            lines.append("    place_around(human, model, rng, x, y, far)")
             doc += ", scattered over the patches to its north-east"
-        return (
-            f"def found(model, rng, people, count, x, y{far}):\n"
-            f'    """{doc}."""\n{_block(lines)}'
-        )
+        return _function("create_founders", f"{doc}.", lines, *first)
+
+    def _founding(self) -> tuple[list[str], list[str]]:
+        """Return the lines that create founders, and what they take besides model and stream."""
+        lines = ["for _ in range(count):", "    human = model.humans.create()"]
+        first = ["count", "x", "y"]
+        if len(self.people.civilisations) > 1:
+            lines.append("    human.civilisation = people")
+            first.insert(0, "people")
+        lines += ["    human.x = x", "    human.y = y"]
+        if "home" in self.sheet.needs:
+            lines += ["    human.home_x = x", "    human.home_y = y"]
+        if self._beginning():
+            lines.append(f"    {self._begin_life}")
+        if self.model.parameters.dispersion:
+            lines.insert(0, "far = math.ceil((math.sqrt(count) - 1) / 2)")
+            lines.append("    place_around(human, x - far, y - far, 2 * far + 1, model, rng)")
+        elif self._scattered:
+            lines.append("    place_around(human, x, y, far, model, rng)")
+            first.append("far")
+        return lines, first
+
+    @property
+    def _begin_life(self) -> str:
+        """How rules let somebody begin life."""
+        return f"come_into_being({parameters(self._beginning(), 'human')})"
 
     @property
     def _joined(self) -> list[str]:
         return [name for name, group in self.people.groups.items() if group.auto_join]
 
-    @property
-    def _begins(self) -> bool:
-        return bool(self._beginning())
-
     def _beginning(self) -> list[str]:
         """Return the lines of what agents are like at birth, beyond what all have."""
-        lines: list[str] = []
         per_scheme: dict[str, list[str]] = {}
         for scheme in self.people.schemes:
             own = [
@@ -327,13 +337,13 @@ class ModelFile:
                 cogniton = self.people.cognitons[name]
                 if not at_birth(self.sheet, name) and not cogniton.triggers:
                     own += _activating(name)
-            per_scheme[scheme.name] = own
             for group in scheme.groups:
                 if group.auto_join:
                     now = self.people.names[scheme.name]["group", group.name]
                     own.append(f"{self._joining(now)}(human, model)")
             own += [one.call for one in self.births[scheme.name]]
-        lines += self._by_scheme(per_scheme)
+            per_scheme[scheme.name] = own
+        lines = self._by_scheme(per_scheme)
         for civilisation in self.people.civilisations:
             further = [
                 line
@@ -361,10 +371,8 @@ class ModelFile:
 
     def _come_into_being(self) -> str:
         lines = self._beginning()
-        if not lines:
-            return ""
         doc = "Begin life: what one has and does at birth."
-        return f'def come_into_being(human, model, rng):\n    """{doc}"""\n{_block(lines)}'
+        return _function("come_into_being", doc, lines, "human") if lines else ""
 
     def _joining(self, group: str) -> str:
         return f"join_{identifier(group)}"
@@ -398,8 +406,8 @@ class ModelFile:
         lines += ["child.x = human.x", "child.y = human.y"]
         if "home" in self.sheet.needs:
             lines += ["child.home_x = human.home_x", "child.home_y = human.home_y"]
-        if self._begins:
-            lines.append("come_into_being(child, model, rng)")
+        if self._beginning():
+            lines.append(self._begin_life.replace("human", "child", 1))
         lines.append("return child")
         doc = "Return a new child here, of the same civilisation."
         return f'def give_birth(human, model, rng):\n    """{doc}"""\n{_block(lines)}'
@@ -411,7 +419,7 @@ class ModelFile:
         if "deaths" in self.sheet.needs:
             parts.append(self._pass_away())
         if self._grows:
-            parts.append(self._grow())
+            parts.append(self._renew())
         grouped = [one for one in self.sheet.used_facilities if one.grouped]
         if grouped:
             parts.append(self._clear(grouped))
@@ -481,7 +489,7 @@ class ModelFile:
     def _grows(self) -> bool:
         return bool(self._growing) or "roads" in self.sheet.needs
 
-    def _grow(self) -> str:
+    def _renew(self) -> str:
         lines = ["if (model.tick + 1) % PERIOD == 0:"]
         if self._growing:
             lines.append("    for patch in model.world.patches:")
@@ -495,7 +503,7 @@ class ModelFile:
         doc = f"Let {_listed(what)} grow" if what else "Let roads wear off"
         if what and "roads" in self.sheet.needs:
             doc += " and roads wear off"
-        return f"def grow(model):\n{sentence(f'{doc}, every {PERIOD} ticks.')}\n{_block(lines)}"
+        return f"def renew(model):\n{sentence(f'{doc}, every {PERIOD} ticks.')}\n{_block(lines)}"
 
     def _clear(self, grouped: list[Built]) -> str:
         lines = [
@@ -597,9 +605,9 @@ class ModelFile:
         lines.append("")
         if "def lay_ground" in self._lay_ground():
             lines.append("    setup = (once(lay_ground),)")
-        phases = ["once(settle)", "each(humans, live)"]
+        phases = ["once(begin)", "each(humans, live)"]
         if self._grows:
-            phases.append("once(grow)")
+            phases.append("once(renew)")
         if any(one.grouped for one in sheet.used_facilities):
             phases.append("once(clear)")
         lines += _laid_out("    schedule = (", phases, ")")
@@ -609,9 +617,9 @@ class ModelFile:
     def _population(self) -> list[str]:
         plans = [f"{as_text(name)}: {what}" for name, what in self.plans.carried_out.items()]
         lines = ["    humans = Population(", "        Human,"]
-        lines.append("        civilisations=(")
-        lines += [f"            {self._civilisation(one)}," for one in self.people.civilisations]
-        lines += ["        ),", f'        mind="{SCHEME_FILE}",']
+        peoples = [self._civilisation(one) for one in self.people.civilisations]
+        lines += _laid_out("        civilisations=(", peoples, "),")
+        lines.append(f'        mind="{SCHEME_FILE}",')
         lines += _laid_out("        plans={", plans, "},")
         return [*lines, "    )"]
 
@@ -642,7 +650,7 @@ class ModelFile:
             for one in sheet.attribute_fields.values()
         ]
         rows += [f'"{one.population}": len(self.{one.population}),' for one in sheet.used_facilities]
-        doc = "Return how many there are, what all carry together, and what they are like in the mean."
+        doc = "Return how many there are, what all carry, and what they are like in the mean."
         return [
             "    def series(self):",
             f"{sentence(doc, '        ')}",
@@ -658,7 +666,7 @@ _MESSAGE = '''class Request(Message):
 
     kind: int = 0'''
 
-_PLACE = '''def place_around(human, model, rng, x, y, size):
+_PLACE = '''def place_around(human, x, y, size, model, rng):
     """Put an agent on a patch of a square that can be entered; (x, y) is its south-west."""
     human.x = x + rng.integers(size)
     human.y = y + rng.integers(size)
@@ -714,7 +722,8 @@ def _import(module: str, names: set[str]) -> str:
 
 def _laid_out(before: str, parts: list[str], after: str) -> list[str]:
     """Return parts between brackets, on one line if they fit."""
-    single = "," if len(parts) == 1 and after == ")" and before.rstrip().endswith("= (") else ""
+    single = "," if len(parts) == 1 and after[0] == ")" and before.endswith("=(") else ""
+    single = "," if len(parts) == 1 and before.endswith("= (") else single
     flat = f"{before}{', '.join(parts)}{single}{after}"
     if len(flat) <= WIDTH:
         return [flat]
@@ -743,6 +752,17 @@ def _parameter(
 
 def _rule_line(title: str) -> str:
     return f"# {title} ".ljust(WIDTH - 1, "-")
+
+
+def parameters(lines: list[str], *first: str) -> str:
+    """Return what a function takes: what always, and what its lines use of the rest."""
+    text = "\n".join(lines)
+    more = [one for one in ("model", "rng") if re.search(rf"\b{one}\b", text)]
+    return ", ".join([*first, *more])
+
+
+def _function(name: str, doc: str, lines: list[str], *first: str) -> str:
+    return f"def {name}({parameters(lines, *first)}):\n{sentence(doc)}\n{_block(lines)}"
 
 
 def _block(lines: list[str]) -> str:

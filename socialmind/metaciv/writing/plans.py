@@ -90,7 +90,7 @@ def sentence(doc: str, indent: str = "    ") -> str:
         return f'{indent}"""{doc}"""'
     lines = [""]
     for word in doc.split():
-        if lines[-1] and len(lines[-1]) + len(word) + len(indent) + 4 > WIDTH:
+        if lines[-1] and len(lines[-1]) + len(word) + len(indent) + 9 > WIDTH:
             lines.append("")
         lines[-1] += f" {word}" if lines[-1] else word
     return f'{indent}"""' + f"\n{indent}".join(lines) + f'\n{indent}"""'
