@@ -19,7 +19,7 @@ from socialmind.worlds.grid.one_per_patch import OnePerPatch
 from socialmind.worlds.grid.patches import TAKEN_NAMES as PATCH_NAMES
 
 TAKEN_BY_AGENTS = frozenset(
-    (*dir(Table), *TAKEN_NAMES, *Agent.__annotations__, "civilisation", "plan_step", "stride")
+    (*dir(Table), *TAKEN_NAMES, *Agent.__annotations__, "civilisation", "l", "plan_step", "stride")
 )
 """What a field of an agent cannot be called."""
 TAKEN_BY_MODELS = frozenset((*dir(Model), "humans", "messages", "world"))
