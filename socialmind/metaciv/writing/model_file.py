@@ -291,9 +291,9 @@ class ModelFile:
         lines, first = self._founding()
         doc = "Create founders of a civilisation at a place"
         if self.model.parameters.dispersion:
-            doc += ", scattered over the least square with room for all"
+            doc += ", scattered around it"
         elif self._scattered:
-            doc += ", scattered over the patches to its north-east"
+            doc += ", scattered to its north-east"
         return _function("create_founders", f"{doc}.", lines, *first)
 
     def _founding(self) -> tuple[list[str], list[str]]:
@@ -319,7 +319,14 @@ class ModelFile:
     @property
     def _begin_life(self) -> str:
         """How rules let somebody begin life."""
-        return f"come_into_being({parameters(self._beginning(), 'human')})"
+        lines = self._beginning()
+        if self._is_one_call(lines):
+            return lines[0]
+        return f"come_into_being({parameters(lines, 'human')})"
+
+    @staticmethod
+    def _is_one_call(lines: list[str]) -> bool:
+        return len(lines) == 1 and re.fullmatch(r"\w+\(human\b[^()]*\)", lines[0]) is not None
 
     @property
     def _joined(self) -> list[str]:
@@ -372,7 +379,9 @@ class ModelFile:
     def _come_into_being(self) -> str:
         lines = self._beginning()
         doc = "Begin life: what one has and does at birth."
-        return _function("come_into_being", doc, lines, "human") if lines else ""
+        if not lines or self._is_one_call(lines):
+            return ""
+        return _function("come_into_being", doc, lines, "human")
 
     def _joining(self, group: str) -> str:
         return f"join_{identifier(group)}"
