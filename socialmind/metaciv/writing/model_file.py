@@ -232,12 +232,12 @@ class ModelFile:
         if ground:
             parts.append(ground)
         parts += [self._begin(), self._create_founders()]
-        if self._scattered:
+        if self.scattered:
             parts.append(_PLACE)
         begins = self._come_into_being()
         if begins:
             parts.append(begins)
-        parts += [self._join(name) for name in self._joined]
+        parts += [self._join(name) for name in self.joined]
         if "births" in self.sheet.needs:
             parts.append(self._give_birth())
         return parts
@@ -263,7 +263,7 @@ class ModelFile:
         return _function("lay_ground", "Give each patch what its terrain has.", loop)
 
     @property
-    def _scattered(self) -> bool:
+    def scattered(self) -> bool:
         return self.model.parameters.dispersion or any(
             one.scattered > 0 for one in self.people.civilisations
         )
@@ -292,7 +292,7 @@ class ModelFile:
         doc = "Create founders of a civilisation at a place"
         if self.model.parameters.dispersion:
             doc += ", scattered around it"
-        elif self._scattered:
+        elif self.scattered:
             doc += ", scattered to its north-east"
         return _function("create_founders", f"{doc}.", lines, *first)
 
@@ -311,7 +311,7 @@ class ModelFile:
         if self.model.parameters.dispersion:
             lines.insert(0, "far = math.ceil((math.sqrt(count) - 1) / 2)")
             lines.append("    place_around(human, x - far, y - far, 2 * far + 1, model, rng)")
-        elif self._scattered:
+        elif self.scattered:
             lines.append("    place_around(human, x, y, far, model, rng)")
             first.append("far")
         return lines, first
@@ -329,7 +329,7 @@ class ModelFile:
         return len(lines) == 1 and re.fullmatch(r"\w+\(human\b[^()]*\)", lines[0]) is not None
 
     @property
-    def _joined(self) -> list[str]:
+    def joined(self) -> list[str]:
         return [name for name, group in self.people.groups.items() if group.auto_join]
 
     def _beginning(self) -> list[str]:
@@ -427,7 +427,7 @@ class ModelFile:
         parts = [_rule_line("A tick"), self._live()]
         if "deaths" in self.sheet.needs:
             parts.append(self._pass_away())
-        if self._grows:
+        if self.grows:
             parts.append(self._renew())
         grouped = [one for one in self.sheet.used_facilities if one.grouped]
         if grouped:
@@ -444,9 +444,6 @@ class ModelFile:
             {name: [one.call for one in rules] for name, rules in self.every_tick.items()}
         )
         trees = bool(self.plans.trees)
-        stays = any(one.body[-1].startswith("return") and one.kind == "act"
-                    for one in self.plans.rules.values())  # fmt: skip
-        del stays
         if self.model.parameters.decision_maker == "MaxWeightOx2" and trees:
             lines.append("human.reconsider_plan(2.0)")
         elif trees:
@@ -495,7 +492,7 @@ class ModelFile:
         return found
 
     @property
-    def _grows(self) -> bool:
+    def grows(self) -> bool:
         return bool(self._growing) or "roads" in self.sheet.needs
 
     def _renew(self) -> str:
@@ -527,17 +524,18 @@ class ModelFile:
 
     def _rules(self) -> list[str]:
         rules = list(self.plans.rules.values())
-        text = "\n".join([*self.plans.carried_out.values(), *map(str, self.plans.trees.values()),
-                          *(line for one in rules for line in one.body)])  # fmt: skip
-        every = [one for rules in (*self.every_tick.values(), *self.births.values())
-                 for one in rules]  # fmt: skip
+        every = dict.fromkeys(
+            one
+            for rules_at_once in (*self.every_tick.values(), *self.births.values())
+            for one in rules_at_once
+        )
         parts = []
-        once = {id(one) for one in every}
-        acts = [one for one in rules if one.kind == "act" and id(one) not in once]
+        acts = [one for one in rules if one.kind == "act" and one not in every]
         asks = [one for one in rules if one.kind == "ask"]
         if every:
-            parts.append(_rule_line("Every tick, and at birth" if self._births else "Every tick"))
-            parts += [one.text() for one in dict.fromkeys(map(_Same, every))]
+            born = any(self.births.values())
+            parts.append(_rule_line("Every tick, and at birth" if born else "Every tick"))
+            parts += [one.text() for one in every]
         if acts:
             parts += [_rule_line("What is done"), *(one.text() for one in acts)]
         if asks:
@@ -550,12 +548,7 @@ class ModelFile:
         if self.plans.trees:
             parts += [_rule_line("Plans"),
                       "\n".join("\n".join(one) for one in self.plans.trees.values())]  # fmt: skip
-        del text
         return parts
-
-    @property
-    def _births(self) -> bool:
-        return any(self.births.values())
 
     def _any_facility(self) -> str:
         tests = [f"len(model.{one.population}.on(place)) > 0" for one in self.sheet.used_facilities]
@@ -593,7 +586,7 @@ class ModelFile:
                                 "after more than these a patch is a road")  # fmt: skip
             lines += _parameter("road_evaporation", "int", str(max(parameters.road_evaporation, 0)),
                                 "steps", f"lost by each patch every {PERIOD} ticks")  # fmt: skip
-        for name in self._joined:
+        for name in self.joined:
             count = len(self.people.civilisations)
             declared = (
                 f"{sheet.group_fields[name]}: int = -1"
@@ -615,7 +608,7 @@ class ModelFile:
         if "def lay_ground" in self._lay_ground():
             lines.append("    setup = (once(lay_ground),)")
         phases = ["once(begin)", "each(humans, live)"]
-        if self._grows:
+        if self.grows:
             phases.append("once(renew)")
         if any(one.grouped for one in sheet.used_facilities):
             phases.append("once(clear)")
@@ -682,23 +675,6 @@ _PLACE = '''def place_around(human, x, y, size, model, rng):
     while model.world.patch(human.x, human.y).impassable:
         human.x = x + rng.integers(size)
         human.y = y + rng.integers(size)'''
-
-
-class _Same:
-    """A rule, equal to itself alone."""
-
-    def __init__(self, rule: Rule) -> None:
-        self.rule = rule
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.rule is self.rule
-
-    def __hash__(self) -> int:
-        return id(self.rule)
-
-    def text(self) -> str:
-        """Return its text."""
-        return self.rule.text()
 
 
 def _activating(name: str) -> list[str]:

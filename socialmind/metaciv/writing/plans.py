@@ -48,7 +48,7 @@ class Call:
         return f"{self.name}({', '.join(map(str, self.arguments))})"
 
 
-@dataclass
+@dataclass(eq=False)
 class Rule:
     """A rule of the model file.
 
