@@ -5,11 +5,12 @@ from __future__ import annotations
 import colorsys
 import re
 
-from socialmind.metaciv.description import Civilisation, Scheme, Terrain
-from socialmind.metaciv.writing.acts.form import as_text
+from socialmind.metaciv.description import Civilisation, Cogniton, Scheme, Terrain, Trigger
+from socialmind.metaciv.writing.acts.form import COMPARISONS, as_text, in_name
+from socialmind.metaciv.writing.acts.minds import GAIN
 from socialmind.metaciv.writing.names import identifier
 from socialmind.metaciv.writing.plans import WIDTH, Plans, Rule, sentence
-from socialmind.metaciv.writing.scheme_file import at_birth, chosen_plans
+from socialmind.metaciv.writing.scheme_file import at_birth, chosen_plans, compared, is_condition
 from socialmind.metaciv.writing.sheet import Built, Sheet, written
 
 SCHEME_FILE, TERRAIN_FILE = "scheme.yaml", "terrain.csv"
@@ -31,11 +32,13 @@ class ModelFile:
         self.plans = Plans(sheet, before.plans if before else None)
         self.every_tick: dict[str, list[Rule]] = {}
         self.births: dict[str, list[Rule]] = {}
+        self.crossings: dict[str, Rule] = {}
         for name in chosen_plans(sheet):
             self.plans.add(self.people.plans[name])
         for scheme in self.people.schemes:
             self.every_tick[scheme.name] = self._at_once("self", scheme)
             self.births[scheme.name] = self._at_once("birth", scheme)
+            self._noticing(scheme)
 
     def _at_once(self, kind: str, scheme: Scheme) -> list[Rule]:
         """Return the rules of the plans of every tick, or of birth."""
@@ -349,6 +352,7 @@ class ModelFile:
                     now = self.people.names[scheme.name]["group", group.name]
                     own.append(f"{self._joining(now)}(human, model)")
             own += [one.call for one in self.births[scheme.name]]
+            own += self._noticing(scheme)
             per_scheme[scheme.name] = own
         lines = self._by_scheme(per_scheme)
         for civilisation in self.people.civilisations:
@@ -440,8 +444,12 @@ class ModelFile:
         if "deaths" in sheet.needs:
             lines += ["if human.dying:", f"    pass_away(human{', model' if self._owned else ''})",
                       "    return"]  # fmt: skip
+        noticing = {one.name: self._noticing(one) for one in self.people.schemes}
         lines += self._by_scheme(
-            {name: [one.call for one in rules] for name, rules in self.every_tick.items()}
+            {
+                name: [*(one.call for one in rules), *noticing[name]]
+                for name, rules in self.every_tick.items()
+            }
         )
         trees = bool(self.plans.trees)
         if self.model.parameters.decision_maker == "MaxWeightOx2" and trees:
@@ -451,6 +459,7 @@ class ModelFile:
         else:
             lines.append("human.plan = human.mind.choose_next_plan()")
         lines.append("human.run_plan(model, rng)")
+        lines += self._by_scheme(noticing)
         for name in sorted(one for one in sheet.needs if one.startswith("lent ")):
             cogniton = name.removeprefix("lent ")
             field = f"passing_{identifier(cogniton)}"
@@ -462,6 +471,47 @@ class ModelFile:
         if not any(self.every_tick.values()):
             doc = "Go on with the plan, or choose another."
         return f'def live(human, model, rng):\n    """{doc}"""\n{_block(lines)}'
+
+    # Triggers that are no conditions -------------------------------------------------------------
+
+    def _noticed(self, scheme: Scheme) -> list[Cogniton]:
+        """Return the cognitons of a scheme that come and go by crossings, not by a condition."""
+        names = self.people.names[scheme.name]
+        own = [self.people.cognitons[names["cogniton", one.name]] for one in scheme.cognitons]
+        return [one for one in own if one.triggers and not is_condition(self.sheet, one)]
+
+    def _noticing(self, scheme: Scheme) -> list[str]:
+        """Return the lines that let agents of a scheme notice such crossings."""
+        lines = []
+        for cogniton in self._noticed(scheme):
+            for trigger in cogniton.triggers:
+                lines.append(f"{self._crossing(cogniton, trigger).call}")
+        return lines
+
+    def _crossing(self, cogniton: Cogniton, trigger: Trigger) -> Rule:
+        """Return the rule that brings and takes a cogniton when an attribute crosses a threshold."""
+        test = compared(self.sheet, trigger, "human.", "model.")
+        key = f"crossing {cogniton.name} {test}"
+        if key not in self.crossings:
+            _, bound = test.rsplit(" ", 1)
+            short = COMPARISONS[trigger.comparison][0]
+            state = f"{self.sheet.attribute(trigger.attribute)}_{short}_{in_name(bound)}"
+            if self.sheet.fields.get(f"had_{state}") is not None:
+                state = f"{state}_for_{identifier(cogniton.name)}"
+            field = self.sheet.field(f"had_{state}", "bool = False  # when it was last noticed")
+            self.sheet.help("come_to", GAIN)
+            name = self.sheet.function_named(f"notice_{state}")
+            body = [
+                f"now = {test}",
+                f"if now and not human.{field}:",
+                f"    come_to(human, {as_text(cogniton.name)})",
+                f"if human.{field} and not now:",
+                f"    human.mind.deactivate_cogniton({as_text(cogniton.name)})",
+                f"human.{field} = now",
+            ]
+            doc = f"Let {cogniton.name} come or go when {trigger.attribute} crosses its threshold."
+            self.crossings[key] = Rule(name, "act", doc, body)
+        return self.crossings[key]
 
     @property
     def _owned(self) -> list[Built]:
@@ -536,6 +586,8 @@ class ModelFile:
             born = any(self.births.values())
             parts.append(_rule_line("Every tick, and at birth" if born else "Every tick"))
             parts += [one.text() for one in every]
+        if self.crossings:
+            parts += [_rule_line("Triggers"), *(one.text() for one in self.crossings.values())]
         if acts:
             parts += [_rule_line("What is done"), *(one.text() for one in acts)]
         if asks:

@@ -340,9 +340,6 @@ def mended(file: ModelFile) -> list[str]:
         (any(one.triggers for one in cognitons),
          "Triggers compare at birth and whatever changes the attribute; there they see crossings "
          "by actions alone, and `==` never brings anything."),
-        (any(one.triggers and one.name in _changed(file) for one in cognitons),
-         "What a trigger brings is there while its comparison holds; there, actions may add or "
-         "take it until the next crossing."),
         (maker == "WeightedStochastic",
          "Plans are drawn by their weights as they are; there weights are cut to whole numbers. "
          "Where none is above 0, the largest one wins; there the agent dies."),
@@ -400,13 +397,7 @@ def _all_actions(file: ModelFile) -> Iterator[Action]:
     for plan in file.people.plans.values():
         if plan.kind != "plan" or plan.name in used:
             for action in plan.actions:
-                yield from _under(action)
-
-
-def _under(action: Action) -> Iterator[Action]:
-    yield action
-    for child in action.children:
-        yield from _under(child)
+                yield from action.all()
 
 
 def _actions(file: ModelFile) -> set[str]:
@@ -418,18 +409,12 @@ def _inline_names(file: ModelFile) -> set[str]:
     found = set()
     for plan in file.people.plans.values():
         for action in plan.actions:
-            for one in _under(action):
+            for one in action.all():
                 if plan.kind != "plan":
                     found.add(one.name)
                 elif one.name == "L_Instant":
-                    found |= {inner.name for inner in _under(one)}
+                    found |= {inner.name for inner in one.all()}
     return found
-
-
-def _changed(file: ModelFile) -> set[str]:
-    """Return the cognitons that actions change."""
-    return {str(one.value) for action in _all_actions(file) if action.name.startswith(("A_", "I_"))
-            for one in action.arguments if one.type == "Cogniton"}  # fmt: skip
 
 
 def _same_colours(file: ModelFile) -> bool:

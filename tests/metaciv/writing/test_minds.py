@@ -1,5 +1,9 @@
 """Cognitons, attributes and decisions of imported models, worked out by hand."""
 
+import pytest
+
+from socialmind.agents.idleness import IdleWarning
+
 from .folders import files_of, followed, imported
 
 WILL = (True, "Work", {"Work": 5})
@@ -147,4 +151,49 @@ def test_an_agent_without_a_plan_idles(tmp_path):
             objects=("Coin",),
         ),
     )
-    assert followed(model, 3, "coin", "plan") == [(0, None)] * 3
+    with pytest.warns(IdleWarning):
+        assert followed(model, 3, "coin", "plan") == [(0, None)] * 3
+
+
+def test_what_actions_take_stays_away_until_the_threshold_is_crossed_again(tmp_path):
+    model = imported(
+        tmp_path,
+        files_of(
+            plans={
+                "Age": "A_ChangeAttribute,a(Attribute age),n(Integer -1)",
+                "Work": "A_DoNothing\nA_DoNothing\nA_ChangeCognitonWeight,c(Cogniton Hunger),"
+                "n(Double -1.0)\nA_DoNothing\nA_ChangeAttribute,a(Attribute age),n(Integer 9)\n"
+                "A_ChangeAttribute,a(Attribute age),n(Integer -9)",
+            },
+            kinds={"Age": "self"},
+            cognitons={
+                "Will": WILL,
+                "Hunger": "Type : PERCEPT\nInitial : 0\nTrigger : age,5.0,-2,__NoConstant\n",
+            },
+            attributes={"age": 6},
+        ),
+    )
+    assert values(model, 6, "Hunger") == [(None,), (1.0,), (None,), (None,), (None,), (1.0,)]
+
+
+def test_two_triggers_are_a_range_or_the_last_crossing_decides(tmp_path):
+    trigger = "Trigger : age,{},{},__NoConstant\n"
+    model = imported(
+        tmp_path,
+        files_of(
+            plans={"Work": "A_ChangeAttribute,a(Attribute age),n(Integer 2)"},
+            cognitons={
+                "Will": WILL,
+                "Within": f"Initial : 0\n{trigger.format(3.0, 1)}{trigger.format(6.0, -1)}",
+                "Beyond": f"Initial : 0\n{trigger.format(6.0, 1)}{trigger.format(2.0, -1)}",
+            },
+            attributes={"age": -1},
+        ),
+    )
+    society = model(seed=1, compiled=False)
+    society.advance(2)
+    mind = society.humans[0].mind
+    assert (mind.is_active("Within"), mind.is_active("Beyond")) == (False, True)
+    assert values(model, 4, "Within", "Beyond") == [
+        (None, 1.0), (1.0, None), (1.0, None), (None, 1.0)
+    ]  # fmt: skip
