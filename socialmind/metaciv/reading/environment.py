@@ -166,6 +166,9 @@ def _settlements(
         v = record.whole_in(line, parts[-1], 0, height)
         if name is not None:
             found.append(Settlement(name, u, v, record.document.place(line)))
+    if not found:
+        expected = "a line `Civilisation : …` with the name of one that has a file"
+        record.findings.error(record.place, "nobody begins on the map", expected)
     return tuple(found)
 
 
