@@ -179,11 +179,11 @@ class ModelFile:
 
     def _land(self) -> str:
         sheet = self.sheet
-        base = "Ground" if "walk" in sheet.needs else "Patch"
+        base = "Ground" if self.grounded else "Patch"
         lines = [f"class Land({base}):", '    """A patch of the map."""', ""]
         if self.mapped:
             lines.append("    terrain: int = 0")
-        if "walk" in sheet.needs and not self._varies("passability"):
+        if self.grounded and not self._varies("passability"):
             (first,) = (self.terrains[self.used_indices[0]],)
             passability = first.passability if first is not None else 20
             lines.append(f"    passability: int = {passability}")
@@ -236,7 +236,7 @@ class ModelFile:
             parts.append(ground)
         parts += [self._begin(), self._create_founders()]
         if self.scattered:
-            parts.append(_PLACE)
+            parts.append(_PLACE if self.closed else _PLACE_ANYWHERE)
         begins = self._come_into_being()
         if begins:
             parts.append(begins)
@@ -247,7 +247,7 @@ class ModelFile:
 
     def _lay_ground(self) -> str:
         lines = []
-        if "walk" in self.sheet.needs and self._varies("passability"):
+        if self.grounded and self._varies("passability"):
             lines += [
                 "patch.passability = PASSABILITY[patch.terrain]",
                 "patch.impassable = IMPASSABLE[patch.terrain]",
@@ -264,6 +264,18 @@ class ModelFile:
             return ""
         loop = ["for patch in model.world.patches:", *(f"    {one}" for one in lines)]
         return _function("lay_ground", "Give each patch what its terrain has.", loop)
+
+    @property
+    def closed(self) -> bool:
+        """Whether the map has ground that nobody can enter."""
+        terrains = self.terrains
+        return any(one is not None and one.impassable for one in
+                   (terrains[index] for index in self.used_indices))  # fmt: skip
+
+    @property
+    def grounded(self) -> bool:
+        """Whether rules ask how hard the ground is to cross."""
+        return "walk" in self.sheet.needs or (self.scattered and self.closed)
 
     @property
     def scattered(self) -> bool:
@@ -287,6 +299,8 @@ class ModelFile:
             }
             given = [*(values[name] for name in first), *taken]
             lines.append(f"    create_founders({', '.join(given)})")
+        if len(lines) == 1:
+            lines = ["pass"]
         doc = "Let the founders of each civilisation appear at its places, in tick 2."
         return _function("begin", doc, lines)
 
@@ -311,11 +325,12 @@ class ModelFile:
             lines += ["    human.home_x = x", "    human.home_y = y"]
         if self._beginning():
             lines.append(f"    {self._begin_life}")
+        drawn = "model, rng" if self.closed else "rng"
         if self.model.parameters.dispersion:
             lines.insert(0, "far = math.ceil((math.sqrt(count) - 1) / 2)")
-            lines.append("    place_around(human, x - far, y - far, 2 * far + 1, model, rng)")
+            lines.append(f"    place_around(human, x - far, y - far, 2 * far + 1, {drawn})")
         elif self.scattered:
-            lines.append("    place_around(human, x, y, far, model, rng)")
+            lines.append(f"    place_around(human, x, y, far, {drawn})")
             first.append("far")
         return lines, first
 
@@ -727,6 +742,12 @@ _PLACE = '''def place_around(human, x, y, size, model, rng):
     while model.world.patch(human.x, human.y).impassable:
         human.x = x + rng.integers(size)
         human.y = y + rng.integers(size)'''
+
+
+_PLACE_ANYWHERE = '''def place_around(human, x, y, size, rng):
+    """Put an agent on a patch of a square; (x, y) is its south-west."""
+    human.x = x + rng.integers(size)
+    human.y = y + rng.integers(size)'''
 
 
 def _activating(name: str) -> list[str]:

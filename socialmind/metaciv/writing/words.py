@@ -261,7 +261,7 @@ def _human_rows(file: ModelFile) -> list[tuple[str, ...]]:
 def _patch_rows(file: ModelFile) -> list[tuple[str, ...]]:
     sheet = file.sheet
     rows: list[tuple[str, ...]] = []
-    if "walk" in sheet.needs:
+    if file.grounded:
         rows += [
             ("`passability`", "–", "of its terrain", "what it takes to cross it"),
             ("`impassable`", "–", "of its terrain", "whether nobody can enter it"),

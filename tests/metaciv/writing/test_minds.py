@@ -2,7 +2,7 @@
 
 import pytest
 
-from socialmind.agents.idleness import IdleWarning
+from socialmind.errors import IdleWarning
 
 from .folders import files_of, followed, imported
 
