@@ -29,9 +29,7 @@ from socialmind.metaciv.importing import import_model
 SIZE, AGENTS = 100, 1000
 WARM, TICKS = 50, 400
 WILL = "Type : BELIEF\nInitial : 1\n"
-ROWS = [
-    ",".join(str(int((3 * x + 7 * y) % 11 > 7)) for x in range(SIZE)) for y in range(SIZE)
-]
+ROWS = [",".join(str(int((3 * x + 7 * y) % 11 > 7)) for x in range(SIZE)) for y in range(SIZE)]
 FILES = {
     "parametres.metaciv": (
         "Carte : Wood.metaciv\nDecisionMaker : WeightedStochasticDecisionMaker\nMaxWeight : 9\n"
@@ -95,7 +93,10 @@ SCHEME = CognitiveScheme(
     "gatherers",
     (
         Cogniton(
-            "Will", start_value=1, influence={"gather": 3, "rest": 1}, conditional=("gather", "rest")
+            "Will",
+            start_value=1,
+            influence={"gather": 3, "rest": 1},
+            conditional=("gather", "rest"),
         ),
         Cogniton(
             "Hungry",

@@ -718,7 +718,9 @@ class ModelFile:
             f'"{one}": float(humans.{one}.mean()) if len(humans) else 0.0,'
             for one in sheet.attribute_fields.values()
         ]
-        rows += [f'"{one.population}": len(self.{one.population}),' for one in sheet.used_facilities]
+        rows += [
+            f'"{one.population}": len(self.{one.population}),' for one in sheet.used_facilities
+        ]
         doc = "Return how many there are, what all carry, and what they are like in the mean."
         return [
             "    def series(self):",
@@ -765,7 +767,9 @@ def _deposit(name: str, column: str) -> object:
     """Return what says how much of a pheromone a terrain has, or gets."""
 
     def found(terrain: Terrain) -> float:
-        return next((getattr(one, column) for one in terrain.deposits if one.pheromone == name), 0.0)
+        return next(
+            (getattr(one, column) for one in terrain.deposits if one.pheromone == name), 0.0
+        )
 
     return found
 

@@ -181,9 +181,7 @@ def _cogniton(cogniton: Cogniton, names: dict[tuple[str, str], str]) -> Cogniton
         cogniton,
         name=names["cogniton", cogniton.name],
         permits=tuple(replace(one, plan=names["plan", one.plan]) for one in cogniton.permits),
-        influences=tuple(
-            replace(one, plan=names["plan", one.plan]) for one in cogniton.influences
-        ),
+        influences=tuple(replace(one, plan=names["plan", one.plan]) for one in cogniton.influences),
         triggers=tuple(
             replace(one, constant=names.get(("constant", one.constant or "")))
             for one in cogniton.triggers

@@ -202,7 +202,9 @@ class Plans:
                 branches.append(parts[0] if parts else self._idle())
         then, otherwise = branches
         if isinstance(otherwise, Call):
-            return Call("when", [asked, then, Call(f"otherwise={otherwise.name}", otherwise.arguments)])
+            return Call(
+                "when", [asked, then, Call(f"otherwise={otherwise.name}", otherwise.arguments)]
+            )
         return Call("when", [asked, then, f"otherwise={otherwise}"])
 
     def _after_trade(self, action: Action, plan: Plan) -> list[Call | str]:
@@ -211,7 +213,9 @@ class Plans:
         for asking, child in zip((made_bargain, met_nobody), action.children[:2], strict=False):
             asked = self._ask(asking(self.sheet, action))
             inner = self._parts(child, plan)
-            parts.append(Call("when", [asked, Call("sequence", inner) if len(inner) > 1 else inner[0]]))
+            parts.append(
+                Call("when", [asked, Call("sequence", inner) if len(inner) > 1 else inner[0]])
+            )
         return parts
 
     def _idle(self) -> str:
@@ -321,9 +325,7 @@ class Plans:
             return [f"if {there}:", *_indented(lines)]
         return lines
 
-    def _branches(
-        self, test: str, children: tuple[Action, ...], plan: Plan | None
-    ) -> list[str]:
+    def _branches(self, test: str, children: tuple[Action, ...], plan: Plan | None) -> list[str]:
         then = [line for one in children[:1] for line in self._statement(one, plan)]
         otherwise = [line for one in children[1:] for line in self._statement(one, plan)]
         if not then and not otherwise:
@@ -357,5 +359,3 @@ def _returned(test: str) -> list[str]:
         return [f"return {test}"]
     first, *more = re.split(r" (?=and |is not |>|<|==)", test)
     return ["return (", f"    {first}", *(f"    {one}" for one in more), ")"]
-
-

@@ -29,7 +29,11 @@ def scheme_text(sheet: Sheet) -> str:
             "# They meet in one random order, so their schemes are one here: what is called alike",
             "# and differs bears the name of its scheme.",
         ]
-    lines += [f"name: {text(title)}", "", f"decision_maker: {MAKERS[model.parameters.decision_maker]}"]
+    lines += [
+        f"name: {text(title)}",
+        "",
+        f"decision_maker: {MAKERS[model.parameters.decision_maker]}",
+    ]
     plans = chosen_plans(sheet)
     if plans:
         lines += ["", "# The order decides between plans of equal weight."]

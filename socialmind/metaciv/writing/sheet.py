@@ -81,7 +81,9 @@ class Sheet:
             for one in model.objects
         }
         patch = Names(TAKEN_BY_PATCHES)
-        self.pheromone_fields = {one.name: patch.own(identifier(one.name)) for one in model.pheromones}
+        self.pheromone_fields = {
+            one.name: patch.own(identifier(one.name)) for one in model.pheromones
+        }
         model_names = Names(TAKEN_BY_MODELS)
         self.parameters = {one: model_names.own(identifier(one)) for one in people.constants}
         self.counts = {

@@ -137,7 +137,9 @@ def _peoples(file: ModelFile) -> str:
 def _entities(file: ModelFile) -> Iterator[str]:
     sheet = file.sheet
     attributes = [f"`{field}`" for field in sheet.attribute_fields.values()]
-    carried = [f"`{sheet.object_fields[one]}`" for one in sheet.object_fields if one in sheet.carried]
+    carried = [
+        f"`{sheet.object_fields[one]}`" for one in sheet.object_fields if one in sheet.carried
+    ]
     said = ["Humans stand on patches and have minds"]
     if attributes:
         said.append(f"the attributes {', '.join(attributes)}")
@@ -446,4 +448,3 @@ def _table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
         cells = [one.replace("|", "\\|").replace("<", "&lt;") for one in row]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
-

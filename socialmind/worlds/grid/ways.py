@@ -152,9 +152,7 @@ def way(
 @register_jitable
 def _before(sums: Any, order: Any, one: int, other: int) -> bool:
     """Say whether one entry of the heap comes before another."""
-    return bool(
-        sums[one] < sums[other] or (sums[one] == sums[other] and order[one] < order[other])
-    )
+    return bool(sums[one] < sums[other] or (sums[one] == sums[other] and order[one] < order[other]))
 
 
 @register_jitable

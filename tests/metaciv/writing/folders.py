@@ -55,7 +55,10 @@ def files_of(
     files = {
         "parametres.metaciv": (
             f"Carte : Field.metaciv\nDecisionMaker : {maker}DecisionMaker\nMaxWeight : 9\n"
-            + (settings or "RoadCreation : 30\nRoadEvaporation : 1\nVisionRadius : 10\nDispersion : 0\n")
+            + (
+                settings
+                or "RoadCreation : 30\nRoadEvaporation : 1\nVisionRadius : 10\nDispersion : 0\n"
+            )
         ),
         f"{home}/{quote_plus(scheme)}.metaciv": f"Nom : {scheme}\n",
         f"simulation/civilisations/{people}.metaciv": (
@@ -81,7 +84,8 @@ def files_of(
         head = f"Nom : {name}\nBirth : {str(kind == 'birth').lower()}\nSelf : {str(kind == 'self').lower()}\n"
         body = "\n".join(
             "\t" * ((len(one) - len(one.lstrip())) // 2) + f"Action : {one.strip()}"
-            for one in lines.strip("\n").split("\n") if one.strip()
+            for one in lines.strip("\n").split("\n")
+            if one.strip()
         )
         files[f"{home}/plans/{quote_plus(name)}.metaciv"] = f"{head}{body}\n"
 
@@ -94,7 +98,9 @@ def files_of(
 
     for name in objects:
         own = "".join(f"{one}," for one in (carried_effects or {}).get(name, ()))
-        files[f"simulation/objets/{name}.metaciv"] = f"Nom : {name}\nEffects : {own}\n{recipe(name)}"
+        files[f"simulation/objets/{name}.metaciv"] = (
+            f"Nom : {name}\nEffects : {own}\n{recipe(name)}"
+        )
     for name in facilities:
         own = "".join(f"{one}," for one in (carried_effects or {}).get(name, ()))
         files[f"simulation/amenagements/{name}.metaciv"] = (

@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from socialmind.metaciv.description import Action
-from socialmind.metaciv.writing.acts.form import Act, Ask, Writer, comparing, in_doc, in_name, name_of
+from socialmind.metaciv.writing.acts.form import (
+    Act,
+    Ask,
+    Writer,
+    comparing,
+    in_doc,
+    in_name,
+    name_of,
+)
 from socialmind.metaciv.writing.acts.groups import group_of
 from socialmind.metaciv.writing.acts.ground import going
 from socialmind.metaciv.writing.acts.things import (
@@ -236,9 +244,7 @@ def of_group_here(sheet: Sheet, action: Action) -> Ask:
     built, (group, group_name) = facility_of(sheet, action), group_of(action)
     built.grouped[group.strip('"')] = None
     before = (f"group = human.mind.get_group_id({group})",)
-    test = (
-        f"group >= 0 and any(one.group == group for one in model.{built.population}.on(human))"
-    )
+    test = f"group >= 0 and any(one.group == group for one in model.{built.population}.on(human))"
     names = (f"is_at_{built.name}_of_{group_name}",)
     doc = f"whether a {built.facility.name} of the own {group[1:-1]} is here"
     return Ask(names, doc, test, before)
@@ -259,7 +265,10 @@ def withdraw(sheet: Sheet, action: Action) -> Act:
         f"    {name}.{field} -= many",
         *(f"    {line}" for line in gaining(sheet, thing, "many")),
     ]
-    names = (f"take_{name_of(thing)}_from_{name}", f"take_{in_name(count)}_{name_of(thing)}_from_{name}")
+    names = (
+        f"take_{name_of(thing)}_from_{name}",
+        f"take_{in_name(count)}_{name_of(thing)}_from_{name}",
+    )
     doc = f"Take {in_doc(count)} {thing}, or what there is, from a {built.facility.name} here."
     return Act(names, doc, body)
 
@@ -276,7 +285,10 @@ def deposit(sheet: Sheet, action: Action) -> Act:
         *(f"    {line}" for line in losing(sheet, thing, "many")),
         f"    {name}.{field} += many",
     ]
-    names = (f"put_{name_of(thing)}_into_{name}", f"put_{in_name(count)}_{name_of(thing)}_into_{name}")
+    names = (
+        f"put_{name_of(thing)}_into_{name}",
+        f"put_{in_name(count)}_{name_of(thing)}_into_{name}",
+    )
     doc = f"Put {in_doc(count)} {thing}, or what there is, into a {built.facility.name} here."
     return Act(names, doc, body)
 

@@ -115,4 +115,10 @@ def chosen(name: str, among: str, condition: str = "") -> list[str]:
         return [line]
     if len(inner) + 8 <= 100:
         return [f"{name} = rng.choice(", f"    {inner}", ")"]
-    return [f"{name} = rng.choice(", "    one", f"    for one in {among}", f"    if {condition}", ")"]
+    return [
+        f"{name} = rng.choice(",
+        "    one",
+        f"    for one in {among}",
+        f"    if {condition}",
+        ")",
+    ]
