@@ -2,9 +2,9 @@
 
 Gatherers walk over grass and forest, gather the berries that grow there, eat when they are hungry,
 and rest. The imported one is what `socialmind import` writes of the files in `FILES`; the other,
-below, is what somebody writes who knows the toolkit and nothing of MetaCiv. Both do the same, action
-for action, at the same weights; they draw other luck. They take turns, each round with a seed of its
-own, and a ratio is taken within a round.
+below, is what somebody writes who knows the toolkit and nothing of MetaCiv. Both do the same,
+action for action, at the same weights; they draw other luck. They take turns, each round with a
+seed of its own, and a ratio is taken within a round.
 
     python benchmarks/imported.py
 
@@ -21,8 +21,19 @@ from typing import Any
 from harness import HERE, describe_machine, spread, write
 
 from coglogo_py import CognitiveScheme, Cogniton, PositiveStochastic
-from socialmind import Agent, Grid, Model, Patch, Population, each, once, parameter
-from socialmind import repeat, sequence, when
+from socialmind import (
+    Agent,
+    Grid,
+    Model,
+    Patch,
+    Population,
+    each,
+    once,
+    parameter,
+    repeat,
+    sequence,
+    when,
+)
 from socialmind.catalogue import load_model
 from socialmind.metaciv.importing import import_model
 
@@ -39,7 +50,8 @@ FILES = {
     "schemasCognitifs/Gatherer/attributes/energy.metaciv": "Name : energy\nStarting value : 9\n",
     "schemasCognitifs/Gatherer/constants/meal.metaciv": "Name : meal\nValue : 4\n",
     "schemasCognitifs/Gatherer/cognitons/Will.metaciv": (
-        f"Nom : Will\n{WILL}Permet : Gather\nPermet : Rest\nInfluence : Gather,3\nInfluence : Rest,1\n"
+        f"Nom : Will\n{WILL}Permet : Gather\nPermet : Rest\nInfluence : Gather,3\n"
+        "Influence : Rest,1\n"
     ),
     "schemasCognitifs/Gatherer/cognitons/Hungry.metaciv": (
         "Nom : Hungry\nType : PERCEPT\nInitial : 0\nPermet : Eat\nInfluence : Eat,9\n"

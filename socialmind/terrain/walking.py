@@ -1,7 +1,7 @@
 """Walking from patch to patch over ground that is more or less easy to cross.
 
-MetaCiv's movement (TurtleKit's `fd` as its agents have it), from cell to cell. Agents that walk have a
-field `stride: int = 2`, how far they have come in crossing their patch; patches are `Ground`.
+MetaCiv's movement (TurtleKit's `fd` as its agents have it), from cell to cell. Patches are `Ground`;
+agents that walk have a field `stride: int = 2`, how far they have come in crossing theirs.
 """
 
 from __future__ import annotations
@@ -49,7 +49,8 @@ def step_towards(
     Args:
         agent: the agent.
         model: the model; its world's patches have an effort.
-        x, y: the place.
+        x: the place.
+        y: the place.
         sight: how many patches far the agent knows the ground; 0 or less for all.
         beyond: the effort that it expects beyond.
         rng: the agent's stream.

@@ -35,7 +35,7 @@ def write_model(description: Model, folder: Path) -> list[Unsupported]:
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "model.py").write_text(file.text(), "utf-8")
     (folder / SCHEME_FILE).write_text(scheme, "utf-8")
-    if file.mapped:
+    if file.map.mapped:
         rows = [",".join(map(str, row)) for row in description.environment.rows]
         (folder / TERRAIN_FILE).write_text("\n".join(rows) + "\n", "utf-8")
     (folder / "odd_words.md").write_text(odd_words(file), "utf-8")
@@ -44,11 +44,11 @@ def write_model(description: Model, folder: Path) -> list[Unsupported]:
 
 
 def printable(part: Any) -> Any:
-    """Return a part of a description in which no name holds what ends a line or cannot be seen.
+    r"""Return a part of a description in which no name holds what ends a line or cannot be seen.
 
     Names go into comments of a program, of which a line's end would make code.
 
-    >>> printable(("a\\rb", 3))
+    >>> printable(("a\rb", 3))
     ('a?b', 3)
     """
     if isinstance(part, str):

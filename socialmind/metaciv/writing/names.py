@@ -25,18 +25,88 @@ TAKEN_BY_AGENTS = frozenset(
 TAKEN_BY_MODELS = frozenset((*dir(Model), "humans", "messages", "world"))
 """What a parameter or a population cannot be called."""
 TAKEN_BY_PATCHES = frozenset(
-    (*dir(OnePerPatch), *PATCH_NAMES, *COMMANDS, *Ground.__annotations__, *"x y terrain".split())
+    (*dir(OnePerPatch), *PATCH_NAMES, *COMMANDS, *Ground.__annotations__, *["x", "y", "terrain"])
 )
 """What a field of patches cannot be called."""
-TAKEN_BY_FILES = (
-    "human model rng child other own patch here group spot most many message live begin "
-    "create_founders strengthen come_to go_to walk in_reach living is_asked_for is_attacked ask_around is_stranger "
-    "nearest_of_group give_birth any_facility_here come_into_being step_ahead step_towards tread "
-    "wear_off renew clear lay_ground pass_away build_private build_for_group each once parameter "
-    "sequence repeat when until place_around math Agent Civilisation Facility Grid Ground Human "
-    "Land Message Messages Model Patch Population Request LEAST_VALUE SMELL ATTACK TRADE HIRING "
-    "MADE MET SERVED EASIEST PASSABILITY IMPASSABLE PERIOD PEOPLES clear_ownerless clear_deserted"
-).split()
+TAKEN_BY_FILES = [
+    "human",
+    "model",
+    "rng",
+    "child",
+    "other",
+    "own",
+    "patch",
+    "here",
+    "group",
+    "spot",
+    "most",
+    "many",
+    "message",
+    "live",
+    "begin",
+    "create_founders",
+    "strengthen",
+    "come_to",
+    "go_to",
+    "walk",
+    "in_reach",
+    "living",
+    "is_asked_for",
+    "is_attacked",
+    "ask_around",
+    "is_stranger",
+    "nearest_of_group",
+    "give_birth",
+    "any_facility_here",
+    "come_into_being",
+    "step_ahead",
+    "step_towards",
+    "tread",
+    "wear_off",
+    "renew",
+    "clear",
+    "lay_ground",
+    "pass_away",
+    "build_private",
+    "build_for_group",
+    "each",
+    "once",
+    "parameter",
+    "sequence",
+    "repeat",
+    "when",
+    "until",
+    "place_around",
+    "math",
+    "Agent",
+    "Civilisation",
+    "Facility",
+    "Grid",
+    "Ground",
+    "Human",
+    "Land",
+    "Message",
+    "Messages",
+    "Model",
+    "Patch",
+    "Population",
+    "Request",
+    "LEAST_VALUE",
+    "SMELL",
+    "ATTACK",
+    "TRADE",
+    "HIRING",
+    "MADE",
+    "MET",
+    "SERVED",
+    "EASIEST",
+    "PASSABILITY",
+    "IMPASSABLE",
+    "PERIOD",
+    "PEOPLES",
+    "clear_ownerless",
+    "clear_deserted",
+]
 """What nothing of a file can be called but what it stands for."""
 
 

@@ -6,7 +6,9 @@ one name bears the name of its scheme, as "Work (Farmers)".
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from socialmind.metaciv.description import (
     Action,
@@ -90,34 +92,30 @@ def _take_in(people: People, scheme: Scheme) -> None:
         if known.start != attribute.start:
             starts[attribute.name] = attribute.start
     for constant in scheme.constants:
-        names["constant", constant.name] = _named(
-            people.constants, constant, scheme, lambda a, b: a.value == b.value
-        )
-    given = {one for group in scheme.groups for role in group.roles for one in role.culturons}
+        name = constant.name
+        if name in people.constants and people.constants[name].value != constant.value:
+            name = f"{name} ({scheme.name})"
+        people.constants.setdefault(name, constant)
+        names["constant", constant.name] = name
     # Plans call cognitons and groups, which name plans: first all keep their names, and those
     # that differ from another scheme's are renamed until nothing changes.
     renamed: set[tuple[str, str]] = set()
     while True:
-        for kind, parts in (
-            ("plan", scheme.plans),
-            ("cogniton", scheme.cognitons),
-            ("group", scheme.groups),
-        ):
-            for part in parts:
-                key = (kind, part.name)
-                names[key] = f"{part.name} ({scheme.name})" if key in renamed else part.name
+        kept = [("plan", one.name) for one in scheme.plans]
+        kept += [("cogniton", one.name) for one in scheme.cognitons]
+        kept += [("group", one.name) for one in scheme.groups]
+        for kind, name in kept:
+            names[kind, name] = f"{name} ({scheme.name})" if (kind, name) in renamed else name
         plans = [_plan(one, names) for one in scheme.plans]
         cognitons = [_cogniton(one, names) for one in scheme.cognitons]
         groups = [_group(one, names) for one in scheme.groups]
         differing = {
-            (kind, before.name)
-            for kind, known, parts, made in (
-                ("plan", people.plans, scheme.plans, plans),
-                ("cogniton", people.cognitons, scheme.cognitons, cognitons),
-                ("group", people.groups, scheme.groups, groups),
-            )
-            for before, after in zip(parts, made, strict=True)
-            if after.name in known and not _alike(known[after.name], after)
+            *(("plan", old) for old in _differing(people.plans, scheme.plans, plans)),
+            *(
+                ("cogniton", old)
+                for old in _differing(people.cognitons, scheme.cognitons, cognitons)
+            ),
+            *(("group", old) for old in _differing(people.groups, scheme.groups, groups)),
         } - renamed
         if not differing:
             break
@@ -125,15 +123,15 @@ def _take_in(people: People, scheme: Scheme) -> None:
     people.plans |= {one.name: one for one in plans if one.name not in people.plans}
     people.cognitons |= {one.name: one for one in cognitons if one.name not in people.cognitons}
     people.groups |= {one.name: one for one in groups if one.name not in people.groups}
-    del given
 
 
-def _named(known, part, scheme, alike) -> str:
-    name = part.name
-    if name in known and not alike(known[name], part):
-        name = f"{part.name} ({scheme.name})"
-    known.setdefault(name, part)
-    return name
+def _differing(
+    known: Mapping[str, Any], parts: Sequence[Any], made: Sequence[Any]
+) -> Iterator[str]:
+    """Yield the names of the parts that another scheme has under a name, and has otherwise."""
+    for before, after in zip(parts, made, strict=True):
+        if after.name in known and not _alike(known[after.name], after):
+            yield before.name
 
 
 def _alike(one: object, other: object) -> bool:

@@ -11,11 +11,11 @@ from socialmind.metaciv.writing.acts.facilities import efficient_here
 from socialmind.metaciv.writing.acts.form import Act, Ask
 from socialmind.metaciv.writing.acts.kinds import WRITERS
 from socialmind.metaciv.writing.acts.minds import do_nothing
-from socialmind.metaciv.writing.acts.others import made_bargain, met_nobody
+from socialmind.metaciv.writing.acts.trading import made_bargain, met_nobody
+from socialmind.metaciv.writing.layout import WIDTH, sentence
 from socialmind.metaciv.writing.names import identifier
 from socialmind.metaciv.writing.sheet import Sheet
 
-WIDTH = 100
 LONGEST_NAME = 36
 """Of a rule that is named after several."""
 
@@ -85,22 +85,6 @@ class Rule:
         return f"def {self.name}({self.parameters}):\n{doc}\n    {body}\n"
 
 
-def sentence(doc: str, indent: str = "    ") -> str:
-    """Return a docstring, on as many lines as it needs."""
-    doc = doc.replace("\\", "/").replace('"""', "'''").strip()
-    if len(doc) + len(indent) + 6 <= WIDTH:
-        return f'{indent}"""{doc}"""'
-    summary, _, rest = doc.partition(". ")
-    if rest and len(summary) + len(indent) + 4 <= WIDTH:
-        return f'{indent}"""{summary}.\n\n{indent}{rest}\n{indent}"""'
-    lines = [""]
-    for word in doc.split():
-        if lines[-1] and len(lines[-1]) + len(word) + len(indent) + 9 > WIDTH:
-            lines.append("")
-        lines[-1] += f" {word}" if lines[-1] else word
-    return f'{indent}"""' + f"\n{indent}".join(lines) + f'\n{indent}"""'
-
-
 class Plans:
     """The plans of a model, written.
 
@@ -125,6 +109,7 @@ class Plans:
         claims = Counter(names[0] for names in (before.wanted if before else {}).values())
         self._claimed = {name for name, count in claims.items() if count > 1}
         self._counters = 0
+        self._staying: set[str] = set()
 
     # Trees ------------------------------------------------------------------------------------
 
@@ -138,7 +123,7 @@ class Plans:
             (action,) = plan.actions
             if action.name in WRITERS and not action.children:
                 made = WRITERS[action.name](self.sheet, action)
-                if isinstance(made, Act) and self._uses_before[_key(made)] < 2:
+                if isinstance(made, Act) and not made.stays and self._uses_before[_key(made)] < 2:
                     made.names = (name, *made.names)
                     made.doc = f"{plan.name}: {made.doc[:1].lower()}{made.doc[1:]}"
                     self.carried_out[plan.name] = self._rule(made, made.names).name
@@ -148,12 +133,12 @@ class Plans:
                 self.carried_out[plan.name] = rule.name
                 return
         parts = [part for one in plan.actions for part in self._parts(one, plan)]
-        if len(parts) == 1 and isinstance(parts[0], str):
-            self.carried_out[plan.name] = parts[0]
+        (first, *more) = parts
+        if isinstance(first, str) and not more and first not in self._staying:
+            self.carried_out[plan.name] = first
             return
         constant = self.sheet.function_named(name.upper(), f"{name.upper()}_PLAN")
-        tree = parts[0] if len(parts) == 1 else Call("sequence", parts)
-        assert isinstance(tree, Call)
+        tree = first if isinstance(first, Call) and not more else Call("sequence", parts)
         self.trees[constant] = tree.lines(f"{constant} = ")
         self.carried_out[plan.name] = constant
         for word in re.findall(r"\b(sequence|repeat|when)\(", str(tree)):
@@ -275,6 +260,8 @@ class Plans:
             name = self.sheet.function_named(*wanted)
             if isinstance(made, Act):
                 self.rules[key] = Rule(name, "act", made.doc, made.body)
+                if made.stays:
+                    self._staying.add(name)
             else:
                 body = [*made.before, *_returned(made.test)]
                 self.rules[key] = Rule(name, "ask", f"Return {made.doc}.", body)

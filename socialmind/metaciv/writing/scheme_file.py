@@ -14,7 +14,7 @@ MAKERS = {
     "WeightedStochastic": "PositiveStochastic",
 }
 _PLAIN = re.compile(r"[^\W\d][\w-]*(?: [\w-]+)*")
-_WORDS = frozenset("yes no true false null on off y n".split())
+_WORDS = frozenset(["yes", "no", "true", "false", "null", "on", "off", "y", "n"])
 
 
 def scheme_text(sheet: Sheet) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from socialmind.metaciv.description import Action
-from socialmind.metaciv.writing.model_file import PERIOD, ModelFile
+from socialmind.metaciv.writing.map_text import PERIOD
+from socialmind.metaciv.writing.mending import mended
+from socialmind.metaciv.writing.model_file import ModelFile
 from socialmind.metaciv.writing.scheme_file import chosen_plans, culturons, own_cognitons
 from socialmind.metaciv.writing.sheet import Sheet, Unsupported, written
 
@@ -20,9 +21,9 @@ def readme(file: ModelFile, unsupported: list[Unsupported]) -> str:
     model = file.model
     parts = [
         f"# {model.name}",
-        f"{_peoples(file)} A model of MetaCiv's, imported: the rules are in [`model.py`](model.py), "
-        "the minds in [`scheme.yaml`](scheme.yaml)"
-        + (", the map in [`terrain.csv`](terrain.csv)." if file.mapped else "."),
+        f"{_peoples(file)} A model of MetaCiv's, imported: the rules are in "
+        "[`model.py`](model.py), the minds in [`scheme.yaml`](scheme.yaml)"
+        + (", the map in [`terrain.csv`](terrain.csv)." if file.map.mapped else "."),
         "    socialmind run .\n    socialmind odd .          # the full ODD document",
         "## Purpose",
         _PURPOSE,
@@ -82,11 +83,11 @@ def odd_words(file: ModelFile) -> str:
             ("`recipient`", "identity", "–", "to whom"),
             ("`kind`", "–", "–", "1 an attack, 2 a wish to trade, 3 an offer of work"),
         ])]  # fmt: skip
-    rows = _patch_rows(file)
-    if rows:
-        parts += ["### Patches", _table(("variable", "unit", "start", "meaning"), rows)]
+    patches = _patch_rows(file)
+    if patches:
+        parts += ["### Patches", _table(("variable", "unit", "start", "meaning"), patches)]
     joined = [(f"`{sheet.group_fields[name]}`", "identity", "-1", f"the {name} that all join")
-              for name in file.joined]  # fmt: skip
+              for name in file.beginning.joined]  # fmt: skip
     if joined:
         parts += ["### The model", _table(("variable", "unit", "start", "meaning"), joined)]
     parts += ["### Scales", _scales(file)]
@@ -94,7 +95,7 @@ def odd_words(file: ModelFile) -> str:
     parts += ["## Design concepts", *_concepts(file)]
     parts += ["## Initialisation", _initialisation(file)]
     parts += ["## Input data", "None that varies in time. The scheme is read from `scheme.yaml`"
-              + (", the map from `terrain.csv`." if file.mapped else ".")]  # fmt: skip
+              + (", the map from `terrain.csv`." if file.map.mapped else ".")]  # fmt: skip
     parts += ["## Submodels", "### Plans", _plans_table(file)]
     if "walk" in sheet.needs:
         parts += ["### Walking", _WALKING]
@@ -121,9 +122,10 @@ def wrapped(parts: list[str]) -> str:
 _PURPOSE = "MetaCiv's files do not say what the model is for; say it here."
 
 _WALKING = (
-    "Agents stand in the middle of patches. To leave a patch of passability p takes max(p div 10 − 2, 1) "
-    "ticks, and below 20 two patches are crossed in one. Before what cannot be entered they turn any "
-    "way that is open. Ways are the cheapest ones, by the effort of the patches in sight (A*)."
+    "Agents stand in the middle of patches. To leave a patch of passability p takes "
+    "max(p div 10 − 2, 1) ticks, and below 20 two patches are crossed in one. Before what cannot "
+    "be entered they turn any way that is open. Ways are the cheapest ones, by the effort of the "
+    "patches in sight (A*)."
 )
 
 
@@ -175,12 +177,14 @@ def _scales(file: ModelFile) -> str:
 def _process(file: ModelFile) -> Iterator[str]:
     steps = ["in tick 2 alone, the founders appear at the places of their civilisations;"]
     turn = "each agent, in a fresh random order, "
-    if any(file.every_tick.values()):
-        names = ", ".join(dict.fromkeys(one.name for o in file.every_tick.values() for one in o))
+    if any(file.turns.every_tick.values()):
+        names = ", ".join(
+            dict.fromkeys(one.name for o in file.turns.every_tick.values() for one in o)
+        )
         turn += f"does what is done in every tick (`{names}`), then "
     turn += "goes on with its plan by one action, or chooses one and begins it;"
     steps.append(turn)
-    if file.grows:
+    if file.map.grows:
         steps.append(f"every {PERIOD} ticks the ground changes by itself (`renew`);")
     if any(one.grouped for one in file.sheet.used_facilities):
         steps.append("facilities of groups without members go.")
@@ -197,19 +201,19 @@ def _initialisation(file: ModelFile) -> str:
     said = f"Founders appear in tick 2: {', '.join(places) or 'nobody'}"
     if file.model.parameters.dispersion:
         said += ", scattered over the least square that has a patch for each"
-    elif file.scattered:
+    elif file.map.scattered:
         said += ", scattered to its north-east"
     return f"{said}. Attributes and cognitons begin as `model.py` and `scheme.yaml` say."
 
 
 def _plans_table(file: ModelFile) -> str:
     rows = [
-        (name, f"`{file.plans.carried_out[name]}`", _permitted(file.sheet, name))
+        (name, f"`{file.turns.plans.carried_out[name]}`", _permitted(file.sheet, name))
         for name in chosen_plans(file.sheet)
     ]
-    for kind, rules in (("in every tick", file.every_tick), ("at birth", file.births)):
-        rows += [(one.doc.partition(":")[0], f"`{one.name}`", kind)
-                 for one in dict.fromkeys(one for own in rules.values() for one in own)]  # fmt: skip
+    for kind, rules in (("in every tick", file.turns.every_tick), ("at birth", file.turns.births)):
+        once = dict.fromkeys(one for own in rules.values() for one in own)
+        rows += [(one.doc.partition(":")[0], f"`{one.name}`", kind) for one in once]
     return _table(("plan", "in `model.py`", "while there is"), rows) if rows else "None."
 
 
@@ -263,7 +267,7 @@ def _human_rows(file: ModelFile) -> list[tuple[str, ...]]:
 def _patch_rows(file: ModelFile) -> list[tuple[str, ...]]:
     sheet = file.sheet
     rows: list[tuple[str, ...]] = []
-    if file.grounded:
+    if file.map.grounded:
         rows += [
             ("`passability`", "–", "of its terrain", "what it takes to cross it"),
             ("`impassable`", "–", "of its terrain", "whether nobody can enter it"),
@@ -271,9 +275,11 @@ def _patch_rows(file: ModelFile) -> list[tuple[str, ...]]:
             ("`passage`", "steps", "0", "how often it was trodden, less what wore off"),
             ("`road`", "–", "False", "whether that left a road, whose ways cost half"),
         ]
-    if file.mapped:
+    if file.map.mapped:
         names = ", ".join(
-            f"{number} {one.name}" for number, one in enumerate(file.terrains) if one is not None
+            f"{number} {one.name}"
+            for number, one in enumerate(file.map.terrains)
+            if one is not None
         )
         rows.append(("`terrain`", "–", "of the map", names))
     rows += [
@@ -314,116 +320,6 @@ def _concepts(file: ModelFile) -> Iterator[str]:
         yield words
 
 
-# What is mended ---------------------------------------------------------------------------------
-
-
-def mended(file: ModelFile) -> list[str]:
-    """Return the faults of MetaCiv's program that this model would meet, and what is done here."""
-    names = _actions(file)
-    people, sheet = file.people, file.sheet
-    cognitons = list(people.cognitons.values())
-    permitted = [p.plan for one in cognitons for p in one.permits]
-    maker = file.model.parameters.decision_maker
-    comparators = {str(one.value) for action in _all_actions(file) for one in action.arguments
-                   if one.type == "Comparator"}  # fmt: skip
-    inline = _inline_names(file)
-    staying = {"A_GoToAmenagement", "A_GoToClosestGroupFacility", "A_GoToTarget", "A_Rentrer",
-               "A_SearchForRessources", "A_Trade", "A_TravelTrade"}  # fmt: skip
-    said = [
-        (True, "Luck is keyed by the seed: a run can be repeated. There it has none."),
-        (True, "An agent without a plan does nothing in that tick; there it dies, as of any error."),
-        (any(one.kind == "birth" for one in people.plans.values()),
-         "The plan of birth runs once; there its first action runs again in the first step."),
-        (len(permitted) != len(set(permitted)),
-         "A plan is available while anything permits it; there it is lost with the first cogniton "
-         "that permits it."),
-        (bool(people.groups) and bool(culturons(sheet)),
-         "Who leaves a role loses the plans that it permits; there they stay."),
-        (any(one.triggers for one in cognitons),
-         "Triggers compare at birth and whatever changes the attribute; there they see crossings "
-         "by actions alone, and `==` never brings anything."),
-        (maker == "WeightedStochastic",
-         "Plans are drawn by their weights as they are; there weights are cut to whole numbers. "
-         "Where none is above 0, the largest one wins; there the agent dies."),
-        (maker == "MaxWeightOx2",
-         "A plan that takes over begins from its start; there the old one plays on under its name."),
-        ("L_Repeat" in names,
-         "`L_Repeat` plays its children n times in order; there the first one comes once too "
-         "often, then all come backwards, and a nested one ends the plan."),
-        ("L_MultipleActions" in names,
-         "`L_MultipleActions` plays both children in order; there backwards, after an idle tick."),
-        (bool({"L_IsPrivateFacilityHere", "L_IsChefFacilityHere"} & names),
-         "One branch of `L_IsPrivateFacilityHere` runs; there the second always does."),
-        ("L_EveryXTick" in names, "Each `L_EveryXTick` counts for itself; there all share a counter."),
-        (bool(inline & staying),
-         "Actions that go on until they are done make one step where all happens at once."),
-        ("==" in comparators, "`==` compares numbers; there it is never true."),
-        (bool({"A_ReplaceCognitonWeight", "A_ChangeCognitonWeightOneTick"} & names),
-         "Weights of plans always follow the values of cognitons; there some actions pass unnoticed."),
-        (bool(file.model.effects) and bool(sheet.carried),
-         "Effects keep fractions, and what is not permanent is undone with its object, for "
-         "attributes too."),
-        ("A_WithdrawObjectFromFacilityHere" in names,
-         "`A_WithdrawObjectFromFacilityHere` gives; there the stock reads as 0."),
-        (any(one.facility.recipe for one in sheet.used_facilities),
-         "What a facility is built of is used up; there it is only looked for."),
-        (bool({"A_ErasePrivateFacility"} & names), "A facility that is erased is forgotten."),
-        (bool({"A_ChangeRoleForAnother", "A_AskRandomMemberToChangeRoleForAnother"} & names),
-         "Who changes role stays in its group; there the last member kills it by that."),
-        (bool({"L_CompareRoleMembers"} & names), "All roles of a group are counted; there one is."),
-        (bool({"A_Trade", "A_TravelTrade", "I_Commercer_Repondu"} & names),
-         "A swap takes place if both have what they give; there goods come from nothing."),
-        ("I_Attaquer" in names, "Whoever attacks lives on; there an attack on somebody who was born "
-         "in the run kills the attacker."),
-        ("messages" in sheet.needs,
-         "A message arrives in the tick after it was sent, whoever acts first."),
-        ("walk" in sheet.needs,
-         "Agents go from patch to patch; there by real coordinates, where a step may stay in the "
-         "patch. Nobody enters what is impassable."),
-        ("ways" in sheet.needs,
-         "Ways are cheapest ones and lead round the torus; there they are nearly greedy, and "
-         "searches may not end."),
-        (_same_colours(file), "Terrains are told by their names; there those of one colour are one."),
-        (bool(names & {"L_CompareCogniton", "A_DisbandGroup", "L_IsGroupFacilityHere",
-                       "L_CompareEfficacite", "L_AttackerGotTag"}),
-         "A condition on what is not there is false, and an act on it does nothing; there the "
-         "agent dies."),
-        (any(one.start_chance for one in cognitons) and not file.model.older,
-         "`StartChance` has no effect, as there."),
-    ]  # fmt: skip
-    return [text for holds, text in said if holds]
-
-
-def _all_actions(file: ModelFile) -> Iterator[Action]:
-    used = set(chosen_plans(file.sheet))
-    for plan in file.people.plans.values():
-        if plan.kind != "plan" or plan.name in used:
-            for action in plan.actions:
-                yield from action.all()
-
-
-def _actions(file: ModelFile) -> set[str]:
-    return {one.name for one in _all_actions(file)}
-
-
-def _inline_names(file: ModelFile) -> set[str]:
-    """Return the names of actions that happen at once with others."""
-    found = set()
-    for plan in file.people.plans.values():
-        for action in plan.actions:
-            for one in action.all():
-                if plan.kind != "plan":
-                    found.add(one.name)
-                elif one.name == "L_Instant":
-                    found |= {inner.name for inner in one.all()}
-    return found
-
-
-def _same_colours(file: ModelFile) -> bool:
-    colours = [one.colour for one in file.terrains if one is not None]
-    return len(colours) != len(set(colours))
-
-
 # Names ------------------------------------------------------------------------------------------
 
 
@@ -442,7 +338,7 @@ def _renamed(sheet: Sheet) -> Iterator[tuple[str, ...]]:
                 yield name, f"`{here}`", what
 
 
-def _table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
     lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
     for row in rows:
         cells = [one.replace("|", "\\|").replace("<", "&lt;") for one in row]

@@ -73,10 +73,18 @@ def way(
 
     Args:
         costs: (patches,) what it costs to enter each; infinite where nobody can.
-        x, y, to_x, to_y: from where to where.
+        x: from where.
+        y: from where.
+        to_x: to where.
+        to_y: to where.
         sight: how many steps far patches are known; 0 or less for all.
         beyond: what a step costs there, above 0.
-        low_x, low_y, width, height, wraps_x, wraps_y: where the world is.
+        low_x: its lowest column.
+        low_y: its lowest row.
+        width: columns.
+        height: rows.
+        wraps_x: whether the first column is beside the last.
+        wraps_y: whether the first row is beside the last.
     """
     if not beyond > 0.0:
         raise ValueError("a way whose steps cost nothing beyond sight")

@@ -81,7 +81,8 @@ def files_of(
         files[f"{home}/groups/{name}.metaciv"] = f"Name : {name}\n{lines}"
     for name, lines in plans.items():
         kind = kinds.get(name)
-        head = f"Nom : {name}\nBirth : {str(kind == 'birth').lower()}\nSelf : {str(kind == 'self').lower()}\n"
+        birth, every = (str(kind == one).lower() for one in ("birth", "self"))
+        head = f"Nom : {name}\nBirth : {birth}\nSelf : {every}\n"
         body = "\n".join(
             "\t" * ((len(one) - len(one.lstrip())) // 2) + f"Action : {one.strip()}"
             for one in lines.strip("\n").split("\n")

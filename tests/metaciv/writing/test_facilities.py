@@ -19,7 +19,7 @@ A_CreatePrivateFacility,a(Amenagement Barn)
 A_CreatePrivateFacility,a(Amenagement Barn)
 A_CreatePrivateFacility,a(Amenagement Barn)
 A_DepositObjectInFacilityHere,o(Objet Wood),n(Integer 2 Constant __NoConstant),a(Amenagement Barn)
-A_WithdrawObjectFromFacilityHere,o(Objet Wood),n(Integer 7 Constant __NoConstant),a(Amenagement Barn)
+A_WithdrawObjectFromFacilityHere,o(Objet Wood),n(Integer 7),a(Amenagement Barn)
 L_IsPrivateFacilityHere,a(Amenagement Barn)
   A_Move,NORTH
   A_AddItem,o(Objet Loss),n(Integer 1)

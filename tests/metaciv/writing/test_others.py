@@ -40,9 +40,9 @@ L_ARequeteCommerce
     A_DoNothing
     A_AccepterCommerce
 L_GotTargetInteraction
-  I_Commercer_Repondu,objectToGive(Objet Wheat),nObjectToGive(Integer 2),objectToTake(Objet Tool),nObjectToTake(Integer 1)
+  I_Commercer_Repondu,objectToGive(Objet Wheat),nObjectToGive(Integer 2),MORE
   A_DoNothing
-""",
+""".replace("MORE", "objectToTake(Objet Tool),nObjectToTake(Integer 1)"),
         objects=("Wheat", "Tool"),
     )
     seller, buyer = society.humans
@@ -147,7 +147,7 @@ def test_a_leader_is_elected_by_half_of_those_around(tmp_path):
     society = society_of(
         tmp_path,
         """
-A_CreateElectedGroup,l(GroupAndRole Clan:chief),f(GroupAndRole Clan:one),c(Cogniton Trust),n(Integer 2)
+A_CreateElectedGroup,(GroupAndRole Clan:chief),(GroupAndRole Clan:one),(Cogniton Trust),(Integer 2)
 L_CompareGroupAttributeToPopulation,a(Attribute life),c(Comparator >)
   A_FollowRoleInGroup,g(GroupAndRole Clan:chief)
   A_Move,NORTH

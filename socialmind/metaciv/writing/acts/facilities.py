@@ -12,8 +12,8 @@ from socialmind.metaciv.writing.acts.form import (
     in_name,
     name_of,
 )
-from socialmind.metaciv.writing.acts.groups import group_of
 from socialmind.metaciv.writing.acts.ground import going
+from socialmind.metaciv.writing.acts.groups import group_of
 from socialmind.metaciv.writing.acts.things import (
     at_most,
     carries,

@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from socialmind.metaciv.writing.acts import facilities, ground, groups, minds, others, things
+from socialmind.metaciv.writing.acts import (
+    facilities,
+    ground,
+    groups,
+    minds,
+    others,
+    things,
+    trading,
+)
 from socialmind.metaciv.writing.acts.form import Writer
 
 WRITERS: dict[str, Writer] = {
@@ -12,5 +20,6 @@ WRITERS: dict[str, Writer] = {
     **minds.WRITERS,
     **others.WRITERS,
     **things.WRITERS,
+    **trading.WRITERS,
 }
 """How each kind is written but for those that only order others: `L_Instant`, `L_Repeat` …"""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from socialmind.metaciv.description import Action, Argument
+from socialmind.metaciv.description import Action
 from socialmind.metaciv.writing.acts.facilities import facility_of, own
 from socialmind.metaciv.writing.acts.form import (
     Act,
@@ -16,7 +16,7 @@ from socialmind.metaciv.writing.acts.form import (
 )
 from socialmind.metaciv.writing.acts.ground import go_to_goal, going
 from socialmind.metaciv.writing.acts.minds import strengthening
-from socialmind.metaciv.writing.acts.things import at_most, gaining, losing
+from socialmind.metaciv.writing.acts.things import gaining, losing
 from socialmind.metaciv.writing.sheet import Sheet
 
 LIVES = '''
@@ -77,12 +77,13 @@ def kill_stranger(sheet: Sheet, action: Action) -> Act:
 # Targets ----------------------------------------------------------------------------------------
 
 
-def _target(sheet: Sheet) -> None:
+def with_target_field(sheet: Sheet) -> None:
+    """Let agents have a target."""
     sheet.field("target", "int = -1  # whom it deals with: an identity, -1 for nobody")
     sheet.help("living", LIVES)
 
 
-def _with_target(sheet: Sheet, here: list[str], who: str = "target") -> list[str]:
+def at_target(sheet: Sheet, here: list[str], who: str = "target") -> list[str]:
     """Return the lines that do something with a target that is here, and else go to it."""
     return [
         f"if living(model, human.{who}):",
@@ -96,14 +97,14 @@ def _with_target(sheet: Sheet, here: list[str], who: str = "target") -> list[str
 
 def got_target(sheet: Sheet, action: Action) -> Ask:
     """L_GotTargetInteraction."""
-    _target(sheet)
+    with_target_field(sheet)
     test = "human.target != human.id and living(model, human.target)"
     return Ask(("has_target",), "whether it deals with somebody who lives", test)
 
 
 def attack(sheet: Sheet, action: Action) -> Act:
     """I_Attaquer."""
-    _target(sheet)
+    with_target_field(sheet)
     _messages(sheet)
     attribute = sheet.attribute(action.argument("Attribute").value)
     here = [
@@ -113,12 +114,12 @@ def attack(sheet: Sheet, action: Action) -> Act:
         "other.asker = human.id",
     ]
     doc = "Attack the target if it is here, else go on to it."
-    return Act(("attack", f"attack_{attribute}"), doc, _with_target(sheet, here))
+    return Act(("attack", f"attack_{attribute}"), doc, at_target(sheet, here))
 
 
 def target_with_tag(sheet: Sheet, action: Action) -> Act:
     """A_GetCibleInteraction_Tag."""
-    _target(sheet)
+    with_target_field(sheet)
     attribute = sheet.attribute(action.argument("Attribute").value)
     body = [
         *chosen("other", "model.humans.near(human, 100)", f"one.{attribute} > 0"),
@@ -131,7 +132,7 @@ def target_with_tag(sheet: Sheet, action: Action) -> Act:
 
 def target_asker(sheet: Sheet, action: Action) -> Act:
     """A_SetCibleInteractionInitiateur."""
-    _target(sheet)
+    with_target_field(sheet)
     _asker(sheet)
     body = ["human.target = human.asker"]
     return Act(("target_asker",), "Take who has asked, or attacked, for the target.", body)
@@ -231,7 +232,7 @@ def attacker_got_tag(sheet: Sheet, action: Action) -> Ask:
 
 def accept_trade(sheet: Sheet, action: Action) -> Act:
     """A_AccepterCommerce."""
-    _target(sheet)
+    with_target_field(sheet)
     _asker(sheet)
     body = [
         "if living(model, human.asker) and not living(model, model.humans[human.asker].target):",
@@ -242,7 +243,7 @@ def accept_trade(sheet: Sheet, action: Action) -> Act:
 
 def accept_work(sheet: Sheet, action: Action) -> Act:
     """A_AccepterEmbauche."""
-    _target(sheet)
+    with_target_field(sheet)
     _asker(sheet)
     _chief(sheet)
     body = [
@@ -304,7 +305,7 @@ def change_employee(sheet: Sheet, action: Action) -> Act:
 
 def join_chief(sheet: Sheet, action: Action) -> Act:
     """I_RejoindreGroupe."""
-    _target(sheet)
+    with_target_field(sheet)
     _chief(sheet)
     body = ["if living(model, human.target):", "    human.chief = human.target"]
     return Act(("work_for_target",), "Work for the target.", body)
@@ -339,7 +340,7 @@ def take_from_chief(sheet: Sheet, action: Action) -> Act:
 
 
 def _passing(sheet: Sheet, action: Action, giver: str, taker: str) -> Act:
-    _target(sheet)
+    with_target_field(sheet)
     _chief(sheet)
     thing = str(action.argument("Objet").value)
     count, field = sheet.count(action.argument("Integer")), sheet.thing(thing)
@@ -348,7 +349,7 @@ def _passing(sheet: Sheet, action: Action, giver: str, taker: str) -> Act:
         *(f"    {line}" for line in losing(sheet, thing, count, giver)),
         *(f"    {line}" for line in gaining(sheet, thing, count, taker)),
     ]
-    body = ["human.target = human.chief", *_with_target(sheet, here, "chief")]
+    body = ["human.target = human.chief", *at_target(sheet, here, "chief")]
     give = giver == "human"
     name = f"{'give' if give else 'take'}_{name_of(thing)}_{'to' if give else 'from'}_chief"
     verb = "Give the chief" if give else "Take from the chief"
@@ -383,123 +384,6 @@ def go_to_chief_facility(sheet: Sheet, action: Action) -> Act:
     return Act((f"go_towards_{name}_of_chief",), doc, body)
 
 
-# Trade ------------------------------------------------------------------------------------------
-
-
-def _labelled(action: Action, label: str, type_: str, number: int) -> Argument:
-    of_type = [one for one in action.arguments if one.type == type_]
-    return next((one for one in of_type if one.label == label), of_type[number])
-
-
-def trade(sheet: Sheet, action: Action) -> Act:
-    """I_Commercer_Repondu."""
-    _target(sheet)
-    given, taken = (
-        str(_labelled(action, label, "Objet", number).value)
-        for number, label in enumerate(("objectToGive", "objectToTake"))
-    )
-    many, price = (
-        sheet.count(_labelled(action, label, "Integer", number))
-        for number, label in enumerate(("nObjectToGive", "nObjectToTake"))
-    )
-    here = [
-        f"if human.{sheet.thing(given)} > {many} and other.{sheet.thing(taken)} > {price}:",
-        *(f"    {line}" for line in _swap(sheet, given, many, taken, price)),
-        "    human.target = -1",
-    ]
-    doc = f"Trade {in_doc(many)} {given} for {in_doc(price)} {taken} with the target, or go to it."
-    name = f"trade_{name_of(given)}_for_{name_of(taken)}"
-    return Act((name,), doc, _with_target(sheet, here))
-
-
-def _swap(sheet: Sheet, given: str, many: str, taken: str, price: str) -> list[str]:
-    return [
-        *losing(sheet, given, many),
-        *gaining(sheet, given, many, "other"),
-        *losing(sheet, taken, price, "other"),
-        *gaining(sheet, taken, price),
-    ]
-
-
-def trade_by_tag(sheet: Sheet, action: Action) -> Act:
-    """A_Trade, A_TravelTrade."""
-    turns = sheet.count(_labelled(action, "turns", "Integer", 0))
-    given, taken = (
-        str(_labelled(action, label, "Objet", number).value)
-        for number, label in enumerate(("itemToGive", "itemToTake"))
-    )
-    many, price = (
-        sheet.count(_labelled(action, label, "Integer", number))
-        for number, label in enumerate(("nItemToGive", "nItemToTake"), 1)
-    )
-    own_tag, other_tag = (
-        _tag(sheet, str(_labelled(action, label, "String", number).value))
-        for number, label in enumerate(("myTag", "compatibleTag"))
-    )
-    sheet.field("tag", "int = 0  # what it offers while it waits for a trade; 0 for nothing")
-    sheet.field("waited", "int = 0  # ticks")
-    sheet.field("bargain", "int = 0  # of its last trade: whether it, or another, made it")
-    sheet.constants["MADE"] = "1  # bargains: made by oneself, or by another"
-    sheet.constants["MET"] = "2"
-    sheet.constants["SERVED"] = "-1  # the tag of an agent with which another has traded"
-    body = [
-        "if human.tag == SERVED:",
-        "    human.tag = 0",
-        "    human.bargain = MET",
-        "    return True",
-        f"if human.tag != {own_tag}:",
-        f"    human.tag = {own_tag}",
-        "    human.waited = 0",
-        "    human.bargain = 0",
-        "for other in model.humans.on(human):",
-        f"    if other.tag == {other_tag} and human.bargain == 0:",
-        f"        if human.{sheet.thing(given)} >= {many} and other.{sheet.thing(taken)} >= {price}:",
-        *(f"            {line}" for line in _swap(sheet, given, many, taken, price)),
-        "            human.bargain = MADE",
-        "            human.tag = 0",
-        "            other.tag = SERVED",
-        "if human.bargain == MADE:",
-        "    return True",
-        "human.waited += 1",
-        f"if human.waited >= {turns}:",
-        "    human.tag = 0",
-        "    return True",
-    ]
-    if action.name == "A_TravelTrade":
-        body += [
-            "other = min(",
-            f"    (one for one in model.humans if one.tag == {other_tag} and one.id != human.id),",
-            "    key=lambda one: model.world.distance(human, one.x, one.y),",
-            "    default=None,",
-            ")",
-            "if other is not None:",
-            f"    {going(sheet, 'other.x', 'other.y')}",
-        ]
-    body.append("return False")
-    travel = "travel" if action.name == "A_TravelTrade" else "wait"
-    name = f"{travel}_to_trade_{name_of(given)}_for_{name_of(taken)}"
-    doc = f"Offer {in_doc(many)} {given} for {in_doc(price)} {taken}, {in_doc(turns)} ticks long."
-    return Act((name, f"{name}_as_{own_tag.lower()}"), doc, body, True)
-
-
-def _tag(sheet: Sheet, tag: str) -> str:
-    name = f"TAG_{name_of(tag).upper()}"
-    if name not in sheet.constants:
-        number = 1 + sum(1 for one in sheet.constants if one.startswith("TAG_"))
-        sheet.constants[name] = f"{number}  # what an agent offers in a trade: {tag}"
-    return name
-
-
-def made_bargain(sheet: Sheet, action: Action) -> Ask:
-    """Whether an agent made a trade itself, for A_Trade."""
-    return Ask(("made_a_bargain",), "whether it has traded", "human.bargain == MADE")
-
-
-def met_nobody(sheet: Sheet, action: Action) -> Ask:
-    """Whether nobody traded, for A_Trade."""
-    return Ask(("made_no_bargain",), "whether nobody has traded with it", "human.bargain == 0")
-
-
 WRITERS: dict[str, Writer] = {
     "A_AccepterCommerce": accept_trade,
     "A_AccepterEmbauche": accept_work,
@@ -513,11 +397,8 @@ WRITERS: dict[str, Writer] = {
     "A_SetCibleInteractionInitiateur": target_asker,
     "A_SetEnMissionTrue": go_on_mission,
     "A_SetTargetToClosestEmptyPatch": target_empty_patch,
-    "A_Trade": trade_by_tag,
-    "A_TravelTrade": trade_by_tag,
     "A_killOtherAgentOnPatchThatIsNotInMyGroup": kill_stranger,
     "I_Attaquer": attack,
-    "I_Commercer_Repondu": trade,
     "I_GiveItemToChef": give_to_chief,
     "I_ModifierCognitonsEmployee": change_employee,
     "I_RejoindreGroupe": join_chief,
