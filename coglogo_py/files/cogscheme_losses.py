@@ -14,7 +14,7 @@ from coglogo_py.decision import (
     WeightedStochastic,
 )
 from coglogo_py.files.cogscheme_file import KEYWORDS, OF_YAML_ALONE
-from coglogo_py.files.renaming import fitting, renamed_in_words
+from coglogo_py.files.renaming import fitting, listed, renamed_in_words
 from coglogo_py.parts import Cogniton, Culturon, Group, Role
 from coglogo_py.scheme import CognitiveScheme
 
@@ -30,13 +30,15 @@ def for_coglogo(scheme: CognitiveScheme) -> tuple[CognitiveScheme, tuple[str, ..
     >>> hunger = Cogniton("Hunger", conditional=("eat",), type="need", chance=0.5)
     >>> _, lost = for_coglogo(CognitiveScheme("cows", (hunger,)))
     >>> lost
-    ("cogniton 'Hunger': type and chance are left out",)
+    ("cogniton 'Hunger': 'type' and 'chance' are left out",)
     """
     lost: list[str] = []
-    linked = {plan for one in _holders(scheme) for plan in (*one.influence, *one.reinforcement)}
+    left_of_equals = {*scheme.plan_positions}
+    for one in _holders(scheme):
+        left_of_equals |= {*one.influence, *one.reinforcement}
     plans = fitting(
         dict.fromkeys((*scheme.plan_positions, *scheme.plans)),
-        lambda name: _line(name.replace("=", "_") if name in linked else name),
+        lambda name: _line(name.replace("=", "_") if name in left_of_equals else name),
     )
     cogniton_names = fitting((one.name for one in scheme.cognitons), _line)
     lost += renamed_in_words("plan", plans) + renamed_in_words("cogniton", cogniton_names)
@@ -46,7 +48,7 @@ def for_coglogo(scheme: CognitiveScheme) -> tuple[CognitiveScheme, tuple[str, ..
         gone = [name for name in OF_YAML_ALONE if getattr(one, name) != getattr(plain, name)]
         if gone:
             are = "are" if len(gone) > 1 else "is"
-            lost.append(f"cogniton {one.name!r}: {_and(gone)} {are} left out")
+            lost.append(f"cogniton {one.name!r}: {listed(gone)} {are} left out")
         without = replace(one, **{name: getattr(plain, name) for name in gone})
         cognitons.append(_relinked(without, cogniton_names[one.name], plans))
     group_names = fitting((one.name for one in scheme.groups), _line)
@@ -73,7 +75,7 @@ def _group(group: Group, name: str, plans: Mapping[str, str], lost: list[str]) -
     where = f"group {group.name!r}"
     if group.attributes:
         names = [attribute for attribute, _ in group.attributes]
-        lost.append(f"{where}: its attributes {_and(names)} are left out")
+        lost.append(f"{where}: its attributes {listed(names)} are left out")
     if group.within is not None:
         lost.append(f"{where}: that it lies in {group.within[0]!r} is left out")
     roles = fitting((one.name for one in group.roles), _line)
@@ -118,7 +120,3 @@ def _line(name: str) -> str:
     """Return a name that can be a line of the file."""
     plain = re.sub("[\0\r\n]", " ", name)
     return f"{plain}_" if plain in KEYWORDS else plain
-
-
-def _and(names: list[str]) -> str:
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"

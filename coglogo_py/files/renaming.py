@@ -41,6 +41,16 @@ def apart(wanted: Mapping[Key, str], fit: Callable[[str], str]) -> dict[Key, str
     return {key: names[key] for key in wanted}
 
 
+def listed(names: Iterable[str]) -> str:
+    """Return names as one lists them.
+
+    >>> listed(["a", "b", "c"])
+    "'a', 'b' and 'c'"
+    """
+    *first, last = map(repr, names)
+    return f"{', '.join(first)} and {last}" if first else last
+
+
 def renamed_in_words(kind: str, names: dict[str, str]) -> list[str]:
     """Return a sentence for each name that became another.
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from coglogo_py import (
+    BiasedWeightedStochastic,
     CognitiveScheme,
     MaximumWeight,
     PositiveStochastic,
@@ -16,7 +17,7 @@ from coglogo_py import Cogniton as OurCogniton
 from coglogo_py import Group as OurGroup
 from coglogo_py.conditions.condition import Condition
 from coglogo_py.decision import DecisionMaker
-from coglogo_py.files.renaming import apart, fitting, renamed_in_words
+from coglogo_py.files.renaming import apart, fitting, listed, renamed_in_words
 from coglogo_py.parts import Culturon
 from socialmind.metaciv.description import (
     Action,
@@ -45,6 +46,7 @@ MAKERS: dict[type[DecisionMaker], tuple[str, bool]] = {
     MaximumWeight: ("MaxWeightDecisionMaker", True),
     PositiveStochastic: ("WeightedStochasticDecisionMaker", True),
     WeightedStochastic: ("WeightedStochasticDecisionMaker", False),
+    BiasedWeightedStochastic: ("WeightedStochasticDecisionMaker", False),
 }
 """MetaCiv's class for a decision maker, and whether it decides alike."""
 
@@ -205,7 +207,8 @@ class _Export:
         if one.start_value != 1:
             self.lost.append(f"{where}: its start value {one.start_value:g} becomes 1")
         if one.reinforcement:
-            self.lost.append(f"{where}: its reinforcement by {_and(one.reinforcement)} is left out")
+            plans = listed(one.reinforcement)
+            self.lost.append(f"{where}: its reinforcement by {plans} is left out")
 
     def _permits(self, one: OurCogniton | Culturon) -> tuple[Permit, ...]:
         return tuple(Permit(self.plans[plan], NOWHERE) for plan in one.conditional)
@@ -259,7 +262,7 @@ class _Export:
         where = f"group {one.name!r}"
         if one.attributes:
             names = [name for name, _ in one.attributes]
-            self.lost.append(f"{where}: its attributes {_and(names)} are left out")
+            self.lost.append(f"{where}: its attributes {listed(names)} are left out")
         if one.within is not None:
             self.lost.append(f"{where}: that it lies in {one.within[0]!r} is left out")
         groups = fitting((group.name for group in self.scheme.groups), _fit)
@@ -299,7 +302,7 @@ class _Export:
             self.lost.append("places in the drawing are left out")
         untyped = [one.name for one in scheme.cognitons if one.type is None]
         if untyped:
-            self.lost.append(f"beliefs, since no type is said, are {_and(untyped)}")
+            self.lost.append(f"beliefs, since no type is said, are {listed(untyped)}")
         if any(one.inherited > 0 for one in scheme.cognitons):
             self.lost.append("children begin with the initial cognitons, and inherit nothing")
 
@@ -335,8 +338,3 @@ def _fit(name: str, forbidden: str = "") -> str:
     )
     plain = re.sub(" +:(?= |$)", ":", plain).strip()[:LONGEST].strip()
     return plain or "unnamed"
-
-
-def _and(names: Iterable[str]) -> str:
-    quoted = [repr(one) for one in names]
-    return quoted[0] if len(quoted) == 1 else f"{', '.join(quoted[:-1])} and {quoted[-1]}"
