@@ -6,7 +6,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from socialmind.errors import ModelError
+from coglogo_py.border.errors import shown
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.sources.folders import (
     FIGURES_FILE,
     MODEL_FILE,
@@ -31,29 +32,43 @@ __all__ = [
 ]
 
 
-def load_model(name_or_path: str | Path) -> type[Model]:
-    """The model class that a model's folder defines.
+def load_model(model: str | Path | type[Model]) -> type[Model]:
+    """The model class that a model's folder defines, or the class itself.
 
     Loading the same, unchanged folder again gives the same class. Its programs are remembered as
     named by this user (`socialmind.sources.trust`).
 
     Args:
-        name_or_path: as for `model_folder`; or the path of any Python file that defines a model.
+        model: as for `model_folder`; the path of any Python file that defines a model; or a
+            class, which is checked to be a model's.
 
     Returns:
         The one subclass of `socialmind.model.Model` that ``model.py`` defines, or the one that
         it names with ``model = …``.
 
     Raises:
-        SocialmindError: there is no such model.
+        SocialmindError: there is no such model, or this is none.
         ModelError: the file cannot be read or run, or which class is meant is unclear.
     """
-    script = Path(name_or_path).expanduser()
+    if not isinstance(model, str | Path):
+        return _checked_class(model)
+    script = Path(model).expanduser()
     if script.suffix == ".py" and script.name != MODEL_FILE and script.is_file():
         return load_script(script)
-    folder = model_folder(name_or_path)
+    folder = model_folder(model)
     remember(programs_in(folder))
     return _model_class(load_file(folder / MODEL_FILE))
+
+
+def _checked_class(model: object) -> type[Model]:
+    from socialmind.model import Model
+
+    if isinstance(model, type) and issubclass(model, Model):
+        return model
+    remedy = "; give its class, `type(…)` of it" if isinstance(model, Model) else ""
+    raise SocialmindError(
+        f"model: found {shown(model)}; expected a model's class, its name or its folder{remedy}"
+    )
 
 
 def load_script(path: Path, name: str | None = None) -> type[Model]:

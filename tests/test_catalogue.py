@@ -8,6 +8,7 @@ import pytest
 from socialmind import Model
 from socialmind.catalogue import load_figures, load_model
 from socialmind.errors import ModelError, SocialmindError
+from socialmind.experiments import run, score, sweep
 from socialmind.sources.folders import catalogue, model_folder, source_hash
 
 MODEL = """
@@ -46,6 +47,19 @@ def test_a_model_is_given_by_its_folder_or_its_file(tmp_path, monkeypatch):
     assert model.ticks == 7
     for other in ("town", "./town", "town/", folder / "model.py", str(folder)):
         assert load_model(other) is model
+    assert load_model(model) is model
+
+
+@pytest.mark.parametrize("something", [None, 3, int, object()])
+@pytest.mark.parametrize("takes", [load_model, run, sweep, score])
+def test_what_is_no_model_is_refused(takes, something):
+    with pytest.raises(SocialmindError, match=r"^model: found .*; expected a model's class, its n"):
+        takes(something)
+
+
+def test_a_society_is_not_its_class():
+    with pytest.raises(SocialmindError, match="give its class"):
+        load_model(load_model("tutorial")(seed=1))
 
 
 def test_a_name_that_ships_comes_before_a_folder(tmp_path, monkeypatch):

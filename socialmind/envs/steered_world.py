@@ -237,7 +237,7 @@ def class_of(model: type[Model] | str | Path, environment: str | None) -> type[M
         SocialmindError: there is no such model or lesson.
     """
     if environment is None:
-        return model if isinstance(model, type) else load_model(model)
+        return load_model(model)
     folder = model.folder() if isinstance(model, type) else model_folder(model)
     lessons = lessons_of(folder)
     if environment not in lessons:

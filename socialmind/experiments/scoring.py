@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coglogo_py.border.numbers import whole_number
+from socialmind.catalogue import load_model
 from socialmind.errors import ModelError, SocialmindError, nearest, written_at
 from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.learning.episodes.plane_episodes import Episodes
@@ -67,7 +68,7 @@ class Score:
 
 
 def score(
-    model_class: type[Model],
+    model_class: type[Model] | str | Path,
     mind: Any = None,
     episodes: int = 100,
     seed: int = 0,
@@ -89,7 +90,7 @@ def score(
     Interval(mean=8.1, low=7.6, high=8.6)
 
     Args:
-        model_class: a model on a plane.
+        model_class: a model on a plane: its class, name or folder.
         mind: the mind in place of the model's own: a folder, a YAML file or a `MindDescription`;
             for several populations a mapping.
         episodes: how many, each in a world of its own, 1 or more.
@@ -109,6 +110,7 @@ def score(
         SocialmindError: a model without a plane, or an argument out of range.
         ModelError: a mind that does not fit, or measures of what there is not.
     """
+    model_class = load_model(model_class)
     if not model_class.shape.world.has_episodes:
         raise SocialmindError(
             f"the model {model_class.name} has no plane, so there are no episodes to score; "

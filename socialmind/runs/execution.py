@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coglogo_py.border.numbers import whole_number
+from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.interventions.following import Intervention, begun_for, in_order
 from socialmind.runs import continuing, folders, sources
@@ -36,7 +37,7 @@ AGENTS_EVERY = 10
 
 
 def run(
-    model_class: type[Model],
+    model_class: type[Model] | str | Path,
     ticks: int | None = None,
     seed: int = 0,
     parameters: Mapping[str, Any] | None = None,
@@ -57,7 +58,7 @@ def run(
     """Run a model into a folder of its own.
 
     Args:
-        model_class: the model, for example from `socialmind.catalogue.load_model`.
+        model_class: the model: its class, name or folder, or the file that defines it.
         ticks: length of the run, at least 0; the model's own by default.
         seed: of every random draw; 0 … 2**64 − 1.
         parameters: values by name; the model's defaults for the rest.
@@ -90,6 +91,7 @@ def run(
         Interrupted: Ctrl-C; what was done is safe, `resume` goes on.
     """
     started = time.perf_counter()
+    model_class = load_model(model_class)
     length = whole("ticks", model_class.ticks if ticks is None else ticks, 0)
     step = whole("every", max(1, -(-length // RECORDED)) if every is None else every, 1)
     agents_step = min(step * AGENTS_EVERY, LONGEST) if agents_every is None else agents_every

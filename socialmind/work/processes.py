@@ -24,9 +24,12 @@ from multiprocessing.util import Finalize
 from typing import Any
 
 from coglogo_py.compiled.code_folder import CacheWarning
+from socialmind.errors import SocialmindError
 
 AHEAD_BYTES = 1 << 14
 """Up to so many bytes a call is sent to a process that is at another; they fit into a pipe."""
+READY = b"ready"
+"""What a process says first: Python has run the script's file in it, and it waits for calls."""
 
 
 class LostProcessError(RuntimeError):
@@ -135,6 +138,9 @@ class ProcessExecutor(futures.Executor):
             found = hand.pipe.recv_bytes() if hand.pipe.poll() else None
         except (EOFError, OSError):
             found = None
+        if found == READY:
+            hand.ready = True
+            return
         if found is None:
             if hand.process.is_alive() and not hand.pipe.poll():
                 hand.process.join(0.05)  # the pipe is closed a moment before the end
@@ -143,7 +149,7 @@ class ProcessExecutor(futures.Executor):
             hand.calls.clear()
             for call in reversed(others):  # sent ahead, and not begun
                 self._waiting.appendleft(call)
-            lost.future.set_exception(LostProcessError(hand.process.exitcode))
+            lost.future.set_exception(hand.loss())
             return
         call = hand.calls.popleft()
         try:
@@ -169,10 +175,15 @@ class _Call:
 
 
 class _Hand:
-    """One process and the calls that it was sent: that in hand, and perhaps the next."""
+    """One process and the calls that it was sent: that in hand, and perhaps the next.
+
+    Attributes:
+        ready: whether it has come so far as to wait for calls.
+    """
 
     process: Any = None
     pipe: Connection
+    ready = False
 
     def __init__(self) -> None:
         self.calls: deque[_Call] = deque()
@@ -187,8 +198,19 @@ class _Hand:
         vars(sys.modules["__main__"]).setdefault("__spec__", None)
         process = context.Process(target=_serve, args=(theirs, folder))
         process.start()
-        self.process = process
+        self.process, self.ready = process, False
         theirs.close()
+
+    def loss(self) -> Exception:
+        """Return what the loss of its process says: in one that ends at once all others would."""
+        code = self.process.exitcode
+        if self.ready or code is None or code < 0:
+            return LostProcessError(code)
+        return SocialmindError(
+            "a worker's process ended before it could begin (its error stands above). Each worker "
+            "runs the script's file from its top; put what begins the work under "
+            '`if __name__ == "__main__":`, or use workers=1'
+        )
 
     def end(self) -> None:
         if self.process is not None:
@@ -209,6 +231,7 @@ def _end_all(hands: list[_Hand]) -> None:
 def _serve(pipe: Connection, folder: str) -> None:
     """Do one call after another, until there are no more."""
     _begin(folder)
+    pipe.send_bytes(READY)
     while True:
         try:
             function, arguments, named = pickle.loads(pipe.recv_bytes())

@@ -206,14 +206,28 @@ def test_a_cluster_whose_connection_breaks_is_said_to_be_gone():
         cluster.count  # noqa: B018
 
 
-def test_a_script_without_a_main_guard_ends_with_an_error_and_does_not_hang(tmp_path):
+SIDE_BY_SIDE = """
+from socialmind.work.side_by_side import side_by_side
+print(list(side_by_side(abs, [(-1,), (-2,)], 2)))
+"""
+SWEEP = """
+from socialmind.catalogue import load_model
+from socialmind.experiments import sweep
+sweep(load_model("tutorial"), seeds=range(20), ticks=5, out="swept", workers=2, progress=False)
+"""
+
+
+@pytest.mark.parametrize("text", [SIDE_BY_SIDE, SWEEP])
+def test_a_script_without_a_main_guard_is_told_of_it(text, tmp_path):
     script = tmp_path / "script.py"
-    script.write_text(
-        "from socialmind.work.side_by_side import side_by_side\n"
-        "print(list(side_by_side(abs, [(-1,), (-2,)], 2)))\n"
-    )
+    script.write_text(text)
     ended = subprocess.run(
-        [sys.executable, script], capture_output=True, text=True, timeout=120, check=False
+        [sys.executable, script],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
     )
     assert ended.returncode != 0
-    assert "bootstrapping phase" in ended.stderr
+    assert 'put what begins the work under `if __name__ == "__main__":`' in ended.stderr

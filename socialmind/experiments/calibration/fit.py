@@ -93,7 +93,7 @@ def fit(
             room, or no trial that came to its end.
         FitInterrupted: Ctrl-C; what was done is safe, `resume_fit` goes on.
     """
-    model_class = model if isinstance(model, type) else load_model(model)
+    model_class = load_model(model)
     if cluster is None:
         workers_here(workers)
     asked = Asked(

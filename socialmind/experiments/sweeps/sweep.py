@@ -95,7 +95,7 @@ def sweep(
         SocialmindError: an unknown name, a value out of range, a folder in use, no room.
         SweepInterrupted: Ctrl-C; what was done is safe, `resume_sweep` goes on.
     """
-    model_class = model if isinstance(model, type) else load_model(model)
+    model_class = load_model(model)
     wanted = Until.read(until) if isinstance(until, str) else until
     if not isinstance(seeds, Iterable):
         raise SocialmindError(f"seeds: found {shown(seeds)}; expected several, as range(20)")

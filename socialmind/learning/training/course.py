@@ -199,6 +199,6 @@ def _minds_in(model: str | Path | type[Model] | None) -> list[tuple[Any, Path]]:
     """Return the minds of a model's populations, and the folder that they are relative to."""
     if model is None:
         return []
-    cls = model if isinstance(model, type) else load_model(model)
+    cls = load_model(model)
     given = [one.hierarchy for one in cls.populations.values()]
     return [(one, cls.folder()) for one in given if one is not None]

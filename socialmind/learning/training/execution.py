@@ -308,7 +308,7 @@ def _save_mind(capsule: TrainingCapsule, attempt: Attempt) -> None:
 def _source(model: str | Path | type[Model] | None) -> dict[str, Any]:
     if model is None:
         return {"name": None, "path": None, "source_sha256": None}
-    return model_source(model if isinstance(model, type) else load_model(model))
+    return model_source(load_model(model))
 
 
 def _chosen(lessons: Any) -> list[str] | None:

@@ -9,6 +9,7 @@ import socket
 import subprocess
 import sys
 import time
+from functools import partial
 
 import pytest
 
@@ -35,6 +36,27 @@ def free_port():
         return one.getsockname()[1]
 
 
+AT_REST = """element => new Promise(resolve => {
+  let before = "", frames = 0;
+  const look = () => {
+    const { x, y, width, height } = element.getBoundingClientRect();
+    const now = JSON.stringify({ x, y, width, height });
+    frames = now === before ? frames + 1 : 0;
+    before = now;
+    frames < 20 ? requestAnimationFrame(look) : resolve(JSON.parse(now));
+  };
+  look();
+})"""
+
+
+def where(page, selector):
+    """Return where something is, once it has stood still for twenty frames of the page.
+
+    A canvas moves when a box comes that is out of sight, and the mouse does not wait for it.
+    """
+    return page.locator(selector).first.evaluate(AT_REST)
+
+
 class Program:
     """`socialmind studio` in a process of its own."""
 
@@ -55,6 +77,7 @@ class Program:
         page = browser.new_page(viewport={"width": 1280, "height": 720})
         page.set_default_timeout(SECONDS)
         page.failures = []
+        page.where = partial(where, page)
         page.on("pageerror", lambda error: page.failures.append(str(error)))
         page.goto(f"http://127.0.0.1:{self.port}/{place}")
         page.wait_for_selector(ready)

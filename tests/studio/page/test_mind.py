@@ -27,14 +27,14 @@ def mind(studio, browser, place="#/mind"):
     return page
 
 
-def box(page, name):
-    return page.locator(f".svelte-flow__node[data-name='{name}']")
+def box(name):
+    return f".svelte-flow__node[data-name='{name}']"
 
 
 def draw(page, source, target):
     """Draw a link with the mouse, from the dot at a box's right side to another box."""
-    handle = box(page, source).locator(".svelte-flow__handle-right").bounding_box()
-    there = box(page, target).bounding_box()
+    handle = page.where(f"{box(source)} .svelte-flow__handle-right")
+    there = page.where(box(target))
     page.mouse.move(handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2)
     page.mouse.down()
     page.mouse.move(there["x"] + 30, there["y"] + 30, steps=6)

@@ -38,15 +38,6 @@ def key(page, name):
     page.keyboard.press(name)
 
 
-def where(page, part):
-    """Return where something is, once it stands still."""
-    before, now = None, page.locator(part).first.bounding_box()
-    while now != before:
-        page.wait_for_timeout(100)
-        before, now = now, page.locator(part).first.bounding_box()
-    return now
-
-
 def test_a_hierarchy_is_opened_changed_saved_and_run(browser, studio):
     robot = studio.folder / "robot"
     before = tree_of(robot)
@@ -130,7 +121,7 @@ def test_a_hierarchy_is_drawn_from_nothing(browser, studio):
     add(page, "k", "Turn")
     # A link by the mouse, from dot to dot; the other by the list.
     dots = [NODE.format("sensor EYE") + " .source", NODE.format("skill Turn") + " .target"]
-    start, end = (where(page, one) for one in dots)
+    start, end = (page.where(one) for one in dots)
     page.mouse.move(start["x"] + 5, start["y"] + 5)
     page.mouse.down()
     page.mouse.move(end["x"] - 20, end["y"] + 5, steps=5)
