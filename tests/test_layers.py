@@ -25,6 +25,7 @@ LAYERS = (
     "agents",
     "economy",
     "worlds",
+    "terrain",
     "society",
     "networks",
     "engine",

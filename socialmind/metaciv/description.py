@@ -7,6 +7,7 @@ that is used is declared, every value is in range, every action has the argument
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
@@ -164,6 +165,12 @@ class Action:
     place: Place
     direction: str | None = None
     written: str = ""
+
+    def all(self) -> Iterator[Action]:
+        """Yield the node and all under it."""
+        yield self
+        for child in self.children:
+            yield from child.all()
 
     def argument(self, type_: str) -> Argument:
         """Return the first argument of a type."""

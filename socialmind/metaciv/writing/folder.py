@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
+from typing import Any
 
-from socialmind.metaciv.description import Model
+from socialmind.metaciv.description import Model, Place
 from socialmind.metaciv.writing.model_file import SCHEME_FILE, TERRAIN_FILE, ModelFile
 from socialmind.metaciv.writing.people import people_of
 from socialmind.metaciv.writing.scheme_file import scheme_text
 from socialmind.metaciv.writing.sheet import Sheet, Unsupported
+from socialmind.metaciv.writing.words import odd_words, readme
 
 
 def write_model(description: Model, folder: Path) -> list[Unsupported]:
@@ -21,6 +24,7 @@ def write_model(description: Model, folder: Path) -> list[Unsupported]:
     Returns:
         What the model does not do, or does otherwise, with file and line; its README says the same.
     """
+    description = printable(description)
     sheet = Sheet(description, people_of(description))
     file = ModelFile(sheet)
     scheme_text(sheet)
@@ -34,4 +38,27 @@ def write_model(description: Model, folder: Path) -> list[Unsupported]:
     if file.mapped:
         rows = [",".join(map(str, row)) for row in description.environment.rows]
         (folder / TERRAIN_FILE).write_text("\n".join(rows) + "\n", "utf-8")
+    (folder / "odd_words.md").write_text(odd_words(file), "utf-8")
+    (folder / "README.md").write_text(readme(file, sheet.unsupported), "utf-8")
     return sheet.unsupported
+
+
+def printable(part: Any) -> Any:
+    """Return a part of a description in which no name holds what ends a line or cannot be seen.
+
+    Names go into comments of a program, of which a line's end would make code.
+
+    >>> printable(("a\\rb", 3))
+    ('a?b', 3)
+    """
+    if isinstance(part, str):
+        return part if part.isprintable() else "".join(c if c.isprintable() else "?" for c in part)
+    if isinstance(part, Place):
+        return part
+    if is_dataclass(part) and not isinstance(part, type):
+        own = {one.name: getattr(part, one.name) for one in fields(part)}
+        changed = {name: printable(value) for name, value in own.items() if name != "rows"}
+        return replace(part, **changed)
+    if type(part) is tuple:
+        return tuple(printable(one) for one in part)
+    return part

@@ -5,11 +5,12 @@ from __future__ import annotations
 import colorsys
 import re
 
-from socialmind.metaciv.description import Civilisation, Scheme, Terrain
-from socialmind.metaciv.writing.acts.form import as_text
+from socialmind.metaciv.description import Civilisation, Cogniton, Scheme, Terrain, Trigger
+from socialmind.metaciv.writing.acts.form import COMPARISONS, as_text, in_name
+from socialmind.metaciv.writing.acts.minds import GAIN
 from socialmind.metaciv.writing.names import identifier
 from socialmind.metaciv.writing.plans import WIDTH, Plans, Rule, sentence
-from socialmind.metaciv.writing.scheme_file import at_birth, chosen_plans
+from socialmind.metaciv.writing.scheme_file import at_birth, chosen_plans, compared, is_condition
 from socialmind.metaciv.writing.sheet import Built, Sheet, written
 
 SCHEME_FILE, TERRAIN_FILE = "scheme.yaml", "terrain.csv"
@@ -31,11 +32,13 @@ class ModelFile:
         self.plans = Plans(sheet, before.plans if before else None)
         self.every_tick: dict[str, list[Rule]] = {}
         self.births: dict[str, list[Rule]] = {}
+        self.crossings: dict[str, Rule] = {}
         for name in chosen_plans(sheet):
             self.plans.add(self.people.plans[name])
         for scheme in self.people.schemes:
             self.every_tick[scheme.name] = self._at_once("self", scheme)
             self.births[scheme.name] = self._at_once("birth", scheme)
+            self._noticing(scheme)
 
     def _at_once(self, kind: str, scheme: Scheme) -> list[Rule]:
         """Return the rules of the plans of every tick, or of birth."""
@@ -176,11 +179,11 @@ class ModelFile:
 
     def _land(self) -> str:
         sheet = self.sheet
-        base = "Ground" if "walk" in sheet.needs else "Patch"
+        base = "Ground" if self.grounded else "Patch"
         lines = [f"class Land({base}):", '    """A patch of the map."""', ""]
         if self.mapped:
             lines.append("    terrain: int = 0")
-        if "walk" in sheet.needs and not self._varies("passability"):
+        if self.grounded and not self._varies("passability"):
             (first,) = (self.terrains[self.used_indices[0]],)
             passability = first.passability if first is not None else 20
             lines.append(f"    passability: int = {passability}")
@@ -231,20 +234,20 @@ class ModelFile:
         ground = self._lay_ground()
         if ground:
             parts.append(ground)
-        parts += [self._settle(), self._found()]
-        if self._scattered:
-            parts.append(_PLACE)
+        parts += [self._begin(), self._create_founders()]
+        if self.scattered:
+            parts.append(_PLACE if self.closed else _PLACE_ANYWHERE)
         begins = self._come_into_being()
         if begins:
             parts.append(begins)
-        parts += [self._join(name) for name in self._joined]
+        parts += [self._join(name) for name in self.joined]
         if "births" in self.sheet.needs:
             parts.append(self._give_birth())
         return parts
 
     def _lay_ground(self) -> str:
         lines = []
-        if "walk" in self.sheet.needs and self._varies("passability"):
+        if self.grounded and self._varies("passability"):
             lines += [
                 "patch.passability = PASSABILITY[patch.terrain]",
                 "patch.impassable = IMPASSABLE[patch.terrain]",
@@ -259,64 +262,96 @@ class ModelFile:
                 lines.append(f"patch.{field} = FIRST_{field.upper()}[patch.terrain]")
         if not lines:
             return ""
-        head = 'def lay_ground(model):\n    """Give each patch what its terrain has."""\n'
-        return head + _block(["for patch in model.world.patches:", *(f"    {one}" for one in lines)])
+        loop = ["for patch in model.world.patches:", *(f"    {one}" for one in lines)]
+        return _function("lay_ground", "Give each patch what its terrain has.", loop)
 
     @property
-    def _scattered(self) -> bool:
+    def closed(self) -> bool:
+        """Whether the map has ground that nobody can enter."""
+        terrains = self.terrains
+        return any(one is not None and one.impassable for one in
+                   (terrains[index] for index in self.used_indices))  # fmt: skip
+
+    @property
+    def grounded(self) -> bool:
+        """Whether rules ask how hard the ground is to cross."""
+        return "walk" in self.sheet.needs or (self.scattered and self.closed)
+
+    @property
+    def scattered(self) -> bool:
         return self.model.parameters.dispersion or any(
             one.scattered > 0 for one in self.people.civilisations
         )
 
-    def _settle(self) -> str:
-        lines = ["if model.tick == 1:"]
+    def _begin(self) -> str:
         height = self.model.environment.height
         by_name = {one.name: one for one in self.people.civilisations}
+        founding, first = self._founding()
+        taken = [one for one in ("model", "rng") if one in parameters(founding).split(", ")]
+        lines = ["if model.tick == 1:"]
         for one in self.people.settlements:
-            x, y = one.u, (height - one.v) % height
-            count = f"model.{self.sheet.counts[one.civilisation]}"
-            call = f"found(model, rng, {as_text(one.civilisation)}, {count}, {x}, {y}"
-            if self._scattered and not self.model.parameters.dispersion:
-                call += f", {max(2 * by_name[one.civilisation].scattered, 1)}"
-            lines.append(f"    {call})")
+            values = {
+                "people": as_text(one.civilisation),
+                "count": f"model.{self.sheet.counts[one.civilisation]}",
+                "x": str(one.u),
+                "y": str((height - one.v) % height),
+                "far": str(max(2 * by_name[one.civilisation].scattered, 1)),
+            }
+            given = [*(values[name] for name in first), *taken]
+            lines.append(f"    create_founders({', '.join(given)})")
+        if len(lines) == 1:
+            lines = ["pass"]
         doc = "Let the founders of each civilisation appear at its places, in tick 2."
-        return f'def settle(model, rng):\n    """{doc}"""\n{_block(lines)}'
+        return _function("begin", doc, lines)
 
-    def _found(self) -> str:
-        sheet = self.sheet
-        far = ", far" if self._scattered and not self.model.parameters.dispersion else ""
-        lines = ["for _ in range(count):", "    human = model.humans.create()"]
-        if len(self.people.civilisations) > 1:
-            lines.append("    human.civilisation = people")
-        lines += ["    human.x = x", "    human.y = y"]
-        if "home" in sheet.needs:
-            lines += ["    human.home_x = x", "    human.home_y = y"]
-        if self._begins:
-            lines.append("    come_into_being(human, model, rng)")
+    def _create_founders(self) -> str:
+        lines, first = self._founding()
         doc = "Create founders of a civilisation at a place"
         if self.model.parameters.dispersion:
+            doc += ", scattered around it"
+        elif self.scattered:
+            doc += ", scattered to its north-east"
+        return _function("create_founders", f"{doc}.", lines, *first)
+
+    def _founding(self) -> tuple[list[str], list[str]]:
+        """Return the lines that create founders, and what they take besides model and stream."""
+        lines = ["for _ in range(count):", "    human = model.humans.create()"]
+        first = ["count", "x", "y"]
+        if len(self.people.civilisations) > 1:
+            lines.append("    human.civilisation = people")
+            first.insert(0, "people")
+        lines += ["    human.x = x", "    human.y = y"]
+        if "home" in self.sheet.needs:
+            lines += ["    human.home_x = x", "    human.home_y = y"]
+        if self._beginning():
+            lines.append(f"    {self._begin_life}")
+        drawn = "model, rng" if self.closed else "rng"
+        if self.model.parameters.dispersion:
             lines.insert(0, "far = math.ceil((math.sqrt(count) - 1) / 2)")
-            lines.append("    place_around(human, model, rng, x - far, y - far, 2 * far + 1)")
-            doc += ", scattered over the least square with room for all"
-        elif self._scattered:
-            lines.append("    place_around(human, model, rng, x, y, far)")
-            doc += ", scattered over the patches to its north-east"
-        return (
-            f"def found(model, rng, people, count, x, y{far}):\n"
-            f'    """{doc}."""\n{_block(lines)}'
-        )
+            lines.append(f"    place_around(human, x - far, y - far, 2 * far + 1, {drawn})")
+        elif self.scattered:
+            lines.append(f"    place_around(human, x, y, far, {drawn})")
+            first.append("far")
+        return lines, first
 
     @property
-    def _joined(self) -> list[str]:
+    def _begin_life(self) -> str:
+        """How rules let somebody begin life."""
+        lines = self._beginning()
+        if self._is_one_call(lines):
+            return lines[0]
+        return f"come_into_being({parameters(lines, 'human')})"
+
+    @staticmethod
+    def _is_one_call(lines: list[str]) -> bool:
+        return len(lines) == 1 and re.fullmatch(r"\w+\(human\b[^()]*\)", lines[0]) is not None
+
+    @property
+    def joined(self) -> list[str]:
         return [name for name, group in self.people.groups.items() if group.auto_join]
-
-    @property
-    def _begins(self) -> bool:
-        return bool(self._beginning())
 
     def _beginning(self) -> list[str]:
         """Return the lines of what agents are like at birth, beyond what all have."""
-        lines: list[str] = []
         per_scheme: dict[str, list[str]] = {}
         for scheme in self.people.schemes:
             own = [
@@ -327,13 +362,14 @@ class ModelFile:
                 cogniton = self.people.cognitons[name]
                 if not at_birth(self.sheet, name) and not cogniton.triggers:
                     own += _activating(name)
-            per_scheme[scheme.name] = own
             for group in scheme.groups:
                 if group.auto_join:
                     now = self.people.names[scheme.name]["group", group.name]
                     own.append(f"{self._joining(now)}(human, model)")
             own += [one.call for one in self.births[scheme.name]]
-        lines += self._by_scheme(per_scheme)
+            own += self._noticing(scheme)
+            per_scheme[scheme.name] = own
+        lines = self._by_scheme(per_scheme)
         for civilisation in self.people.civilisations:
             further = [
                 line
@@ -361,10 +397,10 @@ class ModelFile:
 
     def _come_into_being(self) -> str:
         lines = self._beginning()
-        if not lines:
-            return ""
         doc = "Begin life: what one has and does at birth."
-        return f'def come_into_being(human, model, rng):\n    """{doc}"""\n{_block(lines)}'
+        if not lines or self._is_one_call(lines):
+            return ""
+        return _function("come_into_being", doc, lines, "human")
 
     def _joining(self, group: str) -> str:
         return f"join_{identifier(group)}"
@@ -398,8 +434,8 @@ class ModelFile:
         lines += ["child.x = human.x", "child.y = human.y"]
         if "home" in self.sheet.needs:
             lines += ["child.home_x = human.home_x", "child.home_y = human.home_y"]
-        if self._begins:
-            lines.append("come_into_being(child, model, rng)")
+        if self._beginning():
+            lines.append(self._begin_life.replace("human", "child", 1))
         lines.append("return child")
         doc = "Return a new child here, of the same civilisation."
         return f'def give_birth(human, model, rng):\n    """{doc}"""\n{_block(lines)}'
@@ -410,8 +446,8 @@ class ModelFile:
         parts = [_rule_line("A tick"), self._live()]
         if "deaths" in self.sheet.needs:
             parts.append(self._pass_away())
-        if self._grows:
-            parts.append(self._grow())
+        if self.grows:
+            parts.append(self._renew())
         grouped = [one for one in self.sheet.used_facilities if one.grouped]
         if grouped:
             parts.append(self._clear(grouped))
@@ -423,13 +459,14 @@ class ModelFile:
         if "deaths" in sheet.needs:
             lines += ["if human.dying:", f"    pass_away(human{', model' if self._owned else ''})",
                       "    return"]  # fmt: skip
+        noticing = {one.name: self._noticing(one) for one in self.people.schemes}
         lines += self._by_scheme(
-            {name: [one.call for one in rules] for name, rules in self.every_tick.items()}
+            {
+                name: [*(one.call for one in rules), *noticing[name]]
+                for name, rules in self.every_tick.items()
+            }
         )
         trees = bool(self.plans.trees)
-        stays = any(one.body[-1].startswith("return") and one.kind == "act"
-                    for one in self.plans.rules.values())  # fmt: skip
-        del stays
         if self.model.parameters.decision_maker == "MaxWeightOx2" and trees:
             lines.append("human.reconsider_plan(2.0)")
         elif trees:
@@ -437,6 +474,7 @@ class ModelFile:
         else:
             lines.append("human.plan = human.mind.choose_next_plan()")
         lines.append("human.run_plan(model, rng)")
+        lines += self._by_scheme(noticing)
         for name in sorted(one for one in sheet.needs if one.startswith("lent ")):
             cogniton = name.removeprefix("lent ")
             field = f"passing_{identifier(cogniton)}"
@@ -448,6 +486,47 @@ class ModelFile:
         if not any(self.every_tick.values()):
             doc = "Go on with the plan, or choose another."
         return f'def live(human, model, rng):\n    """{doc}"""\n{_block(lines)}'
+
+    # Triggers that are no conditions -------------------------------------------------------------
+
+    def _noticed(self, scheme: Scheme) -> list[Cogniton]:
+        """Return the cognitons of a scheme that come and go by crossings, not by a condition."""
+        names = self.people.names[scheme.name]
+        own = [self.people.cognitons[names["cogniton", one.name]] for one in scheme.cognitons]
+        return [one for one in own if one.triggers and not is_condition(self.sheet, one)]
+
+    def _noticing(self, scheme: Scheme) -> list[str]:
+        """Return the lines that let agents of a scheme notice such crossings."""
+        lines = []
+        for cogniton in self._noticed(scheme):
+            for trigger in cogniton.triggers:
+                lines.append(f"{self._crossing(cogniton, trigger).call}")
+        return lines
+
+    def _crossing(self, cogniton: Cogniton, trigger: Trigger) -> Rule:
+        """Return the rule that brings and takes a cogniton when an attribute crosses a threshold."""
+        test = compared(self.sheet, trigger, "human.", "model.")
+        key = f"crossing {cogniton.name} {test}"
+        if key not in self.crossings:
+            _, bound = test.rsplit(" ", 1)
+            short = COMPARISONS[trigger.comparison][0]
+            state = f"{self.sheet.attribute(trigger.attribute)}_{short}_{in_name(bound)}"
+            if self.sheet.fields.get(f"had_{state}") is not None:
+                state = f"{state}_for_{identifier(cogniton.name)}"
+            field = self.sheet.field(f"had_{state}", "bool = False  # when it was last noticed")
+            self.sheet.help("come_to", GAIN)
+            name = self.sheet.function_named(f"notice_{state}")
+            body = [
+                f"now = {test}",
+                f"if now and not human.{field}:",
+                f"    come_to(human, {as_text(cogniton.name)})",
+                f"if human.{field} and not now:",
+                f"    human.mind.deactivate_cogniton({as_text(cogniton.name)})",
+                f"human.{field} = now",
+            ]
+            doc = f"Let {cogniton.name} come or go when {trigger.attribute} crosses its threshold."
+            self.crossings[key] = Rule(name, "act", doc, body)
+        return self.crossings[key]
 
     @property
     def _owned(self) -> list[Built]:
@@ -478,10 +557,10 @@ class ModelFile:
         return found
 
     @property
-    def _grows(self) -> bool:
+    def grows(self) -> bool:
         return bool(self._growing) or "roads" in self.sheet.needs
 
-    def _grow(self) -> str:
+    def _renew(self) -> str:
         lines = ["if (model.tick + 1) % PERIOD == 0:"]
         if self._growing:
             lines.append("    for patch in model.world.patches:")
@@ -495,7 +574,7 @@ class ModelFile:
         doc = f"Let {_listed(what)} grow" if what else "Let roads wear off"
         if what and "roads" in self.sheet.needs:
             doc += " and roads wear off"
-        return f"def grow(model):\n{sentence(f'{doc}, every {PERIOD} ticks.')}\n{_block(lines)}"
+        return f"def renew(model):\n{sentence(f'{doc}, every {PERIOD} ticks.')}\n{_block(lines)}"
 
     def _clear(self, grouped: list[Built]) -> str:
         lines = [
@@ -510,17 +589,20 @@ class ModelFile:
 
     def _rules(self) -> list[str]:
         rules = list(self.plans.rules.values())
-        text = "\n".join([*self.plans.carried_out.values(), *map(str, self.plans.trees.values()),
-                          *(line for one in rules for line in one.body)])  # fmt: skip
-        every = [one for rules in (*self.every_tick.values(), *self.births.values())
-                 for one in rules]  # fmt: skip
+        every = dict.fromkeys(
+            one
+            for rules_at_once in (*self.every_tick.values(), *self.births.values())
+            for one in rules_at_once
+        )
         parts = []
-        once = {id(one) for one in every}
-        acts = [one for one in rules if one.kind == "act" and id(one) not in once]
+        acts = [one for one in rules if one.kind == "act" and one not in every]
         asks = [one for one in rules if one.kind == "ask"]
         if every:
-            parts.append(_rule_line("Every tick, and at birth" if self._births else "Every tick"))
-            parts += [one.text() for one in dict.fromkeys(map(_Same, every))]
+            born = any(self.births.values())
+            parts.append(_rule_line("Every tick, and at birth" if born else "Every tick"))
+            parts += [one.text() for one in every]
+        if self.crossings:
+            parts += [_rule_line("Triggers"), *(one.text() for one in self.crossings.values())]
         if acts:
             parts += [_rule_line("What is done"), *(one.text() for one in acts)]
         if asks:
@@ -533,12 +615,7 @@ class ModelFile:
         if self.plans.trees:
             parts += [_rule_line("Plans"),
                       "\n".join("\n".join(one) for one in self.plans.trees.values())]  # fmt: skip
-        del text
         return parts
-
-    @property
-    def _births(self) -> bool:
-        return any(self.births.values())
 
     def _any_facility(self) -> str:
         tests = [f"len(model.{one.population}.on(place)) > 0" for one in self.sheet.used_facilities]
@@ -576,7 +653,7 @@ class ModelFile:
                                 "after more than these a patch is a road")  # fmt: skip
             lines += _parameter("road_evaporation", "int", str(max(parameters.road_evaporation, 0)),
                                 "steps", f"lost by each patch every {PERIOD} ticks")  # fmt: skip
-        for name in self._joined:
+        for name in self.joined:
             count = len(self.people.civilisations)
             declared = (
                 f"{sheet.group_fields[name]}: int = -1"
@@ -597,9 +674,9 @@ class ModelFile:
         lines.append("")
         if "def lay_ground" in self._lay_ground():
             lines.append("    setup = (once(lay_ground),)")
-        phases = ["once(settle)", "each(humans, live)"]
-        if self._grows:
-            phases.append("once(grow)")
+        phases = ["once(begin)", "each(humans, live)"]
+        if self.grows:
+            phases.append("once(renew)")
         if any(one.grouped for one in sheet.used_facilities):
             phases.append("once(clear)")
         lines += _laid_out("    schedule = (", phases, ")")
@@ -609,9 +686,9 @@ class ModelFile:
     def _population(self) -> list[str]:
         plans = [f"{as_text(name)}: {what}" for name, what in self.plans.carried_out.items()]
         lines = ["    humans = Population(", "        Human,"]
-        lines.append("        civilisations=(")
-        lines += [f"            {self._civilisation(one)}," for one in self.people.civilisations]
-        lines += ["        ),", f'        mind="{SCHEME_FILE}",']
+        peoples = [self._civilisation(one) for one in self.people.civilisations]
+        lines += _laid_out("        civilisations=(", peoples, "),")
+        lines.append(f'        mind="{SCHEME_FILE}",')
         lines += _laid_out("        plans={", plans, "},")
         return [*lines, "    )"]
 
@@ -642,7 +719,7 @@ class ModelFile:
             for one in sheet.attribute_fields.values()
         ]
         rows += [f'"{one.population}": len(self.{one.population}),' for one in sheet.used_facilities]
-        doc = "Return how many there are, what all carry together, and what they are like in the mean."
+        doc = "Return how many there are, what all carry, and what they are like in the mean."
         return [
             "    def series(self):",
             f"{sentence(doc, '        ')}",
@@ -658,7 +735,7 @@ _MESSAGE = '''class Request(Message):
 
     kind: int = 0'''
 
-_PLACE = '''def place_around(human, model, rng, x, y, size):
+_PLACE = '''def place_around(human, x, y, size, model, rng):
     """Put an agent on a patch of a square that can be entered; (x, y) is its south-west."""
     human.x = x + rng.integers(size)
     human.y = y + rng.integers(size)
@@ -667,21 +744,10 @@ _PLACE = '''def place_around(human, model, rng, x, y, size):
         human.y = y + rng.integers(size)'''
 
 
-class _Same:
-    """A rule, equal to itself alone."""
-
-    def __init__(self, rule: Rule) -> None:
-        self.rule = rule
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.rule is self.rule
-
-    def __hash__(self) -> int:
-        return id(self.rule)
-
-    def text(self) -> str:
-        """Return its text."""
-        return self.rule.text()
+_PLACE_ANYWHERE = '''def place_around(human, x, y, size, rng):
+    """Put an agent on a patch of a square; (x, y) is its south-west."""
+    human.x = x + rng.integers(size)
+    human.y = y + rng.integers(size)'''
 
 
 def _activating(name: str) -> list[str]:
@@ -714,7 +780,8 @@ def _import(module: str, names: set[str]) -> str:
 
 def _laid_out(before: str, parts: list[str], after: str) -> list[str]:
     """Return parts between brackets, on one line if they fit."""
-    single = "," if len(parts) == 1 and after == ")" and before.rstrip().endswith("= (") else ""
+    single = "," if len(parts) == 1 and after[0] == ")" and before.endswith("=(") else ""
+    single = "," if len(parts) == 1 and before.endswith("= (") else single
     flat = f"{before}{', '.join(parts)}{single}{after}"
     if len(flat) <= WIDTH:
         return [flat]
@@ -743,6 +810,17 @@ def _parameter(
 
 def _rule_line(title: str) -> str:
     return f"# {title} ".ljust(WIDTH - 1, "-")
+
+
+def parameters(lines: list[str], *first: str) -> str:
+    """Return what a function takes: what always, and what its lines use of the rest."""
+    text = "\n".join(lines)
+    more = [one for one in ("model", "rng") if re.search(rf"\b{one}\b", text)]
+    return ", ".join([*first, *more])
+
+
+def _function(name: str, doc: str, lines: list[str], *first: str) -> str:
+    return f"def {name}({parameters(lines, *first)}):\n{sentence(doc)}\n{_block(lines)}"
 
 
 def _block(lines: list[str]) -> str:

@@ -6,27 +6,37 @@ import builtins
 import keyword
 import re
 import unicodedata
+from collections.abc import Iterable
 
+from socialmind.agents.agent import Agent
 from socialmind.language.refusals import MODULES
+from socialmind.model import Model
+from socialmind.society.population import TAKEN_NAMES
+from socialmind.society.table import Table
+from socialmind.terrain import Ground
+from socialmind.worlds.grid.geometry import COMMANDS
+from socialmind.worlds.grid.one_per_patch import OnePerPatch
+from socialmind.worlds.grid.patches import TAKEN_NAMES as PATCH_NAMES
 
-TAKEN_BY_AGENTS = (
-    "id x y heading plan plan_step plan_ended mind hierarchy civilisation run_plan hatch die "
-    "reconsider_plan stride population"
+TAKEN_BY_AGENTS = frozenset(
+    (*dir(Table), *TAKEN_NAMES, *Agent.__annotations__, "civilisation", "l", "plan_step", "stride")
 )
 """What a field of an agent cannot be called."""
-TAKEN_BY_MODELS = (
-    "advance agents compiled copy folder humans idle messages name parameters patches plans "
-    "populations reset run schedule seed series setup shape tables tick ticks title typed world"
+TAKEN_BY_MODELS = frozenset((*dir(Model), "humans", "messages", "world"))
+"""What a parameter or a population cannot be called."""
+TAKEN_BY_PATCHES = frozenset(
+    (*dir(OnePerPatch), *PATCH_NAMES, *COMMANDS, *Ground.__annotations__, *"x y terrain".split())
 )
+"""What a field of patches cannot be called."""
 TAKEN_BY_FILES = (
-    "human model rng child other own patch here group spot most many message found settle live "
-    "strengthen come_to go_to walk in_reach living is_asked_for is_attacked ask_around is_stranger "
+    "human model rng child other own patch here group spot most many message live begin "
+    "create_founders strengthen come_to go_to walk in_reach living is_asked_for is_attacked ask_around is_stranger "
     "nearest_of_group give_birth any_facility_here come_into_being step_ahead step_towards tread "
-    "wear_off grow clear lay_ground pass_away build_private build_for_group each once parameter "
+    "wear_off renew clear lay_ground pass_away build_private build_for_group each once parameter "
     "sequence repeat when until place_around math Agent Civilisation Facility Grid Ground Human "
     "Land Message Messages Model Patch Population Request LEAST_VALUE SMELL ATTACK TRADE HIRING "
     "MADE MET SERVED EASIEST PASSABILITY IMPASSABLE PERIOD PEOPLES clear_ownerless clear_deserted"
-)
+).split()
 """What nothing of a file can be called but what it stands for."""
 
 
@@ -66,11 +76,11 @@ class Names:
     """The names of one namespace: no two things have the same.
 
     Args:
-        taken: names that nothing may have, apart by blanks.
+        taken: names that nothing may have.
     """
 
-    def __init__(self, taken: str = "") -> None:
-        self._taken = {*taken.split(), *keyword.kwlist, *dir(builtins), *MODULES}
+    def __init__(self, taken: Iterable[str]) -> None:
+        self._taken = {*taken, *keyword.kwlist, *dir(builtins), *MODULES}
 
     def own(self, *wanted: str) -> str:
         """Return the first of some names that is free, and take it."""

@@ -16,6 +16,8 @@ from socialmind.metaciv.writing.names import identifier
 from socialmind.metaciv.writing.sheet import Sheet
 
 WIDTH = 100
+LONGEST_NAME = 36
+"""Of a rule that is named after several."""
 
 
 @dataclass
@@ -46,7 +48,7 @@ class Call:
         return f"{self.name}({', '.join(map(str, self.arguments))})"
 
 
-@dataclass
+@dataclass(eq=False)
 class Rule:
     """A rule of the model file.
 
@@ -88,9 +90,12 @@ def sentence(doc: str, indent: str = "    ") -> str:
     doc = doc.replace("\\", "/").replace('"""', "'''").strip()
     if len(doc) + len(indent) + 6 <= WIDTH:
         return f'{indent}"""{doc}"""'
+    summary, _, rest = doc.partition(". ")
+    if rest and len(summary) + len(indent) + 4 <= WIDTH:
+        return f'{indent}"""{summary}.\n\n{indent}{rest}\n{indent}"""'
     lines = [""]
     for word in doc.split():
-        if lines[-1] and len(lines[-1]) + len(word) + len(indent) + 4 > WIDTH:
+        if lines[-1] and len(lines[-1]) + len(word) + len(indent) + 9 > WIDTH:
             lines.append("")
         lines[-1] += f" {word}" if lines[-1] else word
     return f'{indent}"""' + f"\n{indent}".join(lines) + f'\n{indent}"""'
@@ -227,7 +232,7 @@ class Plans:
             "    return False",
             f"human.{field_name} = 0",
         )
-        doc = f"whether this is the {ticks + 1}th time since it was so"
+        doc = f"whether it is time: once in {ticks + 1} times that it is asked"
         return Ask((f"is_time_in_{name}",), doc, "True", before)
 
     def _instant(self, action: Action, plan: Plan) -> Rule:
@@ -239,11 +244,12 @@ class Plans:
                 if isinstance(made, Act):
                     named.append(self._name_of(made))
         names = [f"{identifier(plan.name)}_at_once"]
-        if len(named) == len(action.children) <= 2:
-            names.insert(0, "_and_".join(named))
+        joined = "_and_".join(named)
+        if len(named) == len(action.children) <= 2 and len(joined) <= LONGEST_NAME:
+            names.insert(0, joined)
         elif named:
             names.append(f"{names[0]}_with_{named[0]}")
-        return self._at_once(action, tuple(names), f"Several actions of {plan.name} at once.")
+        return self._at_once(action, tuple(names), f"Do several things of {plan.name} at once.")
 
     def _name_of(self, made: Act) -> str:
         return made.names[-1] if made.names[0] in self._claimed else made.names[0]
@@ -324,6 +330,12 @@ class Plans:
             return []
         if not then:
             return [f"if not ({test}):", *_indented(otherwise)]
+        nested = then[0].removeprefix("if ").removesuffix(":") if then[0].startswith("if ") else ""
+        whole = all(line.startswith("    ") for line in then[1:])
+        if nested and whole and not otherwise and " or " not in f"{test} {nested}":
+            both = f"if {test} and {nested}:"
+            if len(both) + 4 <= WIDTH and " if " not in both[3:]:
+                return [both, *then[1:]]
         found = [f"if {test}:", *_indented(then)]
         return [*found, "else:", *_indented(otherwise)] if otherwise else found
 
@@ -343,7 +355,7 @@ def _returned(test: str) -> list[str]:
     """Return the line that returns what a test says, laid out where it is long."""
     if len(test) + 11 <= WIDTH:
         return [f"return {test}"]
-    first, *more = test.split(" and ")
-    return ["return (", f"    {first}", *(f"    and {one}" for one in more), ")"]
+    first, *more = re.split(r" (?=and |is not |>|<|==)", test)
+    return ["return (", f"    {first}", *(f"    {one}" for one in more), ")"]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 
-from socialmind.metaciv.description import Action, Cogniton, Trigger
+from socialmind.metaciv.description import Cogniton, Trigger
 from socialmind.metaciv.writing.sheet import Sheet, written
 
 MAKERS = {
@@ -86,17 +86,31 @@ def own_cognitons(sheet: Sheet) -> list[Cogniton]:
 
 def named_cognitons(sheet: Sheet) -> set[str]:
     """Return the cognitons that rules name."""
-    found: set[str] = {one.removeprefix("cogniton ") for one in sheet.needs if "cogniton " in one}
+    begun = {one for civ in sheet.people.civilisations for one in civ.cognitons}
+    return _affected(sheet) | _named(sheet, ("A_", "I_", "L_")) | begun
 
-    def look(action: Action) -> None:
-        found.update(str(one.value) for one in action.arguments if one.type == "Cogniton")
-        for child in action.children:
-            look(child)
 
-    for plan in sheet.people.plans.values():
-        for action in plan.actions:
-            look(action)
-    return found | {one for civ in sheet.people.civilisations for one in civ.cognitons}
+def changed_cognitons(sheet: Sheet) -> set[str]:
+    """Return the cognitons that rules add, take or change, and not only their triggers."""
+    return _affected(sheet) | _named(sheet, ("A_", "I_")) - _named(sheet, ("A_AddObjectXCogniton",))
+
+
+def _affected(sheet: Sheet) -> set[str]:
+    """Return the cognitons that effects of things change."""
+    return {one.removeprefix("cogniton ") for one in sheet.needs if one.startswith("cogniton ")}
+
+
+def _named(sheet: Sheet, beginnings: tuple[str, ...]) -> set[str]:
+    """Return the cognitons that actions name whose own name begins so."""
+    return {
+        str(one.value)
+        for plan in sheet.people.plans.values()
+        for action in plan.actions
+        for inner in action.all()
+        if inner.name.startswith(beginnings)
+        for one in inner.arguments
+        if one.type == "Cogniton"
+    }
 
 
 def at_birth(sheet: Sheet, name: str) -> bool:
@@ -131,28 +145,54 @@ def _cogniton(
     permits = [text(one) for one in dict.fromkeys(p.plan for p in cogniton.permits) if one in plans]
     if permits:
         lines += flow("conditional", permits, inner)
-    if own and cogniton.triggers:
-        lines += _conditions(sheet, cogniton, inner)
+    if own and cogniton.triggers and is_condition(sheet, cogniton):
+        conditions = [text(compared(sheet, one), True) for one in cogniton.triggers]
+        if len(conditions) == 1:
+            lines.append(f"{inner}active_while: {conditions[0]}")
+        else:
+            lines += flow("active_while", conditions, inner)
     if own and cogniton.type in ("belief", "percept", "skill", "trait", "meme"):
         lines.append(f"{inner}type: {cogniton.type}")
     return lines
 
 
-def _conditions(sheet: Sheet, cogniton: Cogniton, indent: str) -> list[str]:
-    texts = [condition(sheet, one) for one in cogniton.triggers]
-    if len(texts) == 1:
-        return [f"{indent}active_while: {text(texts[0], True)}"]
-    return flow("active_while", [text(one, True) for one in texts], indent)
+def is_condition(sheet: Sheet, cogniton: Cogniton) -> bool:
+    """Say whether a cogniton is there exactly while what its triggers compare holds.
+
+    So it is with one trigger, or two that are the ends of a range. Else, and where rules add and
+    take it too, the last crossing decides: rules called `notice_…` in the model's file.
+    """
+    if cogniton.name in changed_cognitons(sheet):
+        return False
+    if len(cogniton.triggers) == 1:
+        return True
+    ends = {one.comparison[0]: _bound(sheet, one) for one in cogniton.triggers}
+    one_range = len(cogniton.triggers) == 2 and sorted(ends) == ["<", ">"]
+    attributes = {one.attribute for one in cogniton.triggers}
+    return one_range and len(attributes) == 1 and ends[">"] < ends["<"]
 
 
-def condition(sheet: Sheet, trigger: Trigger) -> str:
-    """Return a trigger as a condition of a cogniton."""
+def _bound(sheet: Sheet, trigger: Trigger) -> float:
+    if trigger.constant is not None:
+        return sheet.people.constants[trigger.constant].value
+    return trigger.threshold
+
+
+def compared(sheet: Sheet, trigger: Trigger, own: str = "", model: str = "") -> str:
+    """Return what a trigger compares, as a condition of a scheme or as an expression of rules.
+
+    Args:
+        sheet: the model file.
+        trigger: the trigger.
+        own: what stands before a field.
+        model: what stands before a parameter.
+    """
     if trigger.constant is not None:
         sheet.used_constants[trigger.constant] = None
-        bound = sheet.parameters[trigger.constant]
+        bound = f"{model}{sheet.parameters[trigger.constant]}"
     else:
         bound = written(trigger.threshold)
-    return f"{sheet.attribute(trigger.attribute)} {trigger.comparison} {bound}"
+    return f"{own}{sheet.attribute(trigger.attribute)} {trigger.comparison} {bound}"
 
 
 def flow(name: str, parts: list[str], indent: str, brackets: str = "[]") -> list[str]:

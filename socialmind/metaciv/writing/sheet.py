@@ -10,6 +10,7 @@ from socialmind.metaciv.writing.names import (
     TAKEN_BY_AGENTS,
     TAKEN_BY_FILES,
     TAKEN_BY_MODELS,
+    TAKEN_BY_PATCHES,
     Names,
     class_name,
     identifier,
@@ -72,14 +73,14 @@ class Sheet:
         """Constants at the top of the file, name -> value as text."""
         self.objects = {one.name: one for one in model.objects}
         self.effects = {one.name: one for one in model.effects}
-        self._file = Names(f"{TAKEN_BY_FILES}")
+        self._file = Names(TAKEN_BY_FILES)
         own = Names(TAKEN_BY_AGENTS)
         self.attribute_fields = {one: own.own(identifier(one)) for one in people.attributes}
         self.object_fields = {
             one.name: own.own(identifier(one.name), f"{identifier(one.name)}_carried")
             for one in model.objects
         }
-        patch = Names("x y terrain passability impassable effort passage road")
+        patch = Names(TAKEN_BY_PATCHES)
         self.pheromone_fields = {one.name: patch.own(identifier(one.name)) for one in model.pheromones}
         model_names = Names(TAKEN_BY_MODELS)
         self.parameters = {one: model_names.own(identifier(one)) for one in people.constants}

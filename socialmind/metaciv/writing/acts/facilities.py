@@ -19,11 +19,14 @@ from socialmind.metaciv.writing.sheet import Built, Sheet
 OF_GROUP = '''
 def nearest_of_group(human, model, facilities, group):
     """Return the nearest of some facilities that belongs to a group, or None."""
-    return min(
-        (facility for facility in facilities if facility.group == group and group >= 0),
-        key=lambda facility: model.world.distance(human, facility.x, facility.y),
-        default=None,
-    )
+    nearest = None
+    least = math.inf
+    for facility in facilities:
+        away = model.world.distance(human, facility.x, facility.y)
+        if 0 <= facility.group == group and away < least:
+            nearest = facility
+            least = away
+    return nearest
 '''
 
 

@@ -97,3 +97,22 @@ def comparing(field: str, what: str, comparator: str, number: str, test: str) ->
 def as_text(name: str) -> str:
     """Return a name of the files as a text of Python."""
     return '"' + name.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def chosen(name: str, among: str, condition: str = "") -> list[str]:
+    """Return the lines that choose somebody at random.
+
+    Args:
+        name: of the variable.
+        among: whom to choose from, an expression.
+        condition: which of them, about `one`; all if empty.
+    """
+    if not condition:
+        return [f"{name} = {among}.one_of(rng)"]
+    inner = f"one for one in {among} if {condition}"
+    line = f"{name} = rng.choice({inner})"
+    if len(line) + 4 <= 100:
+        return [line]
+    if len(inner) + 8 <= 100:
+        return [f"{name} = rng.choice(", f"    {inner}", ")"]
+    return [f"{name} = rng.choice(", "    one", f"    for one in {among}", f"    if {condition}", ")"]

@@ -95,7 +95,7 @@ def smell_and_move(sheet: Sheet, action: Action) -> Act:
     sheet.constants["SMELL"] = f"{SMELL}  # patches, as far as agents smell"
     sheet.help("in_reach", IN_SMELL)
     body = [
-        "most = 0.0",
+        "most = -math.inf",
         "for patch in model.world.neighbours(human, steps=SMELL):",
         "    if in_reach(human, patch):",
         f"        most = max(most, patch.{field})",
@@ -104,9 +104,8 @@ def smell_and_move(sheet: Sheet, action: Action) -> Act:
         "    for patch in model.world.neighbours(human, steps=SMELL)",
         f"    if patch.{field} == most and in_reach(human, patch)",
         ")",
-        "if spot is not None:",
-        "    model.world.face(human, spot.x, spot.y)",
-        f"    {walking(sheet)}",
+        "model.world.face(human, spot.x, spot.y)",
+        walking(sheet),
     ]
     return Act((f"follow_{field}",), f"Go where there is most {pheromone} around.", body)
 
@@ -119,27 +118,24 @@ def search_resources(sheet: Sheet, action: Action) -> Act:
     sheet.help("in_reach", IN_SMELL)
     _goal(sheet)
     body = [
-        "if not human.has_goal:",
-        "    spot = min(",
-        "        (",
-        "            patch",
-        "            for patch in model.world.neighbours(human, steps=SMELL)",
-        f"            if patch.{field} >= 1 and in_reach(human, patch)",
-        "        ),",
-        "        key=lambda patch: abs(patch.x - human.x) + abs(patch.y - human.y),",
-        "        default=None,",
-        "    )",
-        "    if spot is None:",
-        "        human.heading = rng.uniform(0, 360)",
-        f"        {walking(sheet)}",
-        "        return True",
+        "if human.has_goal:",
+        f"    human.has_goal = not {going(sheet, 'human.goal_x', 'human.goal_y')}",
+        "    return not human.has_goal",
+        f"least = 0 if model.world.patch(human.x, human.y).{field} >= 1 else 2 * SMELL + 1",
+        "human.goal_x = human.x",
+        "human.goal_y = human.y",
+        "for patch in model.world.neighbours(human, steps=SMELL):",
+        "    away = abs(patch.x - human.x) + abs(patch.y - human.y)",
+        f"    if patch.{field} >= 1 and away < least and in_reach(human, patch):",
+        "        least = away",
+        "        human.goal_x = patch.x",
+        "        human.goal_y = patch.y",
+        "if least <= 2 * SMELL:",
         "    human.has_goal = True",
-        "    human.goal_x = spot.x",
-        "    human.goal_y = spot.y",
-        f"if {going(sheet, 'human.goal_x', 'human.goal_y')}:",
-        "    human.has_goal = False",
-        "    return True",
-        "return False",
+        "    return False",
+        "human.heading = rng.uniform(0, 360)",
+        walking(sheet),
+        "return True",
     ]
     return Act((f"search_{field}",), f"Go to the nearest patch with {pheromone}.", body, True)
 
@@ -198,7 +194,9 @@ def compare_pheromone(sheet: Sheet, action: Action) -> Ask:
     number, how = sheet.number(action.argument("Double")), str(action.argument("Comparator").value)
     field = sheet.pheromone(pheromone)
     here = f"model.world.patch(human.x, human.y).{field}"
-    return comparing(field, f"{pheromone} here", how, number, here)
+    ask = comparing(field, f"{pheromone} here", how, number, here)
+    ask.names += (f"{field}_here{ask.names[0].removeprefix(field)}",)
+    return ask
 
 
 def on_terrain(sheet: Sheet, action: Action) -> Ask:

@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from socialmind.metaciv.description import Action
-from socialmind.metaciv.writing.acts.form import Act, Ask, Writer, as_text, comparing, name_of
+from socialmind.metaciv.writing.acts.form import (
+    Act,
+    Ask,
+    Writer,
+    as_text,
+    chosen,
+    comparing,
+    name_of,
+)
 from socialmind.metaciv.writing.acts.ground import going
 from socialmind.metaciv.writing.sheet import Sheet
 
@@ -58,9 +66,7 @@ def change_role_of_other(sheet: Sheet, action: Action) -> Act:
     group, role, group_name, role_name = role_of(action)
     body = [
         f"own = human.mind.get_group_id({group})",
-        "other = rng.choice(",
-        f"    one for one in model.humans.members_of({group}, own) if one.id != human.id",
-        ")",
+        *chosen("other", f"model.humans.members_of({group}, own)", "one.id != human.id"),
         "if other is not None:",
         f"    other.mind.change_role({group}, {role})",
     ]
@@ -96,20 +102,11 @@ def disband(sheet: Sheet, action: Action) -> Act:
 def hire(sheet: Sheet, action: Action) -> Act:
     """A_HireForRole."""
     group, role, group_name, role_name = role_of(action)
-    same = (
-        " if one.civilisation == human.civilisation" if len(sheet.people.civilisations) > 1 else ""
-    )
+    several = len(sheet.people.civilisations) > 1
+    same = "one.civilisation == human.civilisation" if several else ""
     body = [
         f"own = human.mind.get_group_id({group})",
-        *(
-            [
-                "other = rng.choice(",
-                f"    one for one in model.humans.on(human){same}",
-                ")",
-            ]
-            if same
-            else ["other = model.humans.on(human).one_of(rng)"]
-        ),
+        *chosen("other", "model.humans.on(human)", same),
         "if own >= 0 and other is not None:",
         f"    other.mind.join_group({group}, {role}, own)",
     ]

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from socialmind.metaciv.description import Action, Argument
 from socialmind.metaciv.writing.acts.facilities import facility_of, own
-from socialmind.metaciv.writing.acts.form import Act, Ask, Writer, as_text, in_doc, in_name, name_of
+from socialmind.metaciv.writing.acts.form import (
+    Act,
+    Ask,
+    Writer,
+    as_text,
+    chosen,
+    in_doc,
+    in_name,
+    name_of,
+)
 from socialmind.metaciv.writing.acts.ground import go_to_goal, going
 from socialmind.metaciv.writing.acts.minds import strengthening
 from socialmind.metaciv.writing.acts.things import at_most, gaining, losing
@@ -48,8 +57,11 @@ def kill_stranger(sheet: Sheet, action: Action) -> Act:
     """A_killOtherAgentOnPatchThatIsNotInMyGroup."""
     sheet.needs.add("deaths")
     groups = [as_text(one) for one in sheet.people.groups]
-    body = ["other = rng.choice(", "    one for one in model.humans.on(human) if is_stranger(human, one)",
-            ")", "if other is not None:", "    other.dying = True"]  # fmt: skip
+    body = [
+        *chosen("other", "model.humans.on(human)", "is_stranger(human, one)"),
+        "if other is not None:",
+        "    other.dying = True",
+    ]
     text = ['', 'def is_stranger(human, other):',
             '    """Return whether two have no group in common."""']  # fmt: skip
     for one in groups:
@@ -109,9 +121,7 @@ def target_with_tag(sheet: Sheet, action: Action) -> Act:
     _target(sheet)
     attribute = sheet.attribute(action.argument("Attribute").value)
     body = [
-        "other = rng.choice(",
-        f"    one for one in model.humans.near(human, 100) if one.{attribute} > 0",
-        ")",
+        *chosen("other", "model.humans.near(human, 100)", f"one.{attribute} > 0"),
         "if other is not None:",
         "    human.target = other.id",
     ]

@@ -224,7 +224,10 @@ def compare_object(sheet: Sheet, action: Action) -> Ask:
     argument = next(one for one in action.arguments if one.type in ("Integer", "Double"))
     how = str(action.argument("Comparator").value)
     number = sheet.number(argument)
-    return comparing(name_of(thing), thing, how, number, f"human.{sheet.thing(thing)}")
+    name = name_of(thing)
+    ask = comparing(name, thing, how, number, f"human.{sheet.thing(thing)}")
+    ask.names += (f"carried_{name}{ask.names[0].removeprefix(name)}",)
+    return ask
 
 
 WRITERS: dict[str, Writer] = {
