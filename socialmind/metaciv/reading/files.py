@@ -130,7 +130,7 @@ class Folder:
                 found.update(one.removesuffix(".class") for one in files if one.endswith(".class"))
                 if count > MOST_FILES:
                     break
-        return frozenset(found)
+        return frozenset(one for one in found if one.isidentifier())
 
     def _names(self, part: str) -> list[str]:
         """Return the names in a folder, sorted, without hidden ones."""

@@ -64,9 +64,11 @@ class Record:
         return name[:LONGEST_NAME]
 
     def text(self, key: str, default: str = "") -> str:
-        """Return the value of a key, to the end of its line."""
+        """Return the value of a key, to the end of its line, without what cannot be printed."""
         line = self.document.first(key)
-        return default if line is None else line.rest
+        if line is None:
+            return default
+        return "".join(one if one.isprintable() else " " for one in line.rest)
 
     def whole(
         self, key: str, default: int | None = None, low: int = INT[0], high: int = INT[1]

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from socialmind.metaciv.description import Action, Plan
 from socialmind.metaciv.writing.acts.facilities import efficient_here
 from socialmind.metaciv.writing.acts.form import Act, Ask
-from socialmind.metaciv.writing.acts.kinds import WRITERS
+from socialmind.metaciv.writing.acts.kinds import WRITERS, written
 from socialmind.metaciv.writing.acts.minds import do_nothing
 from socialmind.metaciv.writing.acts.trading import made_bargain, met_nobody
 from socialmind.metaciv.writing.layout import WIDTH, sentence
@@ -163,7 +163,7 @@ class Plans:
         if action.name == "L_EveryXTick":
             asked = self._ask(self._every(action, plan))
             return [self._when(asked, action.children[:1], plan)]
-        made = WRITERS[action.name](self.sheet, action)
+        made = written(self.sheet, action)
         if isinstance(made, Act):
             done = self._rule(made).name
             if action.name in ("A_Trade", "A_TravelTrade") and action.children:
@@ -292,7 +292,7 @@ class Plans:
             return self._branches(rule.call, action.children[:1], plan)
         if action.name == "A_DoNothing":
             return []
-        made = WRITERS[action.name](self.sheet, action)
+        made = written(self.sheet, action)
         if isinstance(made, Act):
             if len(made.body) == 1 and not made.stays:
                 self.uses[_key(made)] += 0

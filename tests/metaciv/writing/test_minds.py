@@ -105,7 +105,7 @@ def test_another_plan_takes_over_when_it_weighs_twice_as_much(tmp_path):
             plans={
                 "Age": "A_ChangeAttribute,a(Attribute age),n(Integer 1)",
                 "Work": "\n".join(["A_AddItem,o(Objet Coin),n(Integer 1)"] * 9),
-                "Flee": "A_AddItem,(Objet Song),n(Integer 1)\nA_GetObject,(Objet Song),n(Integer 9)",
+                "Flee": "A_AddItem,(Objet Song),n(Integer 1)\nA_GetObject,(Objet Song),(Integer 9)",
             },
             kinds={"Age": "self"},
             cognitons={
