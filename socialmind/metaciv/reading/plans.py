@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 from dataclasses import replace
 from typing import Literal
@@ -54,6 +55,10 @@ def read_plan(
     return Plan(record.name, kind, _Actions(record, scheme, world).tree(), record.place)
 
 
+_TYPED = re.compile(rf"\((?=(?:{'|'.join(TYPES)}) )")
+"""Where the content of an argument begins; a label may hold brackets too."""
+
+
 def written_arguments(rest: str) -> list[tuple[str, str | None]] | None:
     """Return label and content of each argument behind an action's name; None if malformed.
 
@@ -61,6 +66,8 @@ def written_arguments(rest: str) -> list[tuple[str, str | None]] | None:
     [('EAST', None)]
     >>> written_arguments("Modified object(Objet Bread, brown),n(Integer 1 Constant meal)")
     [('Modified object', 'Objet Bread, brown'), ('n', 'Integer 1 Constant meal')]
+    >>> written_arguments("n (ticks)(Integer 3)")
+    [('n (ticks)', 'Integer 3')]
     >>> written_arguments("n(Integer 1") is None
     True
     """
@@ -69,6 +76,8 @@ def written_arguments(rest: str) -> list[tuple[str, str | None]] | None:
     while at < len(rest):
         comma, opened = rest.find(",", at), rest.find("(", at)
         if opened >= 0 and (comma < 0 or opened < comma):
+            typed = _TYPED.search(rest, at, len(rest) if comma < 0 else comma)
+            opened = opened if typed is None else typed.start()
             closed = rest.find("),", opened)
             if closed < 0:
                 if not rest.rstrip().endswith(")"):

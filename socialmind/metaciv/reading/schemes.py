@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from dataclasses import replace
 from typing import Literal
 
 from coglogo_py.border.errors import shown
@@ -62,6 +64,10 @@ def read_scheme(
     own = SchemeNames(
         records, {one: _role_names(record) for one, record in records["groups"].items()}
     )
+    cognitons = [_cogniton(record, own) for record in records["cognitons"].values()]
+    permitted = {link.plan for one in cognitons for link in one.permits}
+    plans = _plans(own, world, permitted, findings)
+    there = {one.name for one in plans}
     return Scheme(
         name,
         tuple(
@@ -72,9 +78,12 @@ def read_scheme(
             Constant(one, record.number("Value"), record.place)
             for one, record in records["constants"].items()
         ),
-        tuple(_cogniton(record, own) for record in records["cognitons"].values()),
+        tuple(
+            replace(one, influences=tuple(link for link in one.influences if link.plan in there))
+            for one in cognitons
+        ),
         tuple(_group(record, own) for record in records["groups"].values()),
-        _plans(own, world),
+        plans,
         place,
     )
 
@@ -95,8 +104,8 @@ def head(folder: Folder, part: str, findings: Findings) -> tuple[str, Place]:
     return record.name, record.place
 
 
-def _plans(own: SchemeNames, world: WorldNames) -> tuple[Plan, ...]:
-    """Return the plans; of several at birth, or in every tick, the last file's is this."""
+def _kinds(own: SchemeNames) -> dict[str, Literal["plan", "birth", "self"]]:
+    """Return what plans are for; of several at birth, or in every tick, the last file's is this."""
     records = own.records["plans"]
     kinds: dict[str, Literal["plan", "birth", "self"]] = dict.fromkeys(records, "plan")
     for name, record in records.items():
@@ -111,7 +120,22 @@ def _plans(own: SchemeNames, world: WorldNames) -> tuple[Plan, ...]:
             remedy = f"{shown(last[kind])} counts, the last; this is a plan like others"
             records[name].findings.warn(records[name].place, found, remedy=remedy)
             kinds[name] = "plan"
-    return tuple(read_plan(record, kinds[name], own, world) for name, record in records.items())
+    return kinds
+
+
+def _plans(
+    own: SchemeNames, world: WorldNames, permitted: Collection[str], findings: Findings
+) -> tuple[Plan, ...]:
+    """Return the plans but those with faults that nothing ever begins."""
+    kept = []
+    for name, kind in _kinds(own).items():
+        faults = Findings()
+        plan = read_plan(Record(own.records["plans"][name].document, faults), kind, own, world)
+        unused = kind == "plan" and name not in permitted
+        findings.take(faults, "nothing permits this plan" if unused else None)
+        if not (unused and faults.errors):
+            kept.append(plan)
+    return tuple(kept)
 
 
 def _cogniton(record: Record, own: SchemeNames) -> Cogniton:
@@ -143,7 +167,7 @@ def _cogniton(record: Record, own: SchemeNames) -> Cogniton:
         record.text("Description"),
         type_ if type_ in TYPES else "culturon",
         initial is not None and initial.value.strip() == "1",
-        0 if chance is None else record.whole_in(chance, chance.value, 0, 100),
+        0 if chance is None else min(max(record.whole_in(chance, chance.value), 0), 100),
         None if colour is None else as_whole(colour.value),
         tuple(permits),
         tuple(influences),

@@ -59,7 +59,7 @@ def read_effect(
     """Return the effect that a file says; None, with a warning, where its target is nowhere."""
     findings, place = record.findings, record.place
     target_line, name_line = record.document.first("Cible"), record.document.first("NomCible")
-    said = "" if target_line is None else target_line.value.strip()
+    said = "" if target_line is None else target_line.value.strip().lower()
     target = TARGETS.get(said)
     if target is None:
         expected, remedy = f"one of {', '.join(TARGETS)}", "the effect was left out"

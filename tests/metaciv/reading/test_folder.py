@@ -216,11 +216,34 @@ def test_of_two_plans_of_every_tick_the_last_counts(tmp_path):
 
 
 def test_what_is_wrong_in_a_scheme_that_nobody_has_does_not_matter(tmp_path):
-    file = "schemasCognitifs/Old/plans/Rest.metaciv"
-    reading = reading_of(tmp_path, {file: "Nom : Rest\nAction : A_Sleep\n"})
+    home = "schemasCognitifs/Old"
+    files = {
+        f"{home}/plans/Rest.metaciv": "Nom : Rest\nAction : A_Sleep\n",
+        f"{home}/cognitons/Tired.metaciv": "Nom : Tired\nPermet : Rest\n",
+    }
+    reading = reading_of(tmp_path, files)
     assert [one.severity for one in reading.findings] == ["warning", "warning"]
     assert str(reading.findings[1]).endswith("no civilisation has this scheme")
     assert [one.name for one in reading.model.schemes] == ["Farmer"]
+
+
+def test_what_is_wrong_in_a_plan_that_nothing_permits_does_not_matter(tmp_path):
+    file = "schemasCognitifs/Farmer/plans/Kill.metaciv"
+    will = "schemasCognitifs/Farmer/cognitons/Will.metaciv"
+    files = {
+        file: "Nom : Kill\nAction : A_DropObject\n",
+        will: FARMERS[will] + "Influence : Kill,3\n",
+    }
+    reading = reading_of(tmp_path, files)
+    assert [str(one) for one in reading.findings] == [
+        f"{file}:2: found A_DropObject without its Objet; "
+        "expected an argument `label(Objet …)`; nothing permits this plan",
+        f"{file}:2: found A_DropObject without its Integer; "
+        "expected an argument `label(Integer …)`; nothing permits this plan",
+    ]
+    (scheme,) = reading.model.schemes
+    assert [one.name for one in scheme.plans] == ["Work"]
+    assert {link.plan for one in scheme.cognitons for link in one.influences} == {"Work"}
 
 
 def test_actions_of_the_models_own_are_no_errors(tmp_path):
