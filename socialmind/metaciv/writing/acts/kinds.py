@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-<<<<<<< HEAD
+from socialmind.metaciv.description import Action
 from socialmind.metaciv.writing.acts import (
     facilities,
     ground,
@@ -12,14 +12,9 @@ from socialmind.metaciv.writing.acts import (
     things,
     trading,
 )
-from socialmind.metaciv.writing.acts.form import Writer
-=======
-from socialmind.metaciv.description import Action
-from socialmind.metaciv.writing.acts import facilities, ground, groups, minds, others, things
 from socialmind.metaciv.writing.acts.form import Act, Ask, Writer
 from socialmind.metaciv.writing.names import identifier
 from socialmind.metaciv.writing.sheet import Sheet
->>>>>>> fix/reader
 
 WRITERS: dict[str, Writer] = {
     **facilities.WRITERS,
