@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from coglogo_py.decision import BiasedWeightedStochastic as BiasedWeightedStochastic
     from coglogo_py.decision import DecisionMaker as DecisionMaker
     from coglogo_py.decision import MaximumWeight as MaximumWeight
+    from coglogo_py.decision import PositiveStochastic as PositiveStochastic
     from coglogo_py.decision import WeightedStochastic as WeightedStochastic
     from coglogo_py.lint import Finding as Finding
     from coglogo_py.mind import Mind as Mind
@@ -31,7 +32,7 @@ else:
         {
             "coglogo_py.culture": "Culture",
             "coglogo_py.decision": "BiasedWeightedStochastic DecisionMaker"
-            " MaximumWeight WeightedStochastic",
+            " MaximumWeight PositiveStochastic WeightedStochastic",
             "coglogo_py.border.errors": "CogLogoError MindError SchemeError",
             "coglogo_py.lint": "Finding",
             "coglogo_py.mind": "Mind",

@@ -78,6 +78,30 @@ def heaviest(weights: Weights) -> int:
     return best
 
 
+@register_jitable
+def positive_shares(weights: Weights) -> Weights:
+    """Return each plan's share of the weights above 0; all is the largest one's if none is.
+
+    >>> positive_shares(np.array([1.0, -2.0, 3.0])).tolist(), positive_shares(-np.ones(2)).tolist()
+    ([0.25, 0.0, 0.75], [1.0, 0.0])
+    """
+    count = len(weights)
+    best = heaviest(weights)
+    scale = 1e-10 / count if weights[best] > 1e300 / count else 1.0
+    shares = np.zeros(count)
+    total = 0.0
+    for position in range(count):
+        if weights[position] > 0.0:
+            shares[position] = float(weights[position]) * scale
+            total += shares[position]
+    if total <= 0.0:
+        shares[best] = 1.0
+        return shares
+    for position in range(count):
+        shares[position] /= total
+    return shares
+
+
 @dataclass(frozen=True)
 class DecisionMaker:
     """Base of the decision makers: subclass it to let minds decide in a way of your own.
@@ -242,6 +266,35 @@ class WeightedStochastic(DecisionMaker):
         return weight_shares(weights)
 
 
+class PositiveStochastic(DecisionMaker):
+    """A plan drawn in proportion to its weight, those of weight 0 or less never.
+
+    MetaCiv's WeightedStochasticDecisionMaker. Where no weight is above 0, the largest one wins.
+
+    >>> PositiveStochastic.probabilities(np.array([1.0, -2.0, 3.0]), 1.0).tolist()
+    [0.25, 0.0, 0.75]
+    """
+
+    name = "PositiveStochastic"
+    biased = False
+
+    @staticmethod
+    def choose(weights: Weights, bias: float, u: float) -> int:
+        """Return the first position whose cumulative share is above `u`; no bias plays a part."""
+        shares = positive_shares(weights)
+        cumulative = 0.0
+        for position in range(len(weights)):
+            cumulative += shares[position]
+            if u < cumulative:
+                return position
+        return heaviest(weights)
+
+    @staticmethod
+    def probabilities(weights: Weights, bias: float) -> Weights:
+        """Return the shares of the weights that are above 0."""
+        return positive_shares(weights)
+
+
 class BiasedWeightedStochastic(DecisionMaker):
     """A plan drawn by share, the draw raised to the power of a bias; strong plans come first.
 
@@ -292,8 +345,9 @@ BUILT_IN: tuple[type[DecisionMaker], ...] = (
     MaximumWeight,
     WeightedStochastic,
     BiasedWeightedStochastic,
+    PositiveStochastic,
 )
-"""The decision makers of CogLogo."""
+"""The decision makers of CogLogo, and MetaCiv's that draws."""
 
 
 def decision_maker_called(

@@ -32,6 +32,7 @@ from coglogo_py.groups.instances import add_to_group_attribute as add_to_group_a
 from coglogo_py.groups.instances import add_to_participation as add_to_participation
 from coglogo_py.groups.instances import ask_to_join as ask_to_join
 from coglogo_py.groups.instances import asked_row as asked_row
+from coglogo_py.groups.instances import change_role as change_role
 from coglogo_py.groups.instances import create_and_join_group as create_and_join_group
 from coglogo_py.groups.instances import enclose_group as enclose_group
 from coglogo_py.groups.instances import enter as enter
@@ -65,11 +66,13 @@ MAXIMUM_WEIGHT = 0
 WEIGHTED_STOCHASTIC = 1
 BIASED_WEIGHTED_STOCHASTIC = 2
 MODELLERS_OWN = 3
+POSITIVE_STOCHASTIC = 4
 """Codes of the decision makers, as `SchemeArrays.maker[0]` holds them."""
 CODES = {
     "MaximumWeight": MAXIMUM_WEIGHT,
     "WeightedStochastic": WEIGHTED_STOCHASTIC,
     "BiasedWeightedStochastic": BIASED_WEIGHTED_STOCHASTIC,
+    "PositiveStochastic": POSITIVE_STOCHASTIC,
 }
 """Those of the built-in ones, by their names."""
 
@@ -364,6 +367,21 @@ def _choose(maker_code: int, bias: float, weights: Floats, count: int, u: float)
     if maker_code == MAXIMUM_WEIGHT:
         return best
 
+    if maker_code == POSITIVE_STOCHASTIC:
+        scale = 1e-10 / count if weights[best] > 1e300 / count else 1.0
+        total = 0.0
+        for i in range(count):
+            weights[i] = weights[i] * scale if weights[i] > 0.0 else 0.0
+            total += weights[i]
+        if total <= 0.0:
+            return best
+        cumulative = 0.0
+        for i in range(count):
+            cumulative += weights[i] / total
+            if u < cumulative:
+                return i
+        return best
+
     scale = 1.0
     if weights[best] > 1e300 / count or least < -1e300 / count:
         scale = 1e-10 / count
@@ -408,7 +426,7 @@ def _choose(maker_code: int, bias: float, weights: Floats, count: int, u: float)
 
 @_operation
 def choose(maker_code: int, bias: float, weights: Floats, u: float) -> int:
-    """Return the position that one of the three built-in decision makers picks.
+    """Return the position that one of the built-in decision makers picks.
 
     Args:
         maker_code: `MAXIMUM_WEIGHT`, `WEIGHTED_STOCHASTIC` or `BIASED_WEIGHTED_STOCHASTIC`.

@@ -337,6 +337,15 @@ class Mind:
             raise MindError(f"no group {group!r} with id {identity} lives; those that do: {listed}")
         return bool(self._try_with_scheme(kernel.join_group, *positions, identity))
 
+    def change_role(self, group: str, role: str) -> bool:
+        """Play another role in the group that the mind is in; its participation stays as it is.
+
+        Returns:
+            Whether it took effect: not outside the group.
+        """
+        positions = self.society.names.role(group, role)
+        return bool(self._try_with_scheme(kernel.change_role, *positions))
+
     def leave_group(self, group: str) -> None:
         """Leave the group of this type, if in one; without members it dissolves."""
         self._try(kernel.leave_group, self.society.names.group(group))

@@ -37,6 +37,8 @@ from socialmind.commands.experiments.fitting import fit
 from socialmind.commands.experiments.scoring import score
 from socialmind.commands.experiments.sensitivity import sensitivity
 from socialmind.commands.experiments.sweeping import sweep
+from socialmind.commands.exporting import export_scheme
+from socialmind.commands.importing import import_
 from socialmind.commands.learning import learn
 from socialmind.commands.plotting import plot
 from socialmind.commands.rendering import render
@@ -91,7 +93,7 @@ def command(function: Callable[..., None]) -> Callable[..., None]:
                 code = BROKEN_PIPE
             raise typer.Exit(code) from None
 
-    app.command(name=function.__name__.rstrip("_"))(reporting)
+    app.command(name=function.__name__.rstrip("_").replace("_", "-"))(reporting)
     return reporting
 
 
@@ -137,7 +139,7 @@ def list_(
 
 for one in (
     running.run, studio, sweep, sensitivity, fit, branch, compare, learn, score, plot, render,
-    running.replay,
+    running.replay, import_, export_scheme,
 ):  # fmt: skip
     command(one)
 

@@ -245,6 +245,18 @@ def join_group(
 
 
 @_operation
+def change_role(scheme: SchemeArrays, minds: MindArrays, slot: int, group: int, role: int) -> bool:
+    """Play another role in the instance that the mind is in; False outside the group."""
+    scheme, minds = borrowed(scheme), borrowed(minds)
+    if scheme.role_group[role] != group:
+        raise ValueError("change_role: the role is of another group")
+    if minds.group_slot[slot, group] < 0:
+        return False
+    minds.role[slot, group] = role
+    return True
+
+
+@_operation
 def set_participation(minds: MindArrays, slot: int, group: int, value: float) -> None:
     """Set the degree of participation; without effect outside the group."""
     minds = borrowed(minds)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from socialmind.commands.console import options
+from socialmind.commands.importing import imported_for_run, names_metaciv
 from socialmind.errors import SocialmindError, nearest
 from socialmind.work.progress import progress_bar
 
@@ -99,25 +101,23 @@ def run(
                 trust=trust,
             )  # fmt: skip
     elif resume is None:
-        from socialmind.catalogue import load_model
-
         if model is None:
             raise SocialmindError(
                 "which model? give a name (`socialmind list` shows them) or a folder"
             )
         if source is not None:
             raise SocialmindError("--source is for --resume: a new run has no copies yet")
-        model_class = load_model(model)
-        parameters = read_settings(model_class, settings or [])
         shocks = shocks_in(shock or [])
         schemes = by_population(scheme or [], "--scheme")
         minds = by_population(mind or [], "--mind")
-        with progress_bar(options.seen(quiet), "ticks", f"run {model}") as on_progress:
-            folder = execution.run(
-                model_class, ticks, seed or 0, parameters, schemes, minds, every, agents_every,
-                out, not interpreted, on_progress, engine=engine or "compiled",
-                links=links, events=events, interventions=shocks,
-            )  # fmt: skip
+        with _model_and_folder(model, out, quiet) as (model_class, place):
+            parameters = read_settings(model_class, settings or [])
+            with progress_bar(options.seen(quiet), "ticks", f"run {model}") as on_progress:
+                folder = execution.run(
+                    model_class, ticks, seed or 0, parameters, schemes, minds, every, agents_every,
+                    place, not interpreted, on_progress, engine=engine or "compiled",
+                    links=links, events=events, interventions=shocks,
+                )  # fmt: skip
     else:
         options.refuse_with_resume(context, "run", RESUMED_WITH)
         with progress_bar(options.seen(quiet), "ticks", "run") as on_progress:
@@ -129,6 +129,21 @@ def run(
     if figures:
         draw(folder, trust)
     typer.echo(folder)
+
+
+@contextmanager
+def _model_and_folder(
+    model: str, out: Path | None, quiet: bool
+) -> Iterator[tuple[type[Model], Path | None]]:
+    """Give the class of a model and where its run goes; one of MetaCiv's is written there first."""
+    from socialmind.catalogue import load_model
+    from socialmind.runs.folders import OWN_MODEL
+
+    if not names_metaciv(model):
+        yield load_model(model), out
+        return
+    with imported_for_run(model, out, quiet) as folder:
+        yield load_model(folder / OWN_MODEL), folder
 
 
 def replay(

@@ -390,7 +390,7 @@ def _decision(own_maker: bool, weighed: bool) -> list[str]:
 
 
 _WITH_SCHEME = (
-    *("feed_back_from_plan", "create_and_join_group", "join_group", "ask_to_join"),
+    *("feed_back_from_plan", "create_and_join_group", "join_group", "change_role", "ask_to_join"),
     *("enclose_group", "set_culturon_value", "add_to_culturon_value", "get_culturon_value"),
     *("set_group_attribute", "add_to_group_attribute", "get_group_attribute"),
 )

@@ -69,7 +69,8 @@ def run(
         every: ticks between two rows of the series, at least 1; by default such that about 500
             are recorded. The last tick is always recorded.
         agents_every: ticks between two recordings of the agents; by default ten times `every`.
-        out: folder to make, or an empty one; by default the next number under ``runs/``.
+        out: folder to make, or an empty one; by default the next number under ``runs/``. It may
+            hold the model itself, in ``model/``.
         compiled: False runs the rules in plain Python, with the same result.
         on_progress: called with the ticks done and the length, about ten times a second.
         checkpoint_every: seconds between two checkpoints.
@@ -97,8 +98,10 @@ def run(
     agents_step = whole("agents_every", agents_step, 1)
     seed = whole("seed", seed, 0, 2**64 - 1)
     target = None if out is None else Path(out)
+    holding: tuple[str, ...] = ()
     if target is not None:
-        folders.refuse_unless_free(target.expanduser())
+        holding = (folders.OWN_MODEL,) if sources.is_own(target, model_class) else ()
+        folders.refuse_unless_free(target.expanduser(), holding)
 
     given = dict(parameters or {})
     for name in given:
@@ -140,7 +143,7 @@ def run(
         copies = sources_of(model_class).copies()
         remember({path: content for path, content in copies.items() if path.endswith(".py")})
         files = {**scheme_files, **mind_files, **copies, **intervention_files}
-        capsule = Capsule.create(target, manifest, files)
+        capsule = Capsule.create(target, manifest, files, holding)
         with capsule.locked():
             Execution(capsule, model, None, started, to_come).go(length, tell, checkpoint_every)
     return capsule.folder

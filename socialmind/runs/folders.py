@@ -11,7 +11,7 @@ import os
 import platform
 import secrets
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import MISSING, asdict, dataclass, fields, replace
 from pathlib import Path
@@ -31,6 +31,8 @@ GOES_ON = {"run": "run", "training": "learn", "sweep": "sweep", "fit": "fit"}
 """The command that goes on with what a folder is of."""
 PATIENCE = 0.5
 """Seconds that a lock may take: who asks whether a folder is held, holds it for a moment."""
+OWN_MODEL = "model"
+"""The folder within a run's that holds the model itself, where it was written for this run."""
 MOST_TAKEN = 1000
 """How often another program may take a number before something else must be wrong."""
 
@@ -123,7 +125,13 @@ class ManifestFolder(Generic[M]):
         self.manifest = self._manifest_on_disk()
 
     @classmethod
-    def create(cls, out: Path | None, manifest: M, files: Mapping[str, bytes]) -> Self:
+    def create(
+        cls,
+        out: Path | None,
+        manifest: M,
+        files: Mapping[str, bytes],
+        holding: Collection[str] = (),
+    ) -> Self:
         """Make a folder; it appears whole, with its manifest and files, or not at all.
 
         Args:
@@ -131,12 +139,15 @@ class ManifestFolder(Generic[M]):
                 under `HOME`.
             manifest: what it is the folder of.
             files: content of the other files that it holds from the start, by their paths.
+            holding: what `out` may hold already.
 
         Raises:
             SocialmindError: the folder holds something, or cannot be written.
         """
         name = str(manifest.model["name"] or manifest.WHAT)
-        return cls(make_folder(out, cls.HOME, name, {**files, MANIFEST: manifest.content()}))
+        return cls(
+            make_folder(out, cls.HOME, name, {**files, MANIFEST: manifest.content()}, holding)
+        )
 
     def _manifest_on_disk(self) -> M:
         return self.MANIFEST_CLASS.load(self.folder / MANIFEST)
@@ -176,7 +187,13 @@ def kind_of(folder: Path) -> str:
     return str(kind or "run")
 
 
-def make_folder(out: Path | None, home: str, name: str, files: Mapping[str, bytes]) -> Path:
+def make_folder(
+    out: Path | None,
+    home: str,
+    name: str,
+    files: Mapping[str, bytes],
+    holding: Collection[str] = (),
+) -> Path:
     """Make a folder of files, at a given path or under the next free number.
 
     Args:
@@ -184,6 +201,7 @@ def make_folder(out: Path | None, home: str, name: str, files: Mapping[str, byte
         home: the folder of numbered folders.
         name: which they begin with.
         files: their content by name, the manifest's among them.
+        holding: what `out` may hold already.
 
     Returns:
         The folder.
@@ -193,7 +211,7 @@ def make_folder(out: Path | None, home: str, name: str, files: Mapping[str, byte
     """
     if out is not None:
         target = out.expanduser().absolute()
-        refuse_unless_free(target)
+        refuse_unless_free(target, holding)
         try:
             _fill(target, files)
         except FileExistsError as error:
@@ -218,7 +236,8 @@ def _fill(target: Path, files: Mapping[str, bytes]) -> None:
     It is filled beside the target under another name, and then renamed.
 
     Args:
-        target: a path where nothing is, or an empty folder.
+        target: a path where nothing is, or a folder; one that holds something gets the
+            manifest last.
         files: their content by name, the manifest's among them.
 
     Raises:
@@ -231,7 +250,7 @@ def _fill(target: Path, files: Mapping[str, bytes]) -> None:
         for name, content in files.items():
             (unfinished / name).parent.mkdir(parents=True, exist_ok=True)
             (unfinished / name).write_bytes(content)
-        if target.is_dir() and target == Path.cwd():
+        if target.is_dir() and (target == Path.cwd() or any(target.iterdir())):
             # Renaming over the current folder would leave the user's shell nowhere.
             for path in sorted(unfinished.iterdir(), key=lambda p: p.name == MANIFEST):
                 path.rename(target / path.name)
@@ -291,14 +310,19 @@ def is_held(folder: Path) -> bool:
         return False
 
 
-def refuse_unless_free(folder: Path) -> None:
-    """Raise unless the path is free or an empty folder: nothing is ever overwritten."""
+def refuse_unless_free(folder: Path, holding: Collection[str] = ()) -> None:
+    """Raise unless the path is free or an empty folder: nothing is ever overwritten.
+
+    Args:
+        folder: the path.
+        holding: what it may hold all the same.
+    """
     if folder.is_dir():
         if (folder / MANIFEST).is_file():
             raise SocialmindError(
                 f"{folder}: holds a run; go on with it by --resume, or give another folder"
             )
-        if any(folder.iterdir()):
+        if any(one.name not in holding for one in folder.iterdir()):
             raise SocialmindError(f"{folder}: is not empty; give a fresh folder")
     elif folder.exists() or folder.is_symlink():
         raise SocialmindError(f"{folder}: is a file; give a folder")

@@ -57,12 +57,19 @@ def model_source(model_class: type[Model]) -> dict[str, Any]:
     if path is not None and path.name == MODEL_FILE:
         path = path.parent
     there = path is not None and path.exists()
+    named = path is not None and path.is_dir() and path.name != folders.OWN_MODEL
     return {
-        "name": path.name if path is not None and path.is_dir() else model_class.__name__,
+        "name": path.name if path is not None and named else model_class.__name__,
         "path": str(path) if there else None,
         "source_sha256": source_hash(path) if path is not None and there else None,
         "sources": sources_of(model_class).record(),
     }
+
+
+def is_own(folder: Path, model_class: type[Model]) -> bool:
+    """Return whether a run's folder holds the model itself, written for this run."""
+    file = file_of_class(model_class)
+    return file is not None and file.resolve().parent == folder.resolve() / folders.OWN_MODEL
 
 
 def with_late_reads(record: dict[str, Any], model_class: type[Model]) -> dict[str, Any]:
@@ -75,7 +82,9 @@ def with_late_reads(record: dict[str, Any], model_class: type[Model]) -> dict[st
 
 
 def recorded_folder(capsule: Made) -> Path | None:
-    """The folder of a run's model: where it stood, or the one of that name that ships."""
+    """The folder of a run's model: its own, where it stood, or the one of that name that ships."""
+    if (capsule.folder / folders.OWN_MODEL / MODEL_FILE).is_file():
+        return capsule.folder / folders.OWN_MODEL
     name, path = capsule.manifest.model["name"], capsule.manifest.model["path"]
     if path is not None and (Path(path) / MODEL_FILE).is_file():
         return Path(path)

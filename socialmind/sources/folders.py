@@ -11,6 +11,7 @@ import hashlib
 import inspect
 from collections.abc import Iterator
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 from socialmind.errors import SocialmindError, nearest
@@ -19,6 +20,8 @@ from socialmind.sources.typed_in import is_typed_in
 
 PACKAGE = Path(__file__).resolve().parent.parent
 MODEL_FILE = "model.py"
+METACIV_FILE = "parametres.metaciv"
+"""What a folder of MetaCiv's holds in place of a `model.py`."""
 FIGURES_FILE = "figures.py"
 APP_FILE = "app.py"
 OTHER_MINDS = "mind_"
@@ -80,6 +83,11 @@ def model_folder(name_or_path: str | Path) -> Path:
     if path.is_file() and path.name == MODEL_FILE:
         return path.resolve().parent
     if path.is_dir():
+        if is_metaciv(path):
+            raise SocialmindError(
+                f"{path}: a model of MetaCiv's; `socialmind import {quote(str(path))} --out DIR` "
+                "writes it as one of this toolkit, and `socialmind run` runs it at once"
+            )
         if not (path / MODEL_FILE).is_file():
             raise SocialmindError(
                 f"{path}: not a model, it holds no {MODEL_FILE}; "
@@ -89,6 +97,11 @@ def model_folder(name_or_path: str | Path) -> Path:
     if path.name != name:
         raise SocialmindError(f"{path}: no such folder; a model is a folder with a {MODEL_FILE}")
     raise SocialmindError(f"no model called {name}; {nearest(name.replace('-', '_'), known)}")
+
+
+def is_metaciv(folder: Path) -> bool:
+    """Return whether a folder is a model of MetaCiv's, and none of this toolkit."""
+    return (folder / METACIV_FILE).is_file() and not (folder / MODEL_FILE).is_file()
 
 
 def digest(content: bytes) -> str:

@@ -12,6 +12,7 @@ from coglogo_py import (
     BiasedWeightedStochastic,
     DecisionMaker,
     MaximumWeight,
+    PositiveStochastic,
     SchemeError,
     WeightedStochastic,
 )
@@ -117,6 +118,20 @@ def test_weights_are_left_as_they_were(maker):
     maker.choose(weights, maker.bias, 0.4)
     maker.probabilities(weights, maker.bias)
     assert weights.tolist() == [0.5, -3.0, 7.0]
+
+
+@pytest.mark.parametrize(
+    ("weights", "expected"),
+    [
+        ([1.5, 1.5], [1 / 2, 1 / 2]),  # MetaCiv's own cuts them to 2/3 and 1/3
+        ([-4.0, 1.0, 0.0, 3.0], [0, 1 / 4, 0, 3 / 4]),
+        ([-2.0, -1.0, -1.0], [0, 1, 0]),
+    ],
+)
+def test_positive_stochastic_draws_among_the_weights_above_0(weights, expected):
+    found = PositiveStochastic.probabilities(np.array(weights), 1.0)
+    assert found == pytest.approx(expected)
+    assert PositiveStochastic.choose(np.array([1.0, 3.0]), 1.0, 0.25) == 1  # the border is above
 
 
 def test_maximum_weight_takes_the_first_of_equals():

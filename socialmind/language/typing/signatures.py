@@ -44,6 +44,7 @@ MIND: dict[str, Signature] = {
     "is_active": Signature((COGNITON,), BOOL),
     "create_and_join_group": Signature((GROUP, ROLE), BOOL),
     "join_group": Signature((GROUP, ROLE, INT), BOOL),
+    "change_role": Signature((GROUP, ROLE), BOOL),
     "set_participation": Signature((GROUP, FLOAT), NONE),
     "add_to_participation": Signature((GROUP, FLOAT), NONE),
     "get_participation": Signature((GROUP,), FLOAT),

@@ -20,7 +20,7 @@ from socialmind.fields import Field, presence, set_default
 from socialmind.language.aggregates import AGGREGATES, aggregated, field_called
 from socialmind.language.arithmetic import brought_back
 from socialmind.values import fitted, fitted_column
-from socialmind.worlds.grid import geometry
+from socialmind.worlds.grid import geometry, ways
 from socialmind.worlds.grid.fields import diffused, share_of
 from socialmind.worlds.grid.patches_near import (
     count_around,
@@ -349,6 +349,34 @@ class PatchWorld:
         """
         layer = self.layer(field_called(field, self.fields, "patches", (float,)).name)
         layer[...] = layer * (1.0 - share_of(share))
+
+    def way(
+        self,
+        field: str,
+        x: float,
+        y: float,
+        to_x: float,
+        to_y: float,
+        sight: int,
+        beyond: float,
+    ) -> float:
+        """Return the heading of the first step of a cheapest way over the eight neighbours.
+
+        Args:
+            field: the name of the field that says what it costs to enter a patch; infinite where
+                nobody can.
+            x: from where.
+            y: from where.
+            to_x: to where.
+            to_y: to where.
+            sight: how many steps far the costs are known; 0 or less for all patches.
+            beyond: what a step costs beyond, above 0.
+
+        Returns:
+            0, 45, … 315 degrees; −1 where there is no way, or no need for any.
+        """
+        costs = self.columns[field_called(field, self.fields, "patches", (float,)).name]
+        return float(ways.way(costs, x, y, to_x, to_y, sight, beyond, *self._space))
 
     def _aggregated(self, what: str, field: str) -> Any:
         found = field_called(field, self.fields, "patches", (float, int, bool))

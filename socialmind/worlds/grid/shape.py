@@ -11,7 +11,7 @@ from socialmind.compiling.lowering import PLACES, SPACE
 from socialmind.fields import Field
 from socialmind.language.shape import WorldShape, WorldText
 from socialmind.worlds.grid import fields as steps
-from socialmind.worlds.grid import one_per_patch
+from socialmind.worlds.grid import one_per_patch, ways
 from socialmind.worlds.grid.geometry import COMMANDS, LOOKING
 from socialmind.worlds.grid.patches import PatchForm
 
@@ -95,12 +95,12 @@ class GridShape(WorldShape):
         ends = f"({low_x} - 0.5)", f"({low_y} - 0.5)", f"float({width})", f"float({height})"
         self.extent = (*ends, wraps_x, wraps_y, "1")
         self.commands = COMMANDS
-        self.calls = steps.CALLS
+        self.calls = {**steps.CALLS, **ways.CALLS}
         if alone is not None:
             self.numbers |= one_per_patch.NUMBERS
             self.columns += one_per_patch.COLUMNS
             self.commands = LOOKING | one_per_patch.MOVING
-            self.calls = {**steps.CALLS, **one_per_patch.CALLS}
+            self.calls = {**self.calls, **one_per_patch.CALLS}
 
     @cached_property
     def form(self) -> PatchForm:
@@ -141,13 +141,14 @@ class GridShape(WorldShape):
         if program.patches_sought:
             before.append(self._around_text())
         before.append(steps.text(program.world_calls, self.patch, self.numbers))
+        space = ", ".join(self.numbers[name] for name in SPACE)
+        before.append(ways.text(program.world_calls, space))
         if self.alone is None:
             return WorldText("\n\n\n".join(filter(None, before)))
         kept = {}
         for axis in PLACES:
             keep, low, side = self.kept_within("", axis)
             kept[f"KEEP_{axis.upper()}"] = f"{keep}({axis}, {low}, {side})"
-        space = ", ".join(self.numbers[name] for name in SPACE)
         before.append(one_per_patch.text(self.alone, {"SPACE": space, **kept}, program.indexed))
         return WorldText("\n\n\n".join(filter(None, before)), "", one_per_patch.TICK)
 
