@@ -9,8 +9,8 @@
 - *Memory* of the program and of the page (its heap, after collecting garbage), while a society runs
   as fast as possible: after a sixth of the time, and at its end.
 
-Chromium draws by software here (SwiftShader), on the same cores as all else: with a graphics card
-there are more frames.
+Chromium starts as it does by itself. Without a graphics card it draws by software, on the same
+cores as all else: with one there are more frames.
 
     python benchmarks/studio.py            # under four minutes
     python benchmarks/studio.py --hour     # memory over an hour
@@ -45,7 +45,6 @@ from socialmind.studio.running.frames import unpacked
 
 BUILT = Path(socialmind.studio.__file__).parent / "built"
 WALKERS = str(HERE / "studio_walkers.py")
-FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 SECONDS = 6.0
 """Of one measurement of frames or of speed."""
 COUNTING = """
@@ -288,7 +287,7 @@ def measure(seconds: float = SECONDS, rounds: int = 3, memory: float = 75.0) -> 
     compile_all()
     with sync_playwright() as driver:
         chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-        browser = driver.chromium.launch(executable_path=chromium, args=FLAGS)
+        browser = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         results = {
             "machine": describe_machine("numba", "starlette", "websockets"),
             "chromium": browser.version,

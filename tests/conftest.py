@@ -1,5 +1,6 @@
 """What all tests share: a folder of their own for what is remembered, and no clock in examples."""
 
+import gc
 import os
 import tempfile
 
@@ -11,3 +12,8 @@ os.environ["SOCIALMIND_DATA_DIR"] = tempfile.mkdtemp(prefix="socialmind-tests-")
 settings.register_profile("unhurried", deadline=None)
 if settings.get_current_profile_name() == "default":
     settings.load_profile("unhurried")
+
+
+def pytest_collection_finish():
+    # Ten thousand tests are not looked through each time that cycles are collected.
+    gc.freeze()

@@ -36,7 +36,27 @@ def test_wolves_and_sheep_are_as_large_as_they_are_fed():
     header, columns = unpacked(frame_of(society, Shown.of(society)))
     assert columns["sheep.size"] == pytest.approx(0.7 + 0.02 * society.sheep.energy)
     assert header["patches"]["range"] == [0, society.regrowth]
-    assert columns["patches"].tolist() == society.world.growing.ravel().tolist()
+    along = columns["patches"] / 254 * society.regrowth
+    assert along == pytest.approx(society.world.growing.ravel(), abs=society.regrowth / 254)
+
+
+def test_bodies_on_a_plane_have_colours_and_shapes_too(monkeypatch):
+    kind = load_model("collect")
+
+    def looks(self):
+        return {
+            "robots": Looks("arrow", {"idle": "grey", "done": "red"}, by=self.robots.delivered > 0),
+            "drop_zones": Looks(colour="gold"),
+        }
+
+    monkeypatch.setattr(kind, "looks", looks)
+    society = kind(seed=1, compiled=False)
+    header, columns = unpacked(frame_of(society, Shown.of(society)))
+    said = header["populations"]
+    assert (said["robots"]["shape"], said["robots"]["words"]) == ("arrow", ["idle", "done"])
+    assert columns["robots.colour"].tolist() == [0]
+    assert said["drop_zones"]["colours"] == [COLOURS["gold"]]
+    assert "objects.colour" not in columns
 
 
 def test_words_have_their_colours_and_a_scale_its_ends():

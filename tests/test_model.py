@@ -199,6 +199,7 @@ def test_every_name_of_a_society_is_taken():
         ({"cows": Population(Patch, 3)}, "the agents of 'cows'"),
         ({"cows": Population("Cow", 3)}, "found 'Cow' as the agents of 'cows'"),
         ({"cows": Population(Cow, 3, plans={"eat": graze})}, "plans for 'cows', which has no mind"),
+        ({"cows": Population(Cow, 3, mind={})}, "as the mind of 'cows'; expected a file's name"),
         ({"cows": Population(Cow, -1)}, "found the size -1; expected a whole number, 0 or more"),
         ({"cows": Population(Cow, 2.0)}, "found the size 2.0"),
         (

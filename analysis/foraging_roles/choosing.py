@@ -9,10 +9,11 @@ within one robot of the wanted split, by what robots bring home, all through the
 undisturbed, after the ratio turns round, and after three robots in A are taken away.
 
 The winner of the last lesson is judged first; the others as long as none of the training's minds
-has shares of `ENOUGH` or more. The mind with the greatest least share is the attempt's; of equals
-that with the greater sum, then the later one. An attempt has one training, the one with its number.
-As long as some fall short of `ENOUGH` and trainings are left, the one with the least share of all
-begins anew: it has the next training too.
+has shares of `ENOUGH` or more. A mind is judged no further once a share is below `TOO_FEW`. The
+mind with the greatest least share is the attempt's; of equals that with the greater sum, then the
+later one. An attempt has one training, the one with its number. As long as some fall short of
+`ENOUGH` and trainings are left, the one with the least share of all begins anew: it has the next
+training too.
 
 A row of `results/chosen_reported.csv` is an attempt's mind in worlds for reporting other than those
 of `analysis/specialisation`, which tells of more, in ten worlds an attempt.
@@ -45,19 +46,21 @@ OUT = Path(__file__).parent / "results" / "chosen_in_bodies.csv"
 REPORT = OUT.with_name("chosen_reported.csv")
 NAME, TRAINED = "chosen_in_bodies", "like_bodies"
 KEYS = ["training", "lesson", "what"]
-TICKS, WORLDS = 60_000, 12
-FURTHER = REPORTED[20:40]
+TICKS, WORLDS = 60_000, 36
+FURTHER = REPORTED[50:90]
 """Worlds of the report, behind those of `analysis/specialisation`."""
 HALF = TICKS // 2 - 1
 CONDITIONS: Mapping[str, Mapping[str, int]] = {
-    "undisturbed": {},
-    "turned": {"reverse_at": HALF},
     "removed": {"remove_at": HALF},
+    "turned": {"reverse_at": HALF},
+    "undisturbed": {},
 }
+"""What is asked for, the hardest first."""
 CANDIDATES = ((2, "best"), (2, "winner"), (3, "best"), (3, "winner"))
 """Lessons of the curriculum, and what is a mind of a training in each."""
-ATTEMPTS, ENOUGH = 10, 0.9
-"""How many there are, and the least share of worlds from which one has no further training."""
+ATTEMPTS, ENOUGH, TOO_FEW = 10, 0.85, 0.75
+"""How many there are; the least share of worlds from which one has no further training, and the
+share below which a mind has no hope of that."""
 
 Candidate = tuple[int, int, str]
 """Training, lesson, and what it is there."""
@@ -108,7 +111,11 @@ def judge(path: Path = OUT) -> pd.DataFrame:
             own = [row for row in rows if row["training"] == number]
             if one in known or any(least(row) >= ENOUGH for row in own):
                 continue
-            shares = {name: settles(mind, given) for name, given in CONDITIONS.items()}
+            shares = dict.fromkeys(CONDITIONS, np.nan)
+            for name, given in CONDITIONS.items():
+                shares[name] = settles(mind, given)
+                if shares[name] < TOO_FEW:
+                    break
             rows.append({**dict(zip(KEYS, one, strict=True)), **shares})
             table = pd.DataFrame(rows).sort_values(KEYS)
             table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
@@ -128,8 +135,8 @@ def report(path: Path = REPORT) -> pd.DataFrame:
 
 
 def least(row: Mapping[Any, Any]) -> float:
-    """Return the least share of worlds of a mind that was judged."""
-    return min(float(row[name]) for name in CONDITIONS)
+    """Return the least share of worlds of a mind, of those judged."""
+    return float(np.nanmin([row[name] for name in CONDITIONS]))
 
 
 def read(path: Path = OUT) -> pd.DataFrame:

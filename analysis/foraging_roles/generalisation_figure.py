@@ -108,7 +108,7 @@ def partners(axes: Axes, table: pd.DataFrame, alone: pd.DataFrame) -> None:
         for who, number, focal in ((other, other_attempt, 0), (way, attempt, NINE)):
             same = alone[
                 (alone["way"] == who) & (alone["attempt"] == number)
-                & (alone["condition"] == TURNED) & alone["world"].isin(pair["world"])
+                & (alone["situation"] == TURNED) & alone["world"].isin(pair["world"])
             ]  # fmt: skip
             if len(same):
                 found[focal] = same["within_one"].mean()
@@ -127,13 +127,13 @@ def draw(out: Path = RESULTS) -> list[Path]:
     """Draw the figure of the tables in `results`, and write it with its numbers."""
     large = pd.read_csv(RESULTS / "large_groups.csv")
     table = read(RESULTS / "generalisation.csv")
-    alone = pd.read_csv(RESULTS / "attempts.csv")
+    among, alone = table[table["partner"] != ALONE], table[table["partner"] == ALONE]
     with paper.style():
         figure = paper.figure(paper.PAGE, 70.0)
         first, second, third = figure.subplots(1, 3, width_ratios=(0.8, 1.0, 1.0))
         groups(first, large)
         causes(second, large)
-        partners(third, table[table["partner"] != ALONE], alone)
+        partners(third, among, alone)
         for axes, letter, title in (
             (first, "a", "groups of other sizes"),
             (second, "b", "why the largest are less sharp"),

@@ -23,7 +23,7 @@ from .worlds import TRAINING
 MODEL = model_folder("foraging_roles")
 LESSONS = load_file(MODEL / "role_lessons.py")
 ATTEMPTS = 10
-FURTHER = 2
+FURTHER = 10
 """Of `like_bodies`, for attempts that fall short of what `choosing` asks for."""
 FEW, NARROW = 3, 5
 """Of lessons that are kept to show why `delivered_anew` is as it is."""

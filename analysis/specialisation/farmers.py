@@ -9,9 +9,7 @@ from typing import Any
 
 import pandas as pd
 
-from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_file, load_model, model_folder
-from socialmind.learning.distilling import Distillation
 from socialmind.work.side_by_side import side_by_side
 
 from .societies import Size
@@ -22,6 +20,8 @@ SOCIETIES = {
     "learned": "a perceptron that was taught for wheat, and reads the same cognitons",
     "distilled": "a scheme of few links that was distilled from the perceptron",
 }
+DISTILLED = "distilled.yaml"
+"""The file of the scheme that is distilled."""
 EVERY = 500
 """Ticks between two records."""
 MEASURED = {
@@ -62,16 +62,10 @@ class Found:
     Attributes:
         worlds: `society`, `seed` and measures.
         course: `society`, `seed`, `tick`, `artisans` and `specialised`.
-        distillation: the scheme, and how well it agrees with the mind.
-        written: the scheme that somebody wrote.
-        plans: what the mind does: the mean probability of each plan.
     """
 
     worlds: pd.DataFrame
     course: pd.DataFrame
-    distillation: Distillation
-    written: CognitiveScheme
-    plans: dict[str, float]
 
 
 def _study() -> Any:
@@ -114,9 +108,9 @@ def found(size: Size, home: Path, workers: int | None = None) -> Found:
         home: where the distilled scheme is written.
         workers: processes; one for each processor by default.
     """
-    distillation, plans = _study().distil(model_folder("farmer_artisan_learned") / "mind")
+    distillation, _ = _study().distil(model_folder("farmer_artisan_learned") / "mind")
     home.mkdir(parents=True, exist_ok=True)
-    file = home / "distilled.yaml"
+    file = home / DISTILLED
     distillation.scheme.save(file)
     calls = [
         (society, seed, size.farmers_ticks, str(file))
@@ -127,7 +121,4 @@ def found(size: Size, home: Path, workers: int | None = None) -> Found:
     return Found(
         worlds=pd.DataFrame([row for row, _ in answers]),
         course=pd.DataFrame([one for _, several in answers for one in several]),
-        distillation=distillation,
-        written=CognitiveScheme.load(model_folder("farmer_artisan") / "scheme.yaml"),
-        plans=plans,
     )

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 TITLE = "Programmed and learned specialisation"
-NOT_SO = "Said of the study that is kept, and not so in this run:"
+NOT_SO = "Said of the study as it was kept, and not so in this run:"
 
 
 def found(section: str, tables: Mapping[str, pd.DataFrame], size: Size) -> str:
@@ -39,18 +39,13 @@ def found(section: str, tables: Mapping[str, pd.DataFrame], size: Size) -> str:
     lines = []
     for claim in claims_of(section):
         one = told(claim, tables)
-        lines.append(
-            one.text
-            if one.holds
-            else f"Said of the study as it was kept, and not so in this run: {one.text}"
-        )
+        lines.append(one.text if one.holds else f"{NOT_SO} {one.text}")
     return html.bullets(lines)
 
 
 def page_of(
-    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], village: farmers.Found,
-    size: Size, command: str,
-) -> str:  # fmt: skip
+    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size, command: str
+) -> str:
     """Return the page."""
     seeds = f"{SEED} … {SEED + size.worlds - 1}"
     top = [
@@ -79,7 +74,7 @@ def page_of(
         html.section("After shocks", _shocked(tables, figures, size), "shocks"),
         html.section("Both minds in one society", _mixed(tables, figures, size), "mixed"),
         html.section("The other way round: farmers and artisans",
-                     _farmers(tables, figures, village, size), "farmers"),
+                     _farmers(tables, figures, size), "farmers"),
         html.section("What is measured", _definitions(), "measures"),
         html.section("How it was made", _made(tables, size, command, seeds), "method"),
         html.section("What this does not say", [found("limits", tables, size) or html.paragraph(
@@ -194,16 +189,16 @@ def _shocked(
 def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str) -> str:
     """A table of societies under a condition, with differences from the programmed one."""
     rows = []
-    for name, measured in MEASURED.items():
-        row: dict[str, object] = {"": f"{measured.title}\n{measured.unit}"}
-        for one in SOCIETIES.values():
-            where = {"society": one.name, "condition": condition}
+    for one in SOCIETIES.values():
+        row: dict[str, object] = {"society": _in_lines(one.title)}
+        where = {"society": one.name, "condition": condition}
+        for name, measured in MEASURED.items():
             cell = spread(one_of(tables["means"], name, **where), measured.digits)
             if one.name != REFERENCE:
                 away = one_of(tables["differences"], name, **where)
                 told = spread({**away, "mean": away["difference"]}, measured.digits)
                 cell = f"{cell}\nΔ {told}"
-            row[one.title] = cell.replace(" (", "\n(")
+            row[f"{measured.title}\n{measured.unit}"] = cell.replace(" (", "\n(")
         rows.append(row)
     return html.table(
         rows,
@@ -211,6 +206,11 @@ def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str
         "in the same worlds.",
         numbers=True,
     )
+
+
+def _in_lines(title: str) -> str:
+    """Return a title in two lines: at its comma, or after its first word."""
+    return title.replace(", ", ",\n") if "," in title else title.replace(" ", "\n", 1)
 
 
 def _mixed(
@@ -224,6 +224,7 @@ def _mixed(
         }
         for row in tables["mixed-kinds-differences"].to_dict("records")
     ]
+    rows.sort(key=lambda row: [one.title for one in CONDITIONS.values()].index(row["condition"]))
     return [
         found("mixed", tables, size),
         html.picture(
@@ -239,9 +240,8 @@ def _mixed(
 
 
 def _farmers(
-    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], village: farmers.Found,
-    size: Size,
-) -> list[str]:  # fmt: skip
+    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size
+) -> list[str]:
     rows = []
     for name, measured in farmers.MEASURED.items():
         cells = {
@@ -323,15 +323,21 @@ def _made(tables: Mapping[str, pd.DataFrame], size: Size, command: str, seeds: s
             f"{size.farmers - 1}, recorded every {farmers.EVERY} ticks. The same command gives the "
             f"same file, with the same versions: {software}."
         ),
+        html.paragraph(
+            "Lessons and their attempts, of seed 8. `analysis/foraging_roles` has what they were "
+            "judged by, their budgets, and the commands that make them again."
+        ),
         html.table(
             [
-                {"lesson": society.lesson, "attempts": int(part["attempt"].nunique())}
+                {
+                    "society": society.title,
+                    "lesson, or choice": society.lesson,
+                    "attempts": int(part["attempt"].nunique()),
+                }
                 for society in SOCIETIES.values()
                 if society.lesson
                 for part in [tables["attempts"][tables["attempts"]["society"] == society.name]]
-            ],
-            "Lessons and their attempts, of seed 8. `analysis/foraging_roles` has what they were "
-            "judged by, their budgets, and the commands that make them again.",
+            ]
         ),
         html.paragraph(
             "The tables stand beside this page as CSV, the figures as PDF, in the folder "

@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import Affine2D
 
 from socialmind.drawing import style as paper
 from socialmind.drawing.scheme import draw_scheme, key, lines_of
 
 from . import farmers
-from .societies import CONDITIONS, MIXED, SOCIETIES, Condition, Size
+from .societies import CONDITIONS, MIXED, REFERENCE, SOCIETIES, Condition, Size
 from .tables import MEASURED, OVER_SHARES
 
 if TYPE_CHECKING:
@@ -26,6 +28,8 @@ if TYPE_CHECKING:
     from coglogo_py import CognitiveScheme
 
 A, B = paper.GOLD, paper.PURPLE
+COLOURS = {"programmed": paper.RED, "learned": paper.BLUE}
+"""Of both kinds of robots in one society; marks of the latter are hollow."""
 FARMERS = {"written": paper.RED, "learned": paper.BLUE, "distilled": paper.PURPLE}
 LETTERS = "abcdefghijkl"
 ACROSS = 4
@@ -39,7 +43,7 @@ def attempts(each: pd.DataFrame, table: pd.DataFrame) -> Figure:
         each: `society`, `attempt`, `condition`, `within`.
         table: `society`, `condition`, `measure`, `mean`, `low`, `high`.
     """
-    figure = paper.figure(paper.PAGE, 66)
+    figure = paper.figure(paper.PAGE, 104)
     panels = figure.subplots(1, len(CONDITIONS), sharey=True)
     own = table[table["measure"] == "within"]
     rows = {society: place for place, society in enumerate(SOCIETIES)}
@@ -48,24 +52,24 @@ def attempts(each: pd.DataFrame, table: pd.DataFrame) -> Figure:
             one = SOCIETIES[society]
             dots = each[(each["society"] == society) & (each["condition"] == condition.name)]
             if len(dots) > 1:
-                # Side by side where they are the same, so that every attempt is seen.
-                high = np.linspace(-0.3, 0.02, len(dots))
+                # One below the other, so that every attempt is seen.
+                high = np.linspace(-0.4, 0.2, len(dots))
                 axes.plot(
                     dots["within"].sort_values(), row + high, linestyle="", marker="o",
-                    markersize=3.2, mfc="none", mec=one.colour, mew=0.7,
+                    markersize=2.2, mfc="white", mec=one.colour, mew=0.6,
                 )  # fmt: skip
             ((_, found),) = own[
                 (own["society"] == society) & (own["condition"] == condition.name)
             ].iterrows()
-            _dot(axes, row + 0.22, found, one.colour, "D")
+            _dot(axes, row + (0.36 if len(dots) > 1 else 0.0), found, one.colour, "D")
         _rows(axes, rows)
         axes.set_xlim(-0.04, 1.04)
         axes.set_xticks((0, 0.5, 1), ("0", "0.5", "1"))
         axes.set_xlabel("share of worlds")
         paper.panel_title(axes, letter, condition.title)
     _legend(figure, [
-        Line2D([], [], color=paper.INK, linestyle="", marker="o", markersize=3.2, mfc="none",
-               mew=0.7, label="an attempt"),
+        Line2D([], [], color=paper.INK, linestyle="", marker="o", markersize=2.2, mfc="white",
+               mew=0.6, label="an attempt"),
         Line2D([], [], color=paper.INK, marker="D", markersize=2.8, linewidth=0.9,
                label="mean with its interval"),
     ])  # fmt: skip
@@ -92,17 +96,15 @@ def course(over_time: pd.DataFrame, size: Size) -> Figure:
     figure = paper.figure(paper.PAGE, 104)
     panels = figure.subplots(2, len(CONDITIONS), sharey="row", sharex=True)
     letters = iter(LETTERS)
-    for row, measure, title in zip(
-        panels, ("distance", "specialised"), ("", "specialised"), strict=True
-    ):
+    for row, measure in zip(panels, ("distance", "specialised"), strict=True):
         for axes, condition in zip(row, CONDITIONS.values(), strict=True):
-            paper.panel_title(axes, next(letters), title or condition.title)
+            paper.panel_title(axes, next(letters), condition.title)
             _over_time(axes, over_time, measure, condition, size)
     for axes in panels[0]:
         axes.set_xlabel("")
     panels[0, 0].set_ylim(*paper.limits_with_zero(over_time["distance"].tolist()))
     panels[0, 0].set_ylabel("distance (robots)")
-    panels[1, 0].set_ylabel("robots (share)")
+    panels[1, 0].set_ylabel("specialised (share of robots)")
     panels[1, 0].set_ylim(-0.03, 1.04)
     _legend(figure, [_line(one) for one in SOCIETIES], 5)
     return figure
@@ -114,9 +116,8 @@ def _over_time(
     """Draw means over time, a line a society."""
     unit = paper.time_axis(axes, [0, size.ticks])
     for society, part in _parts(table, condition.name):
-        one = SOCIETIES[society]
         x = part["tick"].to_numpy() / unit
-        axes.plot(x, part[measure], color=one.colour, linestyle=one.dash)
+        axes.plot(x, part[measure], **_look(society))
     for shock in condition.shocks(size.half):
         axes.axvline(shock / unit, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
 
@@ -128,8 +129,14 @@ def _parts(table: pd.DataFrame, condition: str) -> list[tuple[str, pd.DataFrame]
 
 
 def _line(society: str) -> Line2D:
+    return Line2D([], [], **_look(society), label=SOCIETIES[society].title)
+
+
+def _look(society: str) -> dict[str, Any]:
+    """How a society's lines look; the one that others are compared with has broad ones."""
     one = SOCIETIES[society]
-    return Line2D([], [], color=one.colour, linestyle=one.dash, label=one.title)
+    width = 1.8 if society == REFERENCE else 1.0
+    return {"color": one.colour, "linestyle": one.dash, "linewidth": width}
 
 
 def _legend(figure: Figure, marks: Sequence[Line2D | Patch], columns: int = 6) -> None:
@@ -198,11 +205,8 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
         LETTERS, panels.flat, _parts(spells, condition), strict=False
     ):
         unit = paper.time_axis(axes, [0, size.ticks])
-        for row in part.itertuples():
-            axes.broken_barh(
-                [(row.since / unit, (row.until - row.since) / unit)], (row.agent + 0.6, 0.8),
-                facecolors=A if row.role == "A" else B, linewidth=0,
-            )  # fmt: skip
+        for role, colour in (("A", A), ("B", B)):
+            axes.add_patch(PathPatch(_bars(part[part["role"] == role], unit), fc=colour, lw=0))
         for shock in CONDITIONS[condition].shocks(size.half):
             axes.axvline(shock / unit, color=paper.INK, linewidth=0.7, linestyle=(0, (3, 2)))
         axes.set_ylim(0.4, part["agent"].max() + 1.6)
@@ -220,10 +224,24 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
     return figure
 
 
+def _bars(spells: pd.DataFrame, unit: float) -> Path:
+    """Return the bars of spells as one path, so that they are one part of the figure."""
+    return Path.make_compound_path(
+        *(
+            Path.unit_rectangle().transformed(
+                Affine2D()
+                .scale((row.until - row.since) / unit, 0.8)
+                .translate(row.since / unit, row.agent + 0.6)
+            )
+            for row in spells.itertuples()
+        )
+    )
+
+
 KINDS = {
     "in_b": ("Time in B", "share of time, last quarter"),
     "changes": ("Role changes", "a robot and 10,000 ticks"),
-    "late_changes": ("Late role changes", "the same, last quarter"),
+    "late_changes": ("Late role changes", "a robot and 10,000 ticks"),
     "delivered": ("Delivered", "objects a robot"),
 }
 
@@ -252,13 +270,14 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
         LETTERS[4:], panels[1], KINDS.items(), strict=False
     ):
         for sign, condition in zip(cycle((-1, 1)), MIXED):
-            for kind, colour in (("programmed", paper.RED), ("learned", paper.BLUE)):
+            for aside, (kind, colour) in zip((-2, 2), COLOURS.items(), strict=True):
                 own = kinds[
                     (kinds["measure"] == name)
                     & (kinds["condition"] == condition)
                     & (kinds["kind"] == kind)
                 ].sort_values("share")
-                _over_share(axes, own, colour, condition, sign * nudge)
+                hollow = kind == "learned"
+                _over_share(axes, own, colour, condition, (sign + aside) * nudge, hollow)
         _upwards(axes, kinds[kinds["measure"] == name])
         axes.set_ylabel(unit)
         axes.set_xlabel("programmed (share)")
@@ -270,8 +289,11 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
                linestyle=_dashed(one), label=CONDITIONS[one].title)
         for one in MIXED
     ]  # fmt: skip
-    lines += [Patch(color=paper.RED, label="programmed robots"),
-              Patch(color=paper.BLUE, label="learned robots")]  # fmt: skip
+    lines += [
+        Line2D([], [], color=colour, marker="o", markersize=3, label=f"{kind} robots",
+               mfc="white" if kind == "learned" else colour)
+        for kind, colour in COLOURS.items()
+    ]  # fmt: skip
     _legend(figure, lines)
     return figure
 
@@ -288,15 +310,17 @@ def _dashed(condition: str) -> Any:
     return "-" if condition == MIXED[0] else (0, (3, 2))
 
 
-def _over_share(axes: Axes, own: pd.DataFrame, colour: str, condition: str, nudge: float) -> None:
+def _over_share(
+    axes: Axes, own: pd.DataFrame, colour: str, condition: str, nudge: float, hollow: bool = False
+) -> None:
     """Draw means over the share, each with its interval."""
     known = own[np.isfinite(own["mean"])]
     x = known["share"].to_numpy() + nudge
-    axes.plot(
-        x, known["mean"], color=colour, marker=CONDITIONS[condition].marker, markersize=2.8, mew=0,
-        linestyle=_dashed(condition), linewidth=0.8,
-    )  # fmt: skip
     axes.vlines(x, known["low"], known["high"], color=colour, linewidth=0.8)
+    axes.plot(
+        x, known["mean"], color=colour, marker=CONDITIONS[condition].marker, markersize=2.8,
+        mew=0.7, mfc="white" if hollow else colour, linestyle=_dashed(condition), linewidth=0.8,
+    )  # fmt: skip
 
 
 def villagers(over_time: pd.DataFrame, table: pd.DataFrame, size: Size) -> Figure:
@@ -320,7 +344,7 @@ def villagers(over_time: pd.DataFrame, table: pd.DataFrame, size: Size) -> Figur
             own = over_time[(over_time["society"] == society) & (over_time["measure"] == name)]
             x = own["tick"].to_numpy() / unit
             axes.fill_between(x, own["low"], own["high"], color=colour, alpha=0.2, linewidth=0)
-            axes.plot(x, own["mean"], color=colour)
+            axes.plot(x, own["mean"], color=colour, linestyle=paper.DASHES.get(colour, "-"))
         axes.set_ylim(0, None)
         axes.set_ylabel(label)
         paper.panel_title(axes, letter, title)
@@ -347,7 +371,11 @@ def villagers(over_time: pd.DataFrame, table: pd.DataFrame, size: Size) -> Figur
         _across(axes, own)
         axes.set_xlabel(measured.unit)
         paper.panel_title(axes, letter, measured.title)
-    _legend(figure, [Line2D([], [], color=colour, marker="o", markersize=3, label=one)
+    for axes in (panels[0, 2], panels[1, 0]):
+        axes.set_yticks(range(len(FARMERS)), list(FARMERS))
+        axes.tick_params(axis="y", length=0)
+    _legend(figure, [Line2D([], [], color=colour, linestyle=paper.DASHES.get(colour, "-"),
+                            marker="o", markersize=3, label=one)
                      for one, colour in FARMERS.items()])  # fmt: skip
     return figure
 
@@ -362,6 +390,9 @@ def schemes(several: Mapping[str, CognitiveScheme], width: float = paper.PAGE) -
     lines = max(map(lines_of, several.values()))
     figure = paper.figure(width, 3.7 * lines + 16)
     panels = np.atleast_1d(figure.subplots(1, len(several)))
+    for axes in panels:
+        axes.set_axis_off()
+    figure.draw_without_rendering()  # names are as large as their boxes let them be
     for letter, axes, (title, scheme) in zip(LETTERS, panels, several.items(), strict=False):
         draw_scheme(scheme, axes, lines)
         if len(several) > 1:

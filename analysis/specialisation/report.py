@@ -49,29 +49,28 @@ class Made:
     """What the report shows.
 
     Attributes:
-        tables: by name; each is written as CSV.
         figures: by name.
         page: the HTML.
     """
 
-    tables: Mapping[str, pd.DataFrame]
     figures: Mapping[str, Figure]
     page: str
 
 
-def made(records: Records, village: farmers.Found, size: Size, command: str) -> Made:
-    """Make tables, figures and the page.
+def made(
+    tables: Mapping[str, pd.DataFrame], distilled: CognitiveScheme, size: Size, command: str
+) -> Made:
+    """Make figures and the page.
 
     Args:
-        records: of the robots.
-        village: of the farmers and artisans.
+        tables: by name.
+        distilled: the scheme of the farmers' learned mind.
         size: of the study.
         command: that makes all this.
     """
-    tables = tables_of(records, village, size)
     with paper.style():
-        figures = figures_of(tables, village, size)
-    return Made(tables, figures, page_of(tables, figures, village, size, command))
+        figures = figures_of(tables, distilled, size)
+    return Made(figures, page_of(tables, figures, size, command))
 
 
 # Tables and figures -------------------------------------------------------------------------------
@@ -128,21 +127,20 @@ def first_spells(spells: pd.DataFrame) -> pd.DataFrame:
 
 
 def figures_of(
-    tables: Mapping[str, pd.DataFrame], village: farmers.Found, size: Size
+    tables: Mapping[str, pd.DataFrame], distilled: CognitiveScheme, size: Size
 ) -> dict[str, Figure]:
     """Return all figures by name, in the order of the page."""
+    robots, written = (
+        CognitiveScheme.load(model_folder(model) / SCHEME)
+        for model in ("foraging_roles", "farmer_artisan")
+    )
     return {
-        "programmed": plots.schemes(
-            {"programmed robots": CognitiveScheme.load(model_folder("foraging_roles") / SCHEME)},
-            paper.PAGE * 0.6,
-        ),
+        "programmed": plots.schemes({"programmed robots": robots}, paper.PAGE * 0.6),
         "attempts": plots.attempts(tables["attempts"], tables["means"]),
         "course": plots.course(tables["course"], size),
         "robots": plots.robots(tables["robots"], "turned", size),
         "measures": plots.measures(tables["means"]),
         "mixed": plots.mixed(tables["mixed-means"], tables["mixed-kinds"]),
         "farmers": plots.villagers(tables["farmers-course"], tables["farmers-means"], size),
-        "schemes": plots.schemes(
-            {"written": village.written, "distilled": village.distillation.scheme}
-        ),
+        "schemes": plots.schemes({"written": written, "distilled": distilled}),
     }

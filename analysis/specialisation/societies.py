@@ -97,12 +97,12 @@ SOCIETIES = {
             "counts", "learned by the counts",
             "the same skill, a perceptron taught with nine undecided robots, one ratio and no "
             "shock, judged by the counts alone; not in bodies, as the thesis's was",
-            LEARNED, paper.PURPLE, lesson="thesis",
+            LEARNED, paper.PURPLE, (0, (3, 1, 1, 1, 1, 1)), lesson="thesis",
         ),
         Society(
             "fixed", "fixed roles",
             "nobody: robots begin in the wanted split and stay what they are",
-            unlearned(1), paper.INK, (0, (4, 2)),
+            unlearned(1), paper.INK, (0, (8, 2)),
         ),
         Society(
             "random", "random roles",

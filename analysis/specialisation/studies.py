@@ -2,31 +2,32 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
-from socialmind.experiments.studies import Study
+from socialmind.experiments.studies import Study, Way
 
 NAME = "specialisation"
 
 
-def compare(out: Path, quick: bool = False) -> list[Path]:
-    """Run all societies, and write the page, its figures and its tables.
+def compare(way: Way, out: Path) -> list[Path]:
+    """Write the page, its figures and its tables.
 
     Args:
+        way: whether all worlds are run for it, few and short ones, or none, and those are shown of
+            which tables are kept.
         out: the folder.
-        quick: whether few and short worlds will do.
     """
-    from .making import make
+    from .making import make, make_of_kept
     from .societies import FULL, QUICK
 
-    command = f"socialmind reproduce {NAME}{' --quick' if quick else ''}"
-    return make(out, QUICK if quick else FULL, command)
+    command = f"socialmind reproduce {NAME}{way}"
+    if way is Way.KEPT:
+        return make_of_kept(out, command)
+    return make(out, QUICK if way is Way.QUICK else FULL, command)
 
 
 studies = (
-    Study(
-        NAME, "programmed against learned roles, mixed societies, farmers who were taught", compare,
-        quick=partial(compare, quick=True),
+    Study.of_trainings(
+        NAME, "programmed against learned roles, mixed societies, farmers who were taught", compare
     ),
-)  # fmt: skip
+)

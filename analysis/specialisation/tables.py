@@ -58,7 +58,7 @@ MEASURED = {
             "Changes of role for each robot and 10,000 ticks, in the whole run.",
         ),
         Measured(
-            "late_changes", "Late role changes", "the same, last quarter",
+            "late_changes", "Late role changes", "a robot and 10,000 ticks",
             "Changes of role for each robot and 10,000 ticks in the last quarter.",
         ),
         Measured(

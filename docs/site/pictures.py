@@ -178,7 +178,6 @@ def studio() -> Iterator:
     words = [sys.executable, "-m", "socialmind", "studio", "farmer-artisan"]
     program = subprocess.Popen([*words, "--port", str(port), "--no-browser"])
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
     try:
         while True:
             try:
@@ -187,7 +186,7 @@ def studio() -> Iterator:
             except OSError:
                 time.sleep(0.2)
         with sync_playwright() as driver:
-            browser = driver.chromium.launch(executable_path=chromium, args=flags)
+            browser = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
             page = browser.new_page(viewport={"width": 1280, "height": 720})
             page.set_default_timeout(120_000)
             page.studio = f"http://127.0.0.1:{port}/"

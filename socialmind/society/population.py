@@ -9,9 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from numbers import Real
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from coglogo_py import CognitiveScheme
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_truth, is_whole
 from socialmind.agents.agent import Agent
@@ -24,7 +26,6 @@ from socialmind.society.founding.civilisations import FIELD, Civilisation, civil
 from socialmind.society.table import KEPT_BY_TABLES, Table
 
 if TYPE_CHECKING:
-    from coglogo_py import CognitiveScheme
     from socialmind.mind.description import MindDescription
     from socialmind.mind.weighing import Weighing
     from socialmind.worlds.plane.bodies import Disc
@@ -121,6 +122,12 @@ class Population:
                 f"{self.agent!r} as the agents of {name!r}",
                 "a class that inherits from socialmind.Agent",
                 "write class Human(Agent): …",
+            )
+        if not (self.mind is None or isinstance(self.mind, str | PathLike | CognitiveScheme)):
+            raise ModelError(
+                f"{shown(self.mind)} as the mind of {name!r}",
+                "a file's name, or a CognitiveScheme",
+                "write mind='scheme.yaml'",
             )
         if self.plans and self.mind is None:
             raise ModelError(

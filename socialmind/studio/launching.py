@@ -49,7 +49,10 @@ def launch(
         threading.Timer(0.5, webbrowser.open, (shown,)).start()
     studio = Studio(first, Folders(Path.cwd(), readable=tuple(catalogue().values())))
     config = uvicorn.Config(
-        studio.application(hosts, token), log_level="error", ws="websockets-sansio"
+        studio.application(hosts, token),
+        log_level="error",
+        ws="websockets-sansio",
+        ws_per_message_deflate=False,  # packing a large frame takes longer than drawing it
     )
     uvicorn.Server(config).run(sockets=[listening])
 

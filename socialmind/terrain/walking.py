@@ -1,7 +1,7 @@
 """Walking from patch to patch over ground that is more or less easy to cross.
 
 MetaCiv's movement (TurtleKit's `fd` as its agents have it), from cell to cell. Patches are
-`Ground`; agents that walk have a field `stride: int = 2`, how far they have come in crossing theirs.
+`Ground`; agents that walk have a field `stride: int = 2`: how far they have crossed theirs.
 """
 
 from __future__ import annotations

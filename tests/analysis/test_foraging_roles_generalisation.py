@@ -1,17 +1,21 @@
 """Large groups, partners never met and three kinds: societies are made right, and nothing twice."""
 
+import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
 
+from coglogo_py import CognitiveScheme
 from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
 groups = load_file(FOLDER / "large_groups.py")
 study = load_file(FOLDER / "generalisation.py")
 kinds = load_file(FOLDER / "three_kinds.py")
+in_bodies = load_file(FOLDER / "three_kinds_in_bodies.py")
+bodies = sys.modules[f"{in_bodies.__name__}.foraging_three"]
 
 
 # Large groups -------------------------------------------------------------------------------------
@@ -137,3 +141,34 @@ def test_the_distance_of_three_kinds_is_who_would_have_to_change():
 def test_reports_tell_worlds_that_are_all_alike_with_an_interval():
     table = pd.DataFrame({"attempt": 0, "world": range(10), "within_one": 1, "way": "x"})
     assert groups.in_brackets(table, "within_one", ".0%") == "100% (72% to 100%)"
+
+
+def test_three_kinds_are_collected_by_the_skills_of_two():
+    two = groups.MindDescription.load(groups.MODEL / "mind")
+    three = bodies.mind()
+    for name in ("CollectA", "GoToB+Avoid", "Avoid"):
+        assert three.skill(name).genome.tolist() == two.skill(name).genome.tolist()
+    assert three.skill("CollectC").genome.tolist() == two.skill("CollectA").genome.tolist()
+    assert [one.name for one in three.skill("GoToC").inputs] == ["RADOBJC"]
+    assert [bodies.collect_select(0.5 * kind).index(1.0) for kind in range(3)] == [0, 1, 2]
+
+
+def test_the_scheme_of_three_kinds_has_the_numbers_of_two():
+    two, three = (
+        {one.name: one for one in CognitiveScheme.load(file).cognitons}
+        for file in (groups.MODEL / "scheme.yaml", FOLDER / "three_kinds.yaml")
+    )
+    for name in ("CallingA", "CallingB", "PlentyOfA", "PlentyOfB"):
+        one, other = two[name], three[name]
+        assert one.influence.items() <= other.influence.items()
+        assert one.reinforcement == other.reinforcement
+    plenty = {f"Collect{one}": 1.0 for one in "AB"}
+    assert dict(three["PlentyOfC"].influence) == plenty
+
+
+@pytest.mark.study
+def test_three_kinds_are_fetched_in_bodies():
+    found = in_bodies.judged("programmed", "2:3:4", in_bodies.TURNED, [6001], ticks=3000)
+    assert found["brought"].item() > 2
+    assert found["rescues"].item() == 0
+    assert 0 <= found["off"].item() <= 6

@@ -1,6 +1,7 @@
 """The comparison of programmed and learned specialisation, on tiny worlds and made-up numbers."""
 
 import re
+import shutil
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -44,7 +45,7 @@ def test_the_page_holds_all_that_it_shows(home):
     page = (home / "specialisation.html").read_text(encoding="utf-8")
     sources = re.findall(r'<img [^>]*src="([^"]{0,30})', page)
     assert len(sources) == 8
-    assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
+    assert all(source.startswith("data:image/svg+xml,") for source in sources)
     assert not re.search(r'(?:src|href)="(?!data:|#)', page)
     assert "http" not in re.sub(r'src="data:[^"]*"', "", page)
     assert "<script" not in page
@@ -111,9 +112,23 @@ def test_the_same_is_made_twice(home, tmp_path, monkeypatch):
     for one in kept:
         assert one.read_bytes() == (worlds_home / one.relative_to(tmp_path)).read_bytes()
     records = runs.run(cells, TINY, worlds_home, workers=1)
-    village = farmers.found(TINY, tmp_path, workers=1)
-    page = report.made(records, village, TINY, COMMAND).page
-    assert page == (home / "specialisation.html").read_text(encoding="utf-8")
+    made = tmp_path / "specialisation"
+    village = farmers.found(TINY, made, workers=1)
+    for name, table in report.tables_of(records, village, TINY).items():
+        assert len(table) == len(pd.read_csv(home / "specialisation" / f"{name}.csv"))
+
+
+def test_the_page_is_made_of_the_tables_beside_it(home, tmp_path):
+    for one in (home / "specialisation").glob("*.[cy]*"):
+        (tmp_path / "specialisation").mkdir(exist_ok=True)
+        shutil.copy(one, tmp_path / "specialisation")
+    making.show(tmp_path, TINY, COMMAND)
+    names = {one.relative_to(home) for one in home.glob("specialisation*/*.*")}
+    names = {one for one in names if one.parts[0] == "specialisation"} | {
+        Path("specialisation.html")
+    }
+    for name in names:
+        assert (tmp_path / name).read_bytes() == (home / name).read_bytes()
 
 
 def test_what_is_kept_is_not_run_again(home, monkeypatch):

@@ -1,10 +1,13 @@
 """Reports: HTML that holds all it shows."""
 
-import base64
 import re
+import xml.etree.ElementTree as tree
+from urllib.parse import unquote
 
 from socialmind.drawing import style as paper
 from socialmind.experiments import html as report
+
+SVG = "{http://www.w3.org/2000/svg}"
 
 
 def figure():
@@ -20,12 +23,12 @@ def test_a_page_holds_its_figures_and_asks_for_nothing():
     parts = [report.paragraph("a & b"), report.picture(figure(), "Figure 1. A line.", "a line")]
     page = report.page("A title", [], [report.section("First", parts, "first")])
     source = re.search(
-        r'<img alt="a line" style="width: 33%" src="data:image/svg\+xml;base64,([^"]+)">', page
+        r'<img alt="a line" style="width: 33%" src="data:image/svg\+xml,([^"]+)">', page
     )
     assert source is not None
-    drawn = base64.b64decode(source[1]).decode()
-    assert drawn.startswith("<?xml")
-    assert "<text" not in drawn  # type is outlines
+    drawn = tree.fromstring(unquote(source[1]))
+    assert drawn.tag == f"{SVG}svg"
+    assert list(drawn.iter(f"{SVG}path")) and not list(drawn.iter(f"{SVG}text"))  # type is outlines
     assert not re.search(r"(src|href)=\"(?!data:|#)", page)
     assert "<script" not in page
     assert "<link" not in page
@@ -36,6 +39,15 @@ def test_a_page_holds_its_figures_and_asks_for_nothing():
 
 def test_the_same_figure_gives_the_same_bytes():
     assert report.picture(figure(), "", "") == report.picture(figure(), "", "")
+
+
+def test_what_a_figure_refers_to_is_kept_in_it():
+    source = re.search(r"data:image/svg\+xml,([^\"]+)", report.picture(figure(), "", ""))
+    drawn = tree.fromstring(unquote(source[1]))
+    names = {part.get("id") for part in drawn.iter()} - {None}
+    used = {part.get("{http://www.w3.org/1999/xlink}href")[1:] for part in drawn.iter(f"{SVG}use")}
+    clipped = re.findall(r"url\(#([^)]+)\)", unquote(source[1]))
+    assert used | set(clipped) == names
 
 
 def test_what_stands_in_a_table_is_escaped_and_broken_into_lines():

@@ -17,7 +17,9 @@ PATCHES = "patches"
 LOOKS = "looks"
 """What agents or patches are coloured by where the model says how they look."""
 NOTHING = 255
-"""The place of who has none of the words."""
+"""The place of who has none of the words, or no number."""
+LAST = 254
+"""The last place along a scale."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +37,29 @@ class Coloured:
     words: Sequence[str] = ()
     colours: Sequence[str] = ()
     ends: tuple[float | None, float | None] = (None, None)
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """The values at the ends of the scale of numbers."""
+        known = self.values[np.isfinite(self.values)]
+        least, most = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
+        low, high = self.ends
+        return least if low is None else low, most if high is None else high
+
+    def places(self, low: float, high: float) -> NDArray[np.uint8]:
+        """Return where each number stands along a scale, from 0 to `LAST`, or `NOTHING`.
+
+        Where all numbers are one they stand at the beginning of a model's own scale, and in the
+        middle of the usual one.
+        """
+        if high > low:
+            along = (self.values - np.float32(low)) * np.float32(LAST / (high - low))
+        else:
+            along = np.full(len(self.values), 0 if self.colours else LAST / 2, np.float32)
+        known = np.isfinite(self.values)
+        rounded = np.clip(np.where(known, along, 0) + 0.5, 0, LAST + 0.5).astype(np.uint8)
+        rounded[~known] = NOTHING
+        return rounded
 
 
 def colourings(society: Model, population: str) -> list[str]:

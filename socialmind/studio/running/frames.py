@@ -2,7 +2,8 @@
 
 A frame is four bytes, the length of the header (little-endian), the header (JSON, padded with
 blanks to a multiple of 8 with those four), and the columns, each at a multiple of 8. The header
-names each column's type ("f4", "u4", "u1"), shape and place behind the header.
+names each column's type ("f4", "u4", "u1"), shape and place behind the header. Colours are u1:
+places among words, or along a scale, so that a page looks each up in a table.
 """
 
 from __future__ import annotations
@@ -15,33 +16,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 STEP = 8
-TYPES = {"f": np.dtype("<f4"), "u": np.dtype("<u4"), "b": np.dtype("u1")}
-
 Columns = Mapping[str, NDArray[Any]]
 
 
-def packed(said: Mapping[str, Any], columns: Columns) -> bytes:
+def packed(said: Mapping[str, Any], columns: Columns, before: bytes = b"") -> bytes:
     """Return a frame.
 
     Args:
         said: what the header says beside its columns; JSON.
-        columns: by name; numbers become f4, u4 and u1.
+        columns: by name, of float32, uint32 and uint8.
+        before: what stands before it, so that nothing large is copied to put it there.
 
     >>> frame = packed({"tick": 3}, {"x": np.array([1.0, 2.5])})
     >>> header, columns = unpacked(frame)
     >>> header["tick"], columns["x"].tolist()
     (3, [1.0, 2.5])
     """
-    places, pieces, at = {}, [], 0
+    places, at = {}, 0
+    pieces: list[Any] = []
     for name, column in columns.items():
         stored = np.ascontiguousarray(column)
         places[name] = {"type": stored.dtype.str[1:], "shape": stored.shape, "at": at}
-        content = stored.tobytes()
-        pieces += [content, bytes(-len(content) % STEP)]
-        at += len(content) + -len(content) % STEP
+        gap = -stored.nbytes % STEP
+        pieces += [stored.data, bytes(gap)]
+        at += stored.nbytes + gap
     header = json.dumps({**said, "columns": places}, separators=(",", ":")).encode()
     header += b" " * (-(len(header) + 4) % STEP)
-    return b"".join([len(header).to_bytes(4, "little"), header, *pieces])
+    return b"".join([before, len(header).to_bytes(4, "little"), header, *pieces])
 
 
 def unpacked(frame: bytes) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from dataclasses import dataclass
 from pathlib import Path
@@ -177,12 +177,18 @@ class LiveRun:
         """Return the society anew, before its first tick, and what was done to it so far."""
         return self._first.fresh(), self.interventions[: self._met]
 
-    def save(self, folder: str | Path | None = None, every: int | None = None) -> Path:
+    def save(
+        self,
+        folder: str | Path | None = None,
+        every: int | None = None,
+        told: Callable[[int, int], None] | None = None,
+    ) -> Path:
         """Make the run up to here as a folder of its own, by repeating it.
 
         Args:
             folder: to make; by default the next number under ``runs/``.
             every: ticks between two rows of the series.
+            told: called with the ticks done and the length, about ten times a second.
         """
         scheme, hierarchy = self._first._given
         return run(
@@ -192,6 +198,7 @@ class LiveRun:
             self._first.parameter_values(),
             scheme,
             hierarchy,
+            on_progress=told,
             every=every,
             out=folder,
             compiled=self._first.compiled,

@@ -56,35 +56,37 @@ class Shown:
         return cls(agents, fields[0] if fields else "", tuple(society.networks))
 
 
-def frame_of(society: Model, shown: Shown, plots: Sequence[Panel] = (), **said: Any) -> bytes:
+def frame_of(
+    society: Model, shown: Shown, plots: Sequence[Panel] = (), before: bytes = b"", **said: Any
+) -> bytes:
     """Return a society at this moment as a frame.
 
     Args:
         society: whose moment.
         shown: what of it.
         plots: what panels show of its agents.
+        before: what stands before the frame.
         said: what else the header says.
     """
     header: dict[str, Any] = {"tick": society.tick, "populations": {}, **said}
     columns: dict[str, NDArray[Any]] = {}
     if isinstance(society.ground, Arena):
-        _plane(society, header, columns)
+        _plane(society, shown, header, columns)
     else:
         looks = looks_of(society)
         for name in society.populations:
             colouring = shown.agents.get(name, "one")
             _population(society, name, colouring, looks.get(name), header, columns)
     if shown.patches:
-        found = of_patches(society, shown.patches)
-        header["patches"] = {"field": shown.patches, **_colours(found)}
-        columns["patches"] = found.values
+        colours, columns["patches"] = _colours(of_patches(society, shown.patches))
+        header["patches"] = {"field": shown.patches, **colours}
     if plots:
         header["plots"] = [one.said for one in plots]
         for number, one in enumerate(plots):
             columns |= {f"plot{number}.{name}": values for name, values in one.columns.items()}
     for name in shown.networks:
         columns[f"{name}.links"] = _links(society, name)
-    return packed(header, columns)
+    return packed(header, columns, before)
 
 
 def _population(
@@ -97,15 +99,14 @@ def _population(
 ) -> None:
     table = society.tables[name]
     slots, fields = table.slots, table.shape.fields
-    found = of_agents(society, name, colouring)
-    header["populations"][name] = {"count": len(slots), "by": colouring, **_colours(found)}
+    colours, columns[f"{name}.colour"] = _colours(of_agents(society, name, colouring))
+    header["populations"][name] = {"count": len(slots), "by": colouring, **colours}
     columns[f"{name}.id"] = table.columns["_id"][slots].astype(np.uint32)
     for axis in ("x", "y"):
         if axis in fields:
             columns[f"{name}.{axis}"] = table.columns[axis][slots].astype(np.float32)
     if "heading" in fields:
         columns[f"{name}.heading"] = table.columns["heading"][slots].astype(np.float32)
-    columns[f"{name}.colour"] = found.values
     if looks is not None:
         header["populations"][name]["shape"] = looks.shape
         sizes = looks.sizes(name, len(slots))
@@ -113,8 +114,8 @@ def _population(
             columns[f"{name}.size"] = sizes
 
 
-def _plane(society: Model, header: dict[str, Any], columns: dict[str, Any]) -> None:
-    scene = scene_of(society)
+def _plane(society: Model, shown: Shown, header: dict[str, Any], columns: dict[str, Any]) -> None:
+    scene, looks = scene_of(society), looks_of(society)
     header["plane"] = {"half_width": scene.half_width, "over": scene.over}
     header["in_hand"] = [
         {"population": name, "id": robot}
@@ -139,6 +140,12 @@ def _plane(society: Model, header: dict[str, Any], columns: dict[str, Any]) -> N
             columns[f"{name}.{kind}"] = found.astype(np.float32)
             columns[f"{name}.id"] = np.asarray(society.tables[name].id, np.uint32)
     columns["obstacles"] = scene.obstacles.astype(np.float32)
+    for name, said in header["populations"].items():
+        if name in looks:
+            said["shape"] = looks[name].shape
+        if (colouring := shown.agents.get(name, "one")) != "one":
+            colours, columns[f"{name}.colour"] = _colours(of_agents(society, name, colouring))
+            said.update(by=colouring, **colours)
 
 
 def _links(society: Model, name: str) -> NDArray[np.uint32]:
@@ -147,12 +154,10 @@ def _links(society: Model, name: str) -> NDArray[np.uint32]:
     return np.column_stack([table.source, table.target]).astype(np.uint32)
 
 
-def _colours(found: Coloured) -> Mapping[str, Any]:
+def _colours(found: Coloured) -> tuple[Mapping[str, Any], NDArray[np.uint8]]:
+    """Return what the header says of colours, and the place of each."""
     said: dict[str, Any] = {"colours": list(found.colours)} if found.colours else {}
     if found.words:
-        return {"words": list(found.words), **said}
-    known = found.values[np.isfinite(found.values)]
-    low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
-    given = found.ends
-    low, high = low if given[0] is None else given[0], high if given[1] is None else given[1]
-    return {"range": [low, high], **said}
+        return {"words": list(found.words), **said}, found.values
+    low, high = found.range
+    return {"range": [low, high], **said}, found.places(low, high)

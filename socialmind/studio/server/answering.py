@@ -20,20 +20,20 @@ class OtherFileError(SocialmindError):
     """Where something is to be saved stands another than what was opened."""
 
 
-def answering(do: Callable[[Asked], Asked]) -> Callable[[Request], Any]:
+def answering(do: Callable[[Asked], Any]) -> Callable[[Request], Any]:
     """Return what answers a page by a function, outside the loop that serves all pages.
 
     Args:
-        do: takes what is asked; its errors of users are answered as ``{"error": …}``, with
-            ``"exists"`` where a file is in the way.
+        do: takes what is asked, in the query or as a JSON object, and returns JSON. Its errors of
+            users are answered as ``{"error": …}``, with ``"exists"`` where a file is in the way.
     """
 
     async def answer(request: Request) -> JSONResponse:
         try:
             asked = json.loads(await request.body() or b"{}")
             if not isinstance(asked, dict):
-                raise SocialmindError("asked for nothing that is known")
-            return JSONResponse(await run_in_threadpool(do, asked))
+                raise SocialmindError("expected a JSON object")
+            return JSONResponse(await run_in_threadpool(do, {**request.query_params, **asked}))
         except OtherFileError as error:
             return JSONResponse({"error": str(error), "exists": True}, 400)
         except (SocialmindError, CogLogoError, OSError, ValueError) as error:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from starlette.requests import Request
-from starlette.responses import JSONResponse
 from starlette.routing import Route
 
+from socialmind.studio.server.answering import answering
 from socialmind.studio.server.folders import Folders
 from socialmind.studio.server.made import folders_of
 
@@ -16,8 +15,4 @@ def routes(folders: Folders) -> list[Route]:
     Args:
         folders: where pages may read.
     """
-
-    def runs(request: Request) -> JSONResponse:
-        return JSONResponse(folders_of(folders, "run"))
-
-    return [Route("/api/runs", runs)]
+    return [Route("/api/runs", answering(lambda _: folders_of(folders, "run")))]

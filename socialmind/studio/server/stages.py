@@ -11,7 +11,8 @@ from multiprocessing.process import BaseProcess
 from typing import Any
 
 from socialmind.errors import SocialmindError
-from socialmind.studio.running.stage import FRAME, perform
+from socialmind.studio.running.performing import perform
+from socialmind.studio.running.stage import FRAME
 
 SILENT = ("stood", "copied", "table")
 """What answers the program, and is no page's business."""

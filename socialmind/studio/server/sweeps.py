@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import Callable
 from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
 
-from starlette.requests import Request
-from starlette.responses import JSONResponse
 from starlette.routing import Route
 
 from socialmind.errors import SocialmindError
+from socialmind.studio.server.answering import Asked, answering
 from socialmind.studio.server.folders import Folders
 from socialmind.studio.server.made import folders_of
 
@@ -25,48 +22,35 @@ def routes(folders: Folders, copies: Path) -> list[Route]:
         copies: a folder for runs of sweeps that are made again to be looked at.
     """
 
-    async def answered(work: Callable[[], Any]) -> JSONResponse:
-        try:
-            return JSONResponse(await asyncio.to_thread(work))
-        except SocialmindError as error:
-            return JSONResponse({"error": str(error)}, 400)
+    def sweeps(asked: Asked) -> list[dict[str, Any]]:
+        return folders_of(folders, "sweep")
 
-    async def sweeps(request: Request) -> JSONResponse:
-        return await answered(lambda: folders_of(folders, "sweep"))
-
-    async def sweep(request: Request) -> JSONResponse:
+    def progress(asked: Asked) -> Asked:
         from socialmind.studio.sweeps.progress import told
 
-        return await answered(lambda: told(_folder(folders, request)))
+        return told(folders.to_read(asked.get("folder")))
 
-    async def figures(request: Request) -> JSONResponse:
+    def figures(asked: Asked) -> Asked:
         from socialmind.studio.sweeps.figures import drawn
 
-        outcome = request.query_params.get("outcome") or None
-        return await answered(lambda: drawn(_folder(folders, request), outcome))
+        return drawn(folders.to_read(asked.get("folder")), asked.get("outcome") or None)
 
-    async def run(request: Request) -> JSONResponse:
-        return await answered(
-            lambda: {"folder": str(_made(_folder(folders, request), request, copies))}
-        )
+    def run(asked: Asked) -> Asked:
+        folder = folders.to_read(asked.get("folder"))
+        return {"folder": str(_made(folder, str(asked.get("run", "")), copies))}
 
     return [
-        Route("/api/sweeps", sweeps),
-        Route("/api/sweep", sweep),
-        Route("/api/sweep/figures", figures),
-        Route("/api/sweep/run", run, methods=["POST"]),
+        Route("/api/sweeps", answering(sweeps)),
+        Route("/api/sweeps/progress", answering(progress), methods=["POST"]),
+        Route("/api/sweeps/figures", answering(figures), methods=["POST"]),
+        Route("/api/sweeps/run", answering(run), methods=["POST"]),
     ]
 
 
-def _folder(folders: Folders, request: Request) -> Path:
-    return folders.to_read(request.query_params.get("folder"))
-
-
-def _made(folder: Path, request: Request, copies: Path) -> Path:
+def _made(folder: Path, number: str, copies: Path) -> Path:
     """Make a run of a sweep again, in a folder that ends with the program."""
     from socialmind.experiments.sweeps.remaking import remake_run
 
-    number = request.query_params.get("run", "")
     if not number.isdecimal():
         raise SocialmindError(f"run {number!r}; expected the number of a run")
     return remake_run(folder, int(number), Path(mkdtemp(dir=copies)) / f"run-{number}")

@@ -146,3 +146,68 @@ def followed(model, ticks, *names, agent=0, **parameters):
         human = society.humans[agent]
         rows.append(tuple(getattr(human, name) for name in names))
     return rows
+
+
+ARGUMENTS = {
+    "Objet": "Objet Corn",
+    "Amenagement": "Amenagement Barn",
+    "Terrain": "Terrain Grass",
+    "Pheromone": "Pheromone Seed",
+    "Attribute": "Attribute energy",
+    "Cogniton": "Cogniton Joy",
+    "Group": "Group Clan",
+    "GroupAndRole": "GroupAndRole Clan:one",
+    "Integer": "Integer 2",
+    "Double": "Double 1.5",
+    "String": "String tag",
+    "Comparator": "Comparator >=",
+}
+"""An argument of each type, of the model `everything`."""
+
+
+def line_of(kind, prefix=""):
+    """A line with an action of a kind."""
+    parts = [prefix + kind.name]
+    if kind.has_direction:
+        parts.append("EAST")
+    for one in kind.arguments:
+        parts.append(f"{one.label or 'n'}({ARGUMENTS[one.types[0]]})")
+    return ",".join(parts)
+
+
+def everything(kinds, per_plan=4, **more):
+    """The files of a model whose plans hold each kind of action, some of them in a plan.
+
+    Args:
+        kinds: of `ACTIONS`.
+        per_plan: how many.
+    """
+    plans, lines = {}, []
+    for kind in kinds:
+        lines.append(line_of(kind))
+        for _ in range(kind.most_children if kind.most_children is not None else 2):
+            lines.append("  A_AddItem,o(Objet Corn),n(Integer 1)")
+        if sum(not one.startswith(" ") for one in lines) == per_plan:
+            plans[f"Plan {len(plans) + 1}"], lines = "\n".join(lines), []
+    if lines:
+        plans[f"Plan {len(plans) + 1}"] = "\n".join(lines)
+    will = "Type : BELIEF\nInitial : 1\n"
+    will += "".join(f"Permet : {one}\nInfluence : {one},2\n" for one in plans)
+    return files_of(
+        plans=plans,
+        cognitons={"Will": will, "Joy": (True, "", {}), "Lead": (False, "", {})},
+        attributes={"energy": 5},
+        groups={"Clan": "Culturon : one,Lead\nCulturon : two,Lead\nAutoJoin : false,null\n"},
+        objects=("Corn", "Wood"),
+        facilities=("Barn",),
+        recipes={"Barn": {"Wood": 0}},
+        pheromones={"Seed": (1.5, 1.0)},
+        terrains={"Hill": (45, False), "Rock": (90, True)},
+        rows=["0,0,0,1,0,0,2", "0,1,0,0,0,2,2", "0,0,0,0,0,0,0", "1,1,0,0,0,0,0", "0,0,2,0,0,0,1"],
+        width=7,
+        height=5,
+        agents=12,
+        scattered=2,
+        maker="WeightedStochastic",
+        **more,
+    )

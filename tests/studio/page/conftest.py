@@ -21,9 +21,8 @@ SECONDS = 120_000
 @pytest.fixture(scope="module")
 def browser():
     with playwright.sync_playwright() as driver:
-        flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
         try:
-            found = driver.chromium.launch(executable_path=CHROMIUM, args=flags)
+            found = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
         except playwright.Error:
             pytest.skip("no Chromium here: the page is not tested")
         yield found

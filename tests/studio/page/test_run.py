@@ -1,6 +1,10 @@
 """The room of a run, in a real browser: what a user does, by mouse and keyboard."""
 
+from io import BytesIO
+
+import numpy as np
 import pytest
+from matplotlib.image import imread
 
 from socialmind.catalogue import catalogue
 from socialmind.experiments import Run, replay
@@ -101,6 +105,44 @@ def test_every_kind_of_world_is_drawn(browser, studio):
         assert page.evaluate(COLOURS) > 2  # something else than the ground
     assert page.failures == []
     page.close()
+
+
+CARD = """() => {
+  // What draws by software says that it is a card.
+  const plain = WebGL2RenderingContext.prototype.getParameter;
+  WebGL2RenderingContext.prototype.getParameter = function (what) {
+    return what === 37446 ? "a card" : plain.call(this, what);
+  };
+}"""
+WORLD = "document.querySelector('[data-test=world]')"
+
+
+def test_a_card_and_the_processor_draw_the_same(browser, studio):
+    seen = {}
+    for by in ("processor", "card"):
+        page = browser.new_page(viewport={"width": 1280, "height": 720})
+        page.add_init_script(f"({CARD})()" if by == "card" else "")
+        page.goto(f"http://127.0.0.1:{studio.port}/")
+        page.wait_for_selector("[data-test=setup]:not([disabled])")
+        for model, times in (("wolves_sheep", 0), ("foraging", 6)):
+            page.select_option("[data-test=model]", model)
+            page.wait_for_selector(f"h2:text-is('{model.replace('_', ' ')}')")
+            page.wait_for_selector("[data-test=setup]:not([disabled])")
+            page.click("[data-test=step]")
+            wait_for_tick(page, 1)
+            page.focus("[data-test=world]")
+            for _ in range(times):
+                page.keyboard.press("+")
+            page.wait_for_timeout(200)
+            kind = "webgl2" if by == "card" else "2d"
+            assert page.evaluate(f"{WORLD}.getContext('{kind}') !== null")
+            picture = BytesIO(page.locator("[data-test=world]").screenshot())
+            seen[by, model] = imread(picture)[..., :3]
+        page.close()
+    for model in ("wolves_sheep", "foraging"):
+        apart = np.abs(seen["processor", model] - seen["card", model]).max(axis=2)
+        assert (apart > 0.25).mean() < 0.01  # soft edges
+        assert apart.mean() < 0.01
 
 
 @pytest.mark.study

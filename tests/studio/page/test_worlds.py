@@ -47,7 +47,22 @@ def test_a_society_branches_and_both_go_on_with_one_clock(browser, studio):
     page.wait_for_function(f"{PANES}.length == 2")
     page.wait_for_selector(READY)
     assert stand(page, stood) == stood
+
+    # Both show the same part of the world, until they shall not.
+    def drawn():
+        return page.evaluate(f"[...{PANES}].map((one) => one.querySelector('canvas').toDataURL())")
+
+    whole = drawn()
+    page.focus("[data-test=pane]:nth-child(1) canvas")
+    page.keyboard.press("+")
+    nearer = drawn()
+    assert all(one != other for one, other in zip(whole, nearer, strict=True))
+    page.uncheck("[data-test=linked]")
+    page.focus("[data-test=pane]:nth-child(1) canvas")
+    page.keyboard.press("0")
+    assert [one == other for one, other in zip(nearer, drawn(), strict=True)] == [False, True]
     # What is done to the second does not touch the first.
+    look_at(page, 2)
     page.click("text=Plague among sheep")
     page.select_option("[data-test=pace]", label="1 tick a frame")
     page.click("[data-test=go]")

@@ -7,7 +7,13 @@ import pytest
 
 from socialmind.catalogue import catalogue, load_model
 from socialmind.errors import SocialmindError
-from socialmind.studio.running.colouring import colourings, of_agents, of_patches, patch_fields
+from socialmind.studio.running.colouring import (
+    Coloured,
+    colourings,
+    of_agents,
+    of_patches,
+    patch_fields,
+)
 from socialmind.studio.running.frames import unpacked
 from socialmind.studio.running.moment import Shown, frame_of
 from socialmind.studio.running.outline import outline_of_model, outline_of_society
@@ -43,6 +49,17 @@ def test_places_and_plans_are_those_of_the_tables():
     assert np.allclose(columns["humans.x"], society.humans.x)
     words = header["populations"]["humans"]["words"]
     assert [words[place] for place in columns["humans.colour"]] == society.plans(society.humans)
+
+
+def test_numbers_stand_along_a_scale_and_what_is_none_beside_it():
+    found = Coloured(np.array([1.0, 3.0, np.nan, 2.0, 9.0], np.float32), ends=(None, 5.0))
+    assert found.range == (1.0, 5.0)
+    assert found.places(*found.range).tolist() == [0, 127, 255, 64, 254]
+    alike = np.full(3, 7.0, np.float32)
+    assert Coloured(alike).places(7.0, 7.0).tolist() == [127] * 3
+    assert Coloured(alike, colours=("#000000", "#ffffff")).places(7.0, 7.0).tolist() == [0] * 3
+    nobody = Coloured(np.zeros(0, np.float32))
+    assert nobody.places(*nobody.range).tolist() == []
 
 
 def test_a_watched_agent_has_the_receipt_of_its_next_decision():

@@ -9,17 +9,14 @@ from socialmind.catalogue import load_model
 from socialmind.experiments import Run, replay, run
 from socialmind.interventions.change import Change
 from socialmind.interventions.following import advanced
-from socialmind.studio.running.stage import Stage
-from tests.studio.running.test_stage import Heard
+from tests.studio.running.test_stage import Told
 
 OWN = CognitiveScheme.load("models/tutorial/scheme.yaml")
 
 
 @pytest.fixture
 def stage():
-    heard = Heard()
-    made = Stage(heard)
-    made.heard = heard
+    made = Told()
     made.do({"do": "setup", "model": "tutorial", "seed": 4, "parameters": {"n_turtles": 5}})
     return made
 
@@ -65,16 +62,16 @@ def vars_of(cogniton):
 def test_cognitons_come_and_go_by_name_and_undo_is_a_change_too(stage, tmp_path):
     first = schemes(stage)
     stage.do({"do": "step", "ticks": 20})
-    values = [one.mind.get_cogniton_value("wantGreen") for one in stage._run.society.turtles]
+    values = [one.mind.get_cogniton_value("wantGreen") for one in stage.run.society.turtles]
     more = copy.deepcopy(first)
     more["cognitons"].append({**first["cognitons"][0], "id": "n", "name": "Hope", "start": 3.0})
     rescheme(stage, more)
-    society = stage._run.society
+    society = stage.run.society
     assert [one.mind.get_cogniton_value("Hope") for one in society.turtles] == [3.0] * 5
     assert [one.mind.get_cogniton_value("wantGreen") for one in society.turtles] == values
     stage.do({"do": "step", "ticks": 20})
     rescheme(stage, first)
-    assert "Hope" not in stage._run.society.turtles[0].mind.cognitons()
+    assert "Hope" not in stage.run.society.turtles[0].mind.cognitons()
     stage.do({"do": "step", "ticks": 20})
     stage.do({"do": "save", "folder": str(tmp_path / "kept")})
     assert len(Run(tmp_path / "kept").manifest.interventions) == 2
@@ -86,7 +83,7 @@ def test_what_is_moved_or_coloured_is_no_change(stage):
     document["cognitons"][0]["position"] = [100, 3]
     document["cognitons"][1]["colour"] = "#000000"
     rescheme(stage, document)
-    assert stage._run.interventions == []
+    assert stage.run.interventions == []
 
 
 def test_a_plan_without_a_rule_is_left_out_and_nobody_chooses_it(stage):
@@ -95,16 +92,16 @@ def test_a_plan_without_a_rule_is_left_out_and_nobody_chooses_it(stage):
     document["cognitons"][0]["conditional"].append("n")
     document["cognitons"][0]["influence"].append(["n", 1000.0])
     rescheme(stage, document)
-    assert stage._run.interventions == []  # without it, the scheme is the one before
+    assert stage.run.interventions == []  # without it, the scheme is the one before
     document["cognitons"][0]["influence"][0][1] = 2.0
     rescheme(stage, document)
     stage.do({"do": "step", "ticks": 5})
-    assert stage._run.society.schemes["turtles"].plans == OWN.plans
+    assert stage.run.society.schemes["turtles"].plans == OWN.plans
 
 
 def test_a_deleted_plan_is_carried_out_until_the_next_decision_and_never_again(stage, tmp_path):
     stage.do({"do": "step", "ticks": 3})
-    society = stage._run.society
+    society = stage.run.society
     assert {one.plan for one in society.turtles} == {"goto-blue"}
     document = schemes(stage)
     document["plans"] = [one for one in document["plans"] if one["name"] != "goto-blue"]
@@ -113,11 +110,11 @@ def test_a_deleted_plan_is_carried_out_until_the_next_decision_and_never_again(s
             one[field] = [link for link in one[field] if link[0] != "p1"]
         one["conditional"] = [plan for plan in one["conditional"] if plan != "p1"]
     rescheme(stage, document)
-    society = stage._run.society
+    society = stage.run.society
     assert {one.plan for one in society.turtles} == {"goto-blue"}
     for _ in range(20):
         stage.do({"do": "step"})
-        assert "goto-blue" not in {one.plan for one in stage._run.society.turtles}
+        assert "goto-blue" not in {one.plan for one in stage.run.society.turtles}
     stage.do({"do": "save", "folder": str(tmp_path / "kept")})
     assert replay(tmp_path / "kept").equal
 
@@ -157,7 +154,7 @@ def test_a_model_is_set_up_with_an_edited_scheme(stage, tmp_path):
     stage.do({"do": "step", "ticks": 100})
     stage.do({"do": "save", "folder": str(tmp_path / "kept")})
     file = tmp_path / "other.yaml"
-    stage._run.society.schemes["turtles"].save(file)
+    stage.run.society.schemes["turtles"].save(file)
     told = run(load_model("tutorial"), 100, 2, scheme=file, out=tmp_path / "told", progress=False)
     assert Run(tmp_path / "kept").series.equals(Run(told).series)
     assert replay(tmp_path / "kept").equal

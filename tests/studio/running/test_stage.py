@@ -6,6 +6,7 @@ import pytest
 
 from socialmind.catalogue import load_model
 from socialmind.studio.running.frames import unpacked
+from socialmind.studio.running.performing import obey
 from socialmind.studio.running.stage import FRAME, Stage
 
 
@@ -25,11 +26,20 @@ class Heard:
         return next(one for one in reversed(self.said) if one["said"] == what)
 
 
+class Told(Stage):
+    """A stage that can be told something."""
+
+    def __init__(self):
+        self.heard = Heard()
+        super().__init__(self.heard)
+
+    def do(self, command):
+        obey(self, command)
+
+
 @pytest.fixture
 def stage():
-    heard = Heard()
-    made = Stage(heard)
-    made.heard = heard
+    made = Told()
     made.do({"do": "setup", "model": "farmer_artisan", "seed": 4, "parameters": {"n_agents": 7}})
     return made
 
@@ -123,8 +133,8 @@ def test_what_would_be_decided_is_told_and_nothing_changes(stage):
     assert said["choice"] in said["text"]
     society = load_model("farmer_artisan")(seed=4, n_agents=7)
     society.advance(50)
-    assert stage._run.society.series() == society.series()
-    assert stage._run.society.humans[3].mind.cognitons() == society.humans[3].mind.cognitons()
+    assert stage.run.society.series() == society.series()
+    assert stage.run.society.humans[3].mind.cognitons() == society.humans[3].mind.cognitons()
     stage.do({"do": "suppose", **edit, "part": "cogniton Famer"})
     assert "Farmer" in stage.heard.last("error")["text"]
     stage.do({"do": "edit", **edit})
@@ -146,7 +156,7 @@ def test_a_tick_is_gone_through_turn_by_turn(stage):
     assert "turn" not in frame
     society = load_model("farmer_artisan")(seed=4, n_agents=7)
     society.advance(11)
-    assert stage._run.society.series() == society.series()
+    assert stage.run.society.series() == society.series()
 
 
 def test_turns_are_a_speed_too(stage):
@@ -159,17 +169,26 @@ def test_turns_are_a_speed_too(stage):
     assert (frame["tick"], frame["turn"]["number"], frame["running"]) == (0, 4, True)
 
 
+def test_saving_says_how_far_it_is(stage, tmp_path):
+    stage.do({"do": "step", "ticks": 300})
+    stage.do({"do": "save", "folder": str(tmp_path / "run")})
+    told = [one["text"] for one in stage.heard.said if one["said"] == "busy"]
+    assert told[-1] == "saving: tick 300 of 300"
+    stage.do({"do": "copy", "folder": str(tmp_path / "copy")})
+    assert stage.heard.last("preparing")["text"] == ""
+
+
 def test_a_copy_is_opened_where_it_was_taken(stage, tmp_path):
     stage.do({"do": "step", "ticks": 40})
     stage.do({"do": "set", "tool_price": 90})
     stage.do({"do": "copy", "folder": str(tmp_path / "copy")})
     said = stage.heard.last("copied")
-    other = Stage(Heard())
+    other = Told()
     other.do({"do": "open", **{key: said[key] for key in ("folder", "tick", "source")}})
-    assert other._run.tick == 40
+    assert other.run.tick == 40
     for one in (stage, other):
         one.do({"do": "step", "ticks": 60})
-    assert other._run.society.series() == stage._run.society.series()
+    assert other.run.society.series() == stage.run.society.series()
 
 
 def test_who_has_died_is_named_with_the_tick(stage):

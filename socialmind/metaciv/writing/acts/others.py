@@ -62,15 +62,25 @@ def kill_stranger(sheet: Sheet, action: Action) -> Act:
         "if other is not None:",
         "    other.dying = True",
     ]
-    text = ['', 'def is_stranger(human, other):',
-            '    """Return whether two have no group in common."""']  # fmt: skip
-    for one in groups:
-        text += [
-            f"    own = human.mind.get_group_id({one})",
-            f"    if own >= 0 and other.mind.get_group_id({one}) == own:",
-            "        return False",
+    doc = "Return whether two have no group in common."
+    if not groups:
+        body_of = ["return True"]
+    elif len(groups) == 1:
+        body_of = [
+            f"own = human.mind.get_group_id({groups[0]})",
+            f"return own < 0 or other.mind.get_group_id({groups[0]}) != own",
         ]
-    sheet.help("is_stranger", "\n".join([*text, "    return True", ""]))
+    else:
+        body_of = ["common = False"]
+        for one in groups:
+            body_of += [
+                f"own = human.mind.get_group_id({one})",
+                f"if own >= 0 and other.mind.get_group_id({one}) == own:",
+                "    common = True",
+            ]
+        body_of.append("return not common")
+    text = "\n    ".join(body_of)
+    sheet.help("is_stranger", f'\ndef is_stranger(human, other):\n    """{doc}"""\n    {text}\n')
     return Act(("kill_stranger",), "Kill somebody here who is in no group of the own.", body)
 
 
@@ -362,12 +372,14 @@ def chief_facility_here(sheet: Sheet, action: Action) -> Ask:
     _chief(sheet)
     built = facility_of(sheet, action)
     field = own(sheet, built)
-    test = (
-        f"living(model, human.chief) and any(one.id == model.humans[human.chief].{field} "
-        f"for one in model.{built.population}.on(human))"
+    before = (
+        "if not living(model, human.chief):",
+        "    return False",
+        f"{built.name} = model.humans[human.chief].{field}",
     )
+    test = f"any(one.id == {built.name} for one in model.{built.population}.on(human))"
     name = f"is_at_{built.name}_of_chief"
-    return Ask((name,), f"whether the {built.facility.name} of the chief is here", test)
+    return Ask((name,), f"whether the {built.facility.name} of the chief is here", test, before)
 
 
 def go_to_chief_facility(sheet: Sheet, action: Action) -> Act:

@@ -77,12 +77,12 @@ def trade_by_tag(sheet: Sheet, action: Action) -> Act:
         "    human.waited = 0",
         "    human.bargain = 0",
         "for other in model.humans.on(human):",
-        f"    if other.tag == {other_tag} and human.bargain == 0:",
-        f"        if {able}:",
-        *(f"            {line}" for line in _swap(sheet, given, many, taken, price)),
-        "            human.bargain = MADE",
-        "            human.tag = 0",
-        "            other.tag = SERVED",
+        f"    fits = other.tag == {other_tag} and human.bargain == 0",
+        f"    if fits and {able}:",
+        *(f"        {line}" for line in _swap(sheet, given, many, taken, price)),
+        "        human.bargain = MADE",
+        "        human.tag = 0",
+        "        other.tag = SERVED",
         "if human.bargain == MADE:",
         "    return True",
         "human.waited += 1",
@@ -92,13 +92,13 @@ def trade_by_tag(sheet: Sheet, action: Action) -> Act:
     ]
     if action.name == "A_TravelTrade":
         body += [
-            "other = min(",
+            "partner = min(",
             f"    (one for one in model.humans if one.tag == {other_tag} and one.id != human.id),",
             "    key=lambda one: model.world.distance(human, one.x, one.y),",
             "    default=None,",
             ")",
-            "if other is not None:",
-            f"    {going(sheet, 'other.x', 'other.y')}",
+            "if partner is not None:",
+            f"    {going(sheet, 'partner.x', 'partner.y')}",
         ]
     body.append("return False")
     travel = "travel" if action.name == "A_TravelTrade" else "wait"

@@ -7,14 +7,17 @@ export class Refused extends Error {
   }
 }
 
-/** Return what asks for something of a room. */
+/** No answer: the page says so by itself, and looks for the program. */
+export class Unanswered extends Refused {}
+
+/** Return what asks for something of a room; "" for what there is. */
 export function asking(room: string) {
   return async <T>(what: string, asked?: unknown): Promise<T> => {
     let answer: Response;
     try {
-      answer = await fetch(`api/${room}/${what}`, asked === undefined ? undefined : { method: "POST", body: JSON.stringify(asked) });
+      answer = await fetch(`api/${room}${what && "/"}${what}`, asked === undefined ? undefined : { method: "POST", body: JSON.stringify(asked) });
     } catch {
-      throw new Refused("The program does not answer.", false);
+      throw new Unanswered("The program does not answer.", false);
     }
     const said = await answer.json().catch(() => ({ error: `The program failed (${answer.status}).` }));
     if (!answer.ok) throw new Refused(said.error, said.exists === true);

@@ -32,37 +32,17 @@ export function ofWord(place: number): Colour {
   return place === 255 || place < 0 ? NONE : WORDS[place % WORDS.length];
 }
 
-/** A table of 256 colours, RGB. */
-export const TABLE = new Uint8Array(256 * 3);
-for (let step = 0; step < 256; step += 1) {
-  const along = (step / 255) * (SCALE.length - 1);
-  const low = Math.min(Math.floor(along), SCALE.length - 2);
-  for (let part = 0; part < 3; part += 1) {
-    const mixed = SCALE[low][part] + (along - low) * (SCALE[low + 1][part] - SCALE[low][part]);
-    TABLE[3 * step + part] = Math.round(mixed);
-  }
-}
-
-export function ofNumber(value: number, low: number, high: number): Colour {
-  if (!Number.isFinite(value)) return NONE;
-  const share = high > low ? (value - low) / (high - low) : 0.5;
-  const at = 3 * Math.max(0, Math.min(255, Math.round(255 * share)));
-  return [TABLE[at], TABLE[at + 1], TABLE[at + 2]];
-}
-
 /** A colour written as #rrggbb. */
 export function read(text: string): Colour {
   const number = parseInt(text.slice(1), 16);
   return [number >> 16, (number >> 8) & 255, number & 255];
 }
 
-/** A colour along a scale of several. */
-export function along(scale: Colour[], value: number, low: number, high: number): Colour {
-  if (!Number.isFinite(value)) return NONE;
-  const share = high > low ? Math.max(0, Math.min(1, (value - low) / (high - low))) : 0;
-  const at = share * (scale.length - 1);
+/** A colour along a scale of several, from 0 to 1. */
+export function ofShare(share: number, scale: Colour[] = SCALE): Colour {
+  const at = Math.max(0, Math.min(1, share)) * (scale.length - 1);
   const from = Math.min(Math.floor(at), scale.length - 2);
-  return [0, 1, 2].map((part) => scale[from][part] + (at - from) * (scale[from + 1][part] - scale[from][part])) as Colour;
+  return [0, 1, 2].map((part) => Math.round(scale[from][part] + (at - from) * (scale[from + 1][part] - scale[from][part]))) as Colour;
 }
 
 export function css([red, green, blue]: Colour): string {

@@ -1,5 +1,7 @@
 // What the server says of sweeps (server/sweeps.py).
 
+import { asking } from "../ask";
+
 export interface Listed {
   folder: string;
   model?: string;
@@ -35,18 +37,7 @@ export interface Figures {
   notes: string[];
 }
 
-/** Ask, and fail with the server's own sentence. */
-export async function asked<T>(path: string, query: Record<string, string> = {}, method = "GET"): Promise<T> {
-  let answer: Response;
-  try {
-    answer = await fetch(`${path}?${new URLSearchParams(query)}`, { method });
-  } catch {
-    throw new Error("The program does not answer.");
-  }
-  const content = await answer.json();
-  if (!answer.ok) throw new Error(content.error);
-  return content;
-}
+export const ask = asking("sweeps");
 
 /** Seconds as people say them. */
 export function lasting(seconds: number): string {

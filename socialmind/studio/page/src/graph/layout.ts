@@ -11,6 +11,8 @@ export interface Place {
   x: number;
   y: number;
 }
+/** Of boxes, by their ids. */
+export type Places = Map<string, Place>;
 
 /** The upper left corners of boxes, by id, so that links lead from left to right (or down). */
 export function laidOut(boxes: Sized[], links: [string, string][], direction: "LR" | "TB" = "LR"): Map<string, Place> {

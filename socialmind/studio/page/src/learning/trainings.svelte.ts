@@ -1,6 +1,8 @@
 // The trainings below the studio's folder: which there are, and how the chosen one goes on. Asked for now and then; what
 // is known of its curve already is not sent again.
 
+import { asking, Unanswered } from "../ask";
+
 export type Status = "running" | "stopped" | "interrupted" | "failed" | "finished" | "broken";
 
 export interface Summary {
@@ -46,6 +48,7 @@ export type Column = keyof typeof COLUMNS;
 type Values = (number | null)[];
 type Part = { attempt: number; lesson: string; cycle: number; generation: number[] } & Partial<Record<Column, Values>>;
 
+const ask = asking("learning");
 const OFTEN = 1000;
 const SELDOM = 3000;
 
@@ -113,7 +116,7 @@ export class Trainings {
   }
 
   async #list(): Promise<void> {
-    const said = await this.#read("api/learning");
+    const said = await this.#ask("");
     if (!said) return;
     this.home = said.home;
     this.all = said.trainings;
@@ -124,7 +127,7 @@ export class Trainings {
     const folder = this.#folder;
     if (!folder) return;
     const query = new URLSearchParams({ folder, known: this.#known.join(",") });
-    const said = await this.#read(`api/learning/training?${query}`);
+    const said = await this.#ask(`training?${query}`);
     if (!said || folder !== this.#folder) return;
     const { curve, ...told } = said;
     this.told = told;
@@ -143,24 +146,15 @@ export class Trainings {
     this.#known[part.attempt - 1] += part.generation.length;
   }
 
-  async #read(address: string) {
+  /** Ask; null where that was refused, which is said, or while the program does not answer. */
+  async #ask(what: string, asked?: Record<string, unknown>): Promise<any> {
+    if (asked) this.error = "";
     try {
-      const answer = await fetch(address);
-      const said = await answer.json();
-      if (answer.ok) return said;
-      this.error = said.error;
-    } catch {
-      // The program does not answer; the page says so by itself, and asks again.
+      return await ask(what, asked);
+    } catch (error) {
+      if (asked || !(error instanceof Unanswered)) this.error = (error as Error).message;
+      return null;
     }
-    return null;
-  }
-  async #ask(what: string, asked: Record<string, unknown>) {
-    this.error = "";
-    const answer = await fetch(`api/learning/${what}`, { method: "POST", body: JSON.stringify(asked) });
-    const said = await answer.json();
-    if (answer.ok) return said;
-    this.error = said.error;
-    return null;
   }
 }
 

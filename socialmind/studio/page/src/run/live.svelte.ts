@@ -1,7 +1,7 @@
 // What the page knows of one society, and how it asks: a socket, found again when it is lost.
 
 import type { Scheme } from "../scheme/document";
-import { decoded, type Frame, type HierarchyPlan, type Watched } from "./frame";
+import { decoded, type Frame, type Header, type HierarchyPlan, type Watched } from "./frame";
 import type { Actuator } from "./steering/steering";
 import type { Trace } from "./watcher/traces.svelte";
 
@@ -84,6 +84,11 @@ export interface Acting {
 /** What other rooms hear of what is said of societies. */
 export const hearers: ((live: Live, said: string, rest: Record<string, unknown>) => void)[] = [];
 
+/** How often a second words and numbers follow a society that runs: they cost more than its picture. */
+const TOLD = 10;
+/** Rows of the series that are kept; of more each second one goes, as in the program (running/history.py). */
+const ROWS = 4000;
+
 export type Command = Record<string, unknown> & { do: string };
 
 /** A society that runs in a process of the program, under a name that other tabs can look at too. */
@@ -92,7 +97,10 @@ export class Live {
   name: string;
   model = $state<ModelOutline | null>(null);
   society = $state.raw<SocietyOutline | null>(null);
+  /** What is drawn. */
   frame = $state.raw<Frame | null>(null);
+  /** What is said of it in words, which follows it a few times a second. */
+  header = $state.raw<Header | null>(null);
   watched = $state.raw<Watched | null>(null);
   gone = $state("");
   /** What would be decided if a value were another, as it is typed. */
@@ -122,6 +130,8 @@ export class Live {
   /** Edited schemes that a model is set up with in place of its own, by population. */
   documents = $state.raw<{ model: string; of: Record<string, Scheme> } | null>(null);
 
+  #next: ArrayBuffer | null = null;
+  #told = 0;
   #socket: WebSocket | null = null;
   #retry = 250;
   #ended = false;
@@ -192,7 +202,7 @@ export class Live {
     };
     socket.onmessage = (event) => {
       if (typeof event.data === "string") this.#hear(JSON.parse(event.data));
-      else this.#see(event.data);
+      else this.#come(event.data);
     };
     socket.onclose = () => {
       this.connected = false;
@@ -204,19 +214,34 @@ export class Live {
     this.#socket = socket;
   }
 
-  #see(buffer: ArrayBuffer): void {
-    const frame = decoded(buffer);
-    const { tick, furthest, running, rate, watched, turn } = frame.header;
+  /** Take a frame, to be shown when the browser draws. */
+  #come(buffer: ArrayBuffer): void {
+    if (!this.#next) requestAnimationFrame(() => this.#show());
+    this.#next = buffer;
+  }
+
+  /** Show what came, and ask for another, which is made while this one is drawn: so at most one waits. */
+  #show(): void {
+    const frame = decoded(this.#next!);
+    this.#next = null;
+    this.send({ do: "seen" });
     this.frame = frame;
-    Object.assign(this, { tick, furthest, running, rate, turn: turn ?? null });
+    const { running, watched } = frame.header;
+    const other = watched && (watched as Watched).id !== this.watched?.id;
+    if (running && this.running && !other && performance.now() < this.#told + 1000 / TOLD) return;
+    this.#told = performance.now();
+    this.#tell(frame.header);
+  }
+
+  #tell(header: Header): void {
+    const { tick, furthest, running, rate, watched, turn } = header;
+    Object.assign(this, { header, tick, furthest, running, rate, turn: turn ?? null });
     if (watched && "gone" in watched) {
       this.gone = watched.gone;
     } else if (watched) {
       this.watched = watched;
       this.gone = "";
     }
-    // Asked for once this one has been drawn, so that frames never pile up.
-    requestAnimationFrame(() => this.send({ do: "seen" }));
   }
 
   #hear(message: { said: string } & Record<string, never>): void {
@@ -264,6 +289,9 @@ export class Live {
     for (const [name, value] of Object.entries(row)) {
       const column = (this.history[name] ??= new Array(count).fill(null));
       column.push(value);
+    }
+    if (count >= ROWS) {
+      for (const [name, column] of Object.entries(this.history)) this.history[name] = column.filter((_, at) => at % 2 === 0);
     }
     this.rows += 1;
   }

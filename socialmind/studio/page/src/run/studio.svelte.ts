@@ -2,6 +2,7 @@
 
 import { place } from "../place.svelte";
 import { Live, type Command } from "./live.svelte";
+import type { View } from "./world/drawing";
 
 export const FIRST = "first";
 const MOST = 4;
@@ -11,6 +12,10 @@ class Studio {
   worlds = $state.raw<Live[]>([]);
   /** The one whose parameters and agents are at the sides. */
   live = $state.raw<Live>(undefined!);
+  /** Whether worlds of one size that stand side by side show the same part. */
+  linked = $state(true);
+  /** The part that was last chosen, in which world, and of which size that is. */
+  looked = $state.raw<{ view: View; by: Live; size: string } | null>(null);
   #branched = "";
   #pace: number | "turn" | null = 1;
 

@@ -1,11 +1,10 @@
 // A scheme as boxes and links on the canvas.
 
 import type { Box, Link, LinkData } from "../graph/kinds";
-import { laidOut, type Place } from "../graph/layout";
+import { laidOut, type Places } from "../graph/layout";
 import type { Finding } from "../graph/Findings.svelte";
 import { holdersOf, linkId, type Holder, type Scheme } from "./document";
 
-export type Places = Map<string, Place>;
 const SIZE = { width: 150, height: 48 };
 
 /** Where all boxes stand: where the file says, or the user has put them, or the layout. */

@@ -2,16 +2,16 @@
 // that runs with it.
 
 import { asking } from "../ask";
+import { Desk } from "../graph/desk.svelte";
 import type { Finding } from "../graph/Findings.svelte";
-import { History } from "../graph/history.svelte";
-import type { Place } from "../graph/layout";
+import type { Place, Places } from "../graph/layout";
 import { hearers, type Live } from "../run/live.svelte";
 import { studio } from "../run/studio.svelte";
 import {
   linkOf, partOf, set, withCogniton, withCulturon, withGroup, withLink, without, withPlan, withRole,
   type LinkKind, type Scheme,
 } from "./document";
-import { placed, type Places } from "./drawing";
+import { placed } from "./drawing";
 
 export interface Base {
   file: string;
@@ -26,11 +26,6 @@ export interface Source {
   population?: string;
   running?: boolean;
 }
-interface State {
-  scheme: Scheme;
-  /** Where boxes stand that have no position of their own in the file. */
-  put: Places;
-}
 interface Opened {
   document: Scheme;
   base: Base | null;
@@ -38,18 +33,12 @@ interface Opened {
 }
 
 const EMPTY: Scheme = { name: "scheme", decision_maker: { name: "MaximumWeight", bias: 1 }, breeds: [], ordered: true, plans: [], cognitons: [], groups: [] };
-const CHECK_AFTER = 150;
 
 export const ask = asking("schemes");
 
-class Editor {
-  history = new History<State>({ scheme: EMPTY, put: new Map() });
-  selected = $state.raw<string[]>([]);
-  findings = $state.raw<Finding[]>([]);
+class Editor extends Desk<Scheme, Base> {
   unruled = $state.raw<string[]>([]);
   makers = $state.raw<string[]>(["MaximumWeight", "WeightedStochastic", "BiasedWeightedStochastic"]);
-  base = $state.raw<Base | null>(null);
-  writable = $state(false);
   model = $state("");
   population = $state("");
   /** What links are drawn as. */
@@ -58,14 +47,8 @@ class Editor {
   live = $state(false);
   /** Why the running society did not take the last change. */
   unfit = $state("");
-  error = $state("");
-  note = $state("");
-  /** How often something was opened: the view is fitted then. */
-  opened = $state(0);
   checking = $state(false);
 
-  #kept = $state.raw<Scheme>(EMPTY);
-  #timer: ReturnType<typeof setTimeout> | undefined;
   #checks = 0;
   #sent = "";
   #heard = "";
@@ -75,23 +58,19 @@ class Editor {
   #token = 1 + Math.floor(Math.random() * 1e9);
 
   constructor() {
+    super(EMPTY);
     hearers.push((live, said, rest) => live === this.#world && this.#hear(said, rest));
-    addEventListener("beforeunload", (event) => {
-      if (this.changed) event.preventDefault();
-    });
+  }
+
+  placed(scheme: Scheme, put: Places): Places {
+    return placed(scheme, put);
+  }
+  has(id: string): boolean {
+    return !!(partOf(this.scheme, id) || linkOf(id));
   }
 
   get scheme(): Scheme {
-    return this.history.now.scheme;
-  }
-  get places(): Places {
-    return placed(this.scheme, this.history.now.put);
-  }
-  get changed(): boolean {
-    return this.scheme !== this.#kept;
-  }
-  get wrong(): boolean {
-    return this.findings.some((one) => one.wrong);
+    return this.document;
   }
   get selectedPart() {
     return this.selected.length === 1 ? partOf(this.scheme, this.selected[0]) : null;
@@ -122,21 +101,15 @@ class Editor {
       return;
     }
     const scheme = found.document;
-    this.history.begin({ scheme, put: placed(scheme, new Map()) });
-    this.#kept = scheme;
-    this.base = found.base;
-    this.writable = found.writable;
     if (source.model) {
       this.model = source.model;
       this.population = source.population ?? "";
     }
-    this.selected = [];
     this.live = !!running;
     this.#world = studio.live;
     this.#sent = JSON.stringify(scheme);
     this.#heard = JSON.stringify(schemes[this.population]);
-    this.opened += 1;
-    this.#check(0);
+    this.begin(scheme, found.base, found.writable);
   }
 
   /** Say for whom the scheme is to be; findings are of that model then. */
@@ -144,43 +117,19 @@ class Editor {
     this.model = model;
     this.population = population;
     this.live = false;
-    this.#check(0);
+    this.checkSoon(0);
   }
 
-  /** Save; throws `Refused` if another file stands there. */
   async save(file: string, replace = false): Promise<void> {
     this.error = this.note = "";
     const scheme = this.scheme;
     const found = await ask<{ notes: string[]; base: Base; writable: boolean }>("save", {
       document: scheme, file, replace, base: this.base, model: this.population && this.model, population: this.population,
     });
-    this.base = found.base;
-    this.writable = found.writable;
-    this.#kept = scheme;
-    this.note = [`Saved in ${found.base.file}`, ...found.notes].join("; ");
+    this.saved(scheme, found);
   }
 
   // Editing ------------------------------------------------------------------------------------
-
-  /** Take another document; changes under the same key, one after another, are one step. */
-  change(scheme: Scheme, key = ""): void {
-    const put = new Map(this.history.now.put);
-    for (const [id, place] of this.places) if (!put.has(id)) put.set(id, place);
-    this.history.change({ scheme, put }, key);
-    this.#check();
-  }
-  undo(): void {
-    this.history.undo();
-    this.#afterStep();
-  }
-  redo(): void {
-    this.history.redo();
-    this.#afterStep();
-  }
-  #afterStep(): void {
-    this.selected = this.selected.filter((id) => partOf(this.scheme, id) || linkOf(id));
-    this.#check(0);
-  }
 
   set(id: string, fields: Record<string, unknown>, key = ""): void {
     this.change(set(this.scheme, id, fields), key);
@@ -244,9 +193,7 @@ class Editor {
       if (part && part.kind !== "group" && part.kind !== "role") scheme = set(scheme, id, { position: [Math.round(x), Math.round(y)] });
       else put.set(id, { x, y });
     }
-    for (const [id, place] of this.places) if (!put.has(id)) put.set(id, place);
-    this.history.change({ scheme, put }, key);
-    this.#check();
+    this.change(scheme, key, put);
   }
   /** Lay everything out anew. */
   layOut(): void {
@@ -276,12 +223,11 @@ class Editor {
 
   // Checking, and the society that runs ----------------------------------------------------------
 
-  #check(after = CHECK_AFTER): void {
-    clearTimeout(this.#timer);
+  protected checkSoon(after?: number): void {
     this.checking = true;
-    this.#timer = setTimeout(() => void this.#ask(), after);
+    super.checkSoon(after);
   }
-  async #ask(): Promise<void> {
+  protected async check(): Promise<void> {
     const number = (this.#checks += 1);
     const scheme = this.scheme;
     let found: { findings: Finding[]; unruled: string[]; makers: string[] };
@@ -306,7 +252,7 @@ class Editor {
     this.live = live;
     this.#world = studio.live;
     this.unfit = "";
-    if (live) this.#check(0);
+    if (live) this.checkSoon(0);
   }
   /** Set the model up with this scheme. */
   run(): void {

@@ -2,10 +2,9 @@
 
 import type { Finding } from "../graph/Findings.svelte";
 import type { Box, Link } from "../graph/kinds";
-import { laidOut, type Place } from "../graph/layout";
+import { laidOut, type Places } from "../graph/layout";
 import { functionOf, linkId, target, type Mind } from "./document";
 
-export type Places = Map<string, Place>;
 const HEIGHT = 44;
 const WIDE = 170;
 const PITCH = 40;

@@ -1,19 +1,15 @@
 // What the room of skills knows: the mind with its past, where it came from, and what is odd about it.
 
 import { asking } from "../ask";
+import { Desk } from "../graph/desk.svelte";
 import type { Finding } from "../graph/Findings.svelte";
-import { History } from "../graph/history.svelte";
-import type { Place } from "../graph/layout";
+import type { Place, Places } from "../graph/layout";
 import { added, EMPTY, fresh, linkBetween, linked, LISTS, parsedLink, partOf, set, without, type Kind, type Mind, type Module, type Skill } from "./document";
-import { placed, type Places, type Weights } from "./drawing";
+import { placed, type Weights } from "./drawing";
 
 export interface Base {
   file: string;
   sha256: string;
-}
-interface State {
-  mind: Mind;
-  put: Places;
 }
 type Sent = Omit<Mind, "skills"> & { skills: (Skill & { was: string | null })[] };
 interface Opened {
@@ -21,46 +17,30 @@ interface Opened {
   base: Base | null;
   writable: boolean;
 }
-const CHECK_AFTER = 150;
 
 export const ask = asking("skills");
 
-class Editor {
-  history = new History<State>({ mind: EMPTY, put: new Map() });
-  selected = $state.raw<string[]>([]);
-  findings = $state.raw<Finding[]>([]);
+class Editor extends Desk<Mind, Base> {
   weights = $state.raw<Record<string, Weights>>({});
   masters = $state.raw<string[]>([]);
-  base = $state.raw<Base | null>(null);
-  writable = $state(false);
-  error = $state("");
-  note = $state("");
-  /** How often something was opened: the view is fitted then. */
-  opened = $state(0);
 
-  #kept = $state.raw<Mind>(EMPTY);
   /** Under which names the files of skills lie, by their ids; no undo changes that. */
   #files = new Map<string, string>();
-  #timer: ReturnType<typeof setTimeout> | undefined;
   #checks = 0;
 
   constructor() {
-    addEventListener("beforeunload", (event) => {
-      if (this.changed) event.preventDefault();
-    });
+    super(EMPTY);
+  }
+
+  placed(mind: Mind, put: Places): Places {
+    return placed(mind, put);
+  }
+  has(id: string): boolean {
+    return !!(partOf(this.mind, id) || parsedLink(id));
   }
 
   get mind(): Mind {
-    return this.history.now.mind;
-  }
-  get places(): Places {
-    return placed(this.mind, this.history.now.put);
-  }
-  get changed(): boolean {
-    return this.mind !== this.#kept;
-  }
-  get wrong(): boolean {
-    return this.findings.some((one) => one.wrong);
+    return this.document;
   }
   get part() {
     return this.selected.length === 1 ? partOf(this.mind, this.selected[0]) : null;
@@ -78,46 +58,16 @@ class Editor {
     const { skills, ...rest } = found.document;
     const mind = { ...rest, skills: skills.map(({ was: _, ...one }) => one) };
     this.#files = new Map(skills.filter((one) => one.was).map((one) => [one.id, one.was!]));
-    this.history.begin({ mind, put: placed(mind, new Map()) });
-    this.#kept = mind;
-    this.base = found.base;
-    this.writable = found.writable;
-    this.selected = [];
-    this.opened += 1;
-    this.#check(0);
+    this.begin(mind, found.base, found.writable);
   }
 
-  /** Save; throws `Refused` if another mind stands there. */
   async save(file: string, replace = false): Promise<void> {
     this.error = this.note = "";
     const mind = this.mind;
     const found = await ask<{ notes: string[]; base: Base; writable: boolean }>("save", { document: this.#sent(mind), base: this.base, file, replace });
-    this.base = found.base;
-    this.writable = found.writable;
     this.#files = new Map(mind.skills.map((one) => [one.id, one.name]));
-    this.#kept = mind;
-    this.note = [`Saved in ${found.base.file}`, ...found.notes].join("; ");
-    this.#check(0);
-  }
-
-  /** Take another mind; changes under the same key, one after another, are one step. */
-  change(mind: Mind, key = ""): void {
-    const put = new Map(this.history.now.put);
-    for (const [id, place] of this.places) if (!put.has(id)) put.set(id, place);
-    this.history.change({ mind, put }, key);
-    this.#check();
-  }
-  undo(): void {
-    this.history.undo();
-    this.#after();
-  }
-  redo(): void {
-    this.history.redo();
-    this.#after();
-  }
-  #after(): void {
-    this.selected = this.selected.filter((id) => partOf(this.mind, id) || parsedLink(id));
-    this.#check(0);
+    this.saved(mind, found);
+    this.checkSoon(0);
   }
 
   set(id: string, fields: Partial<Module & Skill>, key = ""): void {
@@ -141,9 +91,8 @@ class Editor {
     const put = new Map(this.places);
     const among = this.mind[LISTS[part]].map((one) => put.get(one.id)!);
     put.set(id, at ?? (among.length ? { x: among[0].x, y: Math.max(...among.map((one) => one.y)) + 70 } : { x: part === "actuator" ? 460 : part === "skill" ? 230 : 0, y: 0 }));
-    this.history.change({ mind, put });
+    this.change(mind, "", put);
     this.selected = [id];
-    this.#check();
   }
   linkable(from: string, to: string): boolean {
     return linkBetween(this.mind, from, to) !== null;
@@ -156,32 +105,29 @@ class Editor {
     this.selected = [];
   }
   move(places: Places): void {
-    this.history.change({ mind: this.mind, put: new Map([...this.places, ...places]) });
+    this.history.change({ document: this.mind, put: new Map([...this.places, ...places]) });
   }
   layOut(): void {
-    this.history.change({ mind: this.mind, put: placed(this.mind, new Map()) });
+    this.history.change({ document: this.mind, put: placed(this.mind, new Map()) });
     this.opened += 1;
   }
 
   #sent(mind: Mind): Sent {
     return { ...mind, skills: mind.skills.map((one) => ({ ...one, was: this.#files.get(one.id) ?? null })) };
   }
-  #check(after = CHECK_AFTER): void {
-    clearTimeout(this.#timer);
-    this.#timer = setTimeout(async () => {
-      const number = (this.#checks += 1);
-      try {
-        const found = await ask<{ findings: Finding[]; weights: Record<string, Weights>; masters: string[] }>("check", {
-          document: this.#sent(this.mind), base: this.base,
-        });
-        if (number !== this.#checks) return;
-        this.findings = found.findings;
-        this.weights = found.weights;
-        this.masters = found.masters;
-      } catch (error) {
-        this.error = (error as Error).message;
-      }
-    }, after);
+  protected async check(): Promise<void> {
+    const number = (this.#checks += 1);
+    try {
+      const found = await ask<{ findings: Finding[]; weights: Record<string, Weights>; masters: string[] }>("check", {
+        document: this.#sent(this.mind), base: this.base,
+      });
+      if (number !== this.#checks) return;
+      this.findings = found.findings;
+      this.weights = found.weights;
+      this.masters = found.masters;
+    } catch (error) {
+      this.error = (error as Error).message;
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 // How far somebody has come in a tutorial: its steps, what is missing, and the mind as it was when a step began.
 
+import { asking } from "../ask";
 import { editor as schemes } from "../scheme/editor.svelte";
 import { editor as skills } from "../skills/editor.svelte";
 
@@ -75,12 +76,7 @@ export const deskOf = (one: Tutorial): Desk => DESKS[one.editor];
 const CHECK_AFTER = 150;
 const KEPT = "socialmind first hour";
 
-async function ask<T>(what: string, asked?: unknown): Promise<T> {
-  const answer = await fetch(`api/first-hour${what}`, asked === undefined ? undefined : { method: "POST", body: JSON.stringify(asked) });
-  const said = await answer.json();
-  if (!answer.ok) throw new Error(said.error);
-  return said as T;
-}
+const ask = asking("first-hour");
 
 class Walk {
   tutorials = $state.raw<Tutorial[]>([]);
@@ -99,7 +95,7 @@ class Walk {
   #shown = "";
 
   constructor() {
-    ask<Tutorial[]>("").then((found) => (this.tutorials = found), () => (this.error = "The program does not answer."));
+    ask<Tutorial[]>("").then((found) => (this.tutorials = found), (error) => (this.error = error.message));
   }
 
   get step(): Step {
@@ -162,13 +158,13 @@ class Walk {
     const number = (this.#asked += 1);
     const asked = { tutorial: tutorial.word, step: this.at, document: this.document };
     try {
-      const { missing } = await ask<{ missing: string[] }>("/check", asked);
+      const { missing } = await ask<{ missing: string[] }>("check", asked);
       if (number !== this.#asked) return;
       this.missing = missing;
       this.error = "";
       const said = JSON.stringify([asked.tutorial, asked.document]);
       if (!this.step.shows || missing.length || said === this.#shown) return;
-      const courses = await ask<Courses>("/show", asked);
+      const courses = await ask<Courses>("show", asked);
       if (number !== this.#asked) return;
       [this.courses, this.#shown] = [courses, said];
     } catch (error) {

@@ -2,6 +2,9 @@
 
 import type uPlot from "uplot";
 
+/** How often a second plots follow what runs. */
+export const REDRAWN = 4;
+
 export function axes(): uPlot.Axis[] {
   const ink = getComputedStyle(document.documentElement).getPropertyValue("color");
   const axis = { stroke: ink, grid: { stroke: "#88888833" }, ticks: { stroke: "#88888866" }, font: "11px system-ui" };

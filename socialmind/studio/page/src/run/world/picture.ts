@@ -1,23 +1,20 @@
 // From a frame to what the renderer draws.
 
-import { along, NONE, ofNumber, ofWord, read, type Colour } from "../../colours";
+import { NONE, ofShare, ofWord, read, type Colour } from "../../colours";
 import type { Colouring, Column, Frame } from "../frame";
 import type { Extent } from "../live.svelte";
-import type { Picture, Segments } from "./renderer";
+import type { Packed, Patches, Picture, Segments } from "./drawing";
+import { RING, shapeOf, TURNED } from "./shapes";
 
-const DISC = 0;
-const ARROW = 1;
-const SQUARE = 2;
-const RING = 3;
+const [DISC, ARROW, SQUARE] = ["disc", "arrow", "square"].map(shapeOf);
 /** Between agents that have no places. */
 const APART = 1.8;
 const GREEN: Colour = [31, 140, 58];
-/** As models name them (looks.py), by their numbers in the renderer. */
-const SHAPES: Record<string, number> = {
-  disc: DISC, arrow: ARROW, square: SQUARE, ring: RING, triangle: 4, diamond: 5, person: 6, animal: 7, house: 8, tree: 9,
-};
-/** Shapes that turn with who has them; the others stand upright. */
-const TURNED = [ARROW, 7];
+/** How much zones hide of what lies below them, of 255. */
+const PALE = 110;
+/** The last place along a scale; `NOTHING` is after it. */
+const LAST = 254;
+const NOTHING = 255;
 
 /** Where agents are, to find the one that is clicked. */
 export interface Standing {
@@ -43,38 +40,31 @@ export interface Wanted {
   trail: Float32Array;
 }
 
-/** What colour a value has: a word's by its place, a number's on the scale. */
-function colouring(said: Colouring): (value: number) => Colour {
-  const [low, high] = said.range ?? [0, 1];
-  const own = said.colours?.map(read);
-  if (said.words) return own ? (place) => own[place] ?? NONE : ofWord;
-  return own ? (value) => along(own, value, low, high) : (value) => ofNumber(value, low, high);
+export function packed([red, green, blue]: Colour, alpha = 255): Packed {
+  return (red | (green << 8) | (blue << 16) | (alpha << 24)) >>> 0;
 }
 
-/** The colours of a column, RGBA. */
-export function coloured(column: Column, said: Colouring, into: Uint8Array, from: number): void {
-  const colourOf = colouring(said);
-  for (let row = 0; row < column.length; row += 1) {
-    const colour = colourOf(column[row]);
-    const at = 4 * (from + row);
-    into[at] = colour[0];
-    into[at + 1] = colour[1];
-    into[at + 2] = colour[2];
-    into[at + 3] = 255;
-  }
+/** The colour of each place: a word's, or along the scale; `alpha` says how much of what lies below it hides. */
+function palette(said: Colouring, alpha: (place: number) => number = () => 255): Uint32Array {
+  const own = said.colours?.map(read);
+  return Uint32Array.from({ length: NOTHING + 1 }, (_, place) => {
+    const word = own ? (own[place] ?? NONE) : ofWord(place);
+    const colour = said.words ? word : place === NOTHING ? NONE : ofShare(place / LAST, own);
+    return packed(colour, alpha(place));
+  });
 }
 
 class Lines {
   places: number[] = [];
   colours: number[] = [];
 
-  add(ends: ArrayLike<number>, colour: Colour, alpha: number): void {
+  add(ends: ArrayLike<number>, colour: Packed): void {
     for (let place = 0; place < ends.length; place += 1) this.places.push(ends[place]);
-    for (let end = 0; end < ends.length / 2; end += 1) this.colours.push(...colour, alpha);
+    for (let line = 0; line < ends.length / 4; line += 1) this.colours.push(colour);
   }
 
   get segments(): Segments {
-    return { places: Float32Array.from(this.places), colours: Uint8Array.from(this.colours) };
+    return { places: Float32Array.from(this.places), colours: Uint32Array.from(this.colours) };
   }
 }
 
@@ -82,57 +72,60 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
   const { header, columns } = frame;
   const names = Object.keys(header.populations);
   const obstacles = columns.obstacles ?? new Float32Array();
-  let count = obstacles.length / 5 + 2;
-  for (const name of names) count += 2 * header.populations[name].count;
+  let count = obstacles.length / 5 + 1; // and the ring around who is watched
+  for (const name of names) count += header.populations[name].count;
   const numbers = new Float32Array(5 * count);
-  const colours = new Uint8Array(4 * count);
+  const colours = new Uint32Array(count);
   const standing: Standing[] = [];
   let foot = 0; // of the agents without places that are laid out so far
   const below = new Lines();
   const above = new Lines();
   let row = 0;
-  const add = (x: number, y: number, angle: number, radius: number, shape: number, colour?: Colour, alpha = 255) => {
+  const add = (x: number, y: number, angle: number, radius: number, shape: number, colour: Packed) => {
     numbers.set([x, y, angle, radius, shape], 5 * row);
-    if (colour) colours.set([...colour, alpha], 4 * row);
+    colours[row] = colour;
     row += 1;
   };
   for (let at = 0; at < obstacles.length; at += 5) {
     const [x, y, angle, half, round] = obstacles.subarray(at, at + 5);
-    add(x, y, angle, half, round ? DISC : SQUARE, GREEN);
+    add(x, y, angle, half, round ? DISC : SQUARE, packed(GREEN));
   }
   names.forEach((name, number) => {
     const said = header.populations[name];
     const ids = columns[`${name}.id`] as Uint32Array;
     const from = row;
+    const places = columns[`${name}.colour`];
+    const colourOf = places && palette(said);
+    const shape = said.shape ? shapeOf(said.shape) : undefined;
     if (said.kind === "robots") {
       const rows = columns[`${name}.robots`];
       for (let one = 0; one < said.count; one += 1) {
         const [x, y, angle, radius, emits] = rows.subarray(5 * one, 5 * one + 5);
         const front = [x, y, x + radius * 1.6 * Math.cos(angle), y + radius * 1.6 * Math.sin(angle)];
-        add(x, y, angle, radius, DISC, ofWord(number + 1));
-        above.add(front, [250, 250, 250], 255);
-        if (emits) above.add(circle(x, y, 2 * radius), ofWord(0), 255);
+        add(x, y, angle, radius, shape ?? DISC, packed(ofWord(number + 1)));
+        above.add(front, packed([250, 250, 250]));
+        if (emits) above.add(circle(x, y, 2 * radius), packed(ofWord(0)));
       }
     } else if (said.kind === "objects") {
       const rows = columns[`${name}.objects`];
       for (let one = 0; one < said.count; one += 1) {
         const [x, y, radius] = rows.subarray(3 * one, 3 * one + 3);
-        add(x, y, 0, radius, DISC, ofWord(5 - number));
+        add(x, y, 0, radius, shape ?? DISC, packed(ofWord(5 - number)));
       }
     } else if (said.kind === "zones") {
       const rows = columns[`${name}.zones`];
       for (let one = 0; one < said.count; one += 1) {
         const [x, y, angle, half] = rows.subarray(4 * one, 4 * one + 4);
-        add(x, y, angle, half, SQUARE, ofWord(4), 110);
+        add(x, y, angle, half, SQUARE, packed(ofWord(4), PALE));
       }
     } else {
       const heading = columns[`${name}.heading`];
       const placed = wanted.extent !== null || isPlaced(columns[`${name}.x`], columns[`${name}.y`]);
       const [x, y] = placed ? [columns[`${name}.x`], columns[`${name}.y`]] : lattice(said.count, foot);
       if (!placed) foot = lowest(y, foot) - 2 * APART;
-      const shape = SHAPES[said.shape ?? ""] ?? (heading ? ARROW : DISC);
+      const form = shape ?? (heading ? ARROW : DISC);
       const sizes = columns[`${name}.size`];
-      const turned = heading && TURNED.includes(shape);
+      const turned = heading && TURNED.includes(form);
       for (let one = 0; one < said.count; one += 1) {
         const angle = turned ? Math.PI / 2 - (heading[one] * Math.PI) / 180 : 0;
         const at = 5 * row;
@@ -140,25 +133,28 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
         numbers[at + 1] = y[one];
         numbers[at + 2] = angle;
         numbers[at + 3] = sizes ? sizes[one] / 2 : 0.62;
-        numbers[at + 4] = shape;
+        numbers[at + 4] = form;
         row += 1;
       }
-      coloured(columns[`${name}.colour`], said, colours, from);
+    }
+    if (colourOf) {
+      const alpha = said.kind === "zones" ? (PALE << 24) | 0xffffff : -1;
+      for (let one = 0; one < said.count; one += 1) colours[from + one] = colourOf[places[one]] & alpha;
     }
     standing.push({ population: name, ids, numbers, from, count: row - from });
   });
-  if (columns.rays) below.add(columns.rays, NONE, 120);
-  if (columns.lines) below.add(columns.lines, NONE, 60);
+  if (columns.rays) below.add(columns.rays, packed(NONE, 120));
+  if (columns.lines) below.add(columns.lines, packed(NONE, 60));
   for (const [name, ends] of Object.entries(wanted.networks)) addLinks(name, ends, columns, standing, below);
-  if (header.plane && header.plane.half_width > 0) above.add(square(header.plane.half_width), GREEN, 255);
-  if (wanted.trail.length) above.add(wanted.trail, ofWord(0), 255);
+  if (header.plane && header.plane.half_width > 0) above.add(square(header.plane.half_width), packed(GREEN));
+  if (wanted.trail.length) above.add(wanted.trail, packed(ofWord(0)));
   const seen = wanted.watched && found(standing, wanted.watched.population, wanted.watched.id);
-  if (seen) add(seen.x, seen.y, 0, 1.9 * seen.radius, RING, ofWord(1));
+  if (seen) add(seen.x, seen.y, 0, 1.9 * seen.radius, RING, packed(ofWord(1)));
   return {
     picture: {
       patches: patchesOf(frame, wanted.extent),
       below: below.segments,
-      sprites: { count: row, numbers: numbers.subarray(0, 5 * row), colours: colours.subarray(0, 4 * row) },
+      sprites: { count: row, numbers: numbers.subarray(0, 5 * row), colours: colours.subarray(0, row) },
       above: above.segments,
     },
     standing,
@@ -207,26 +203,13 @@ export function clicked(standing: Standing[], x: number, y: number, reach: numbe
   return best;
 }
 
-function patchesOf(frame: Frame, extent: Extent | null): Picture["patches"] {
-  const column = frame.columns.patches;
-  if (!column || !frame.header.patches || !extent) return undefined;
-  const pixels = new Uint8Array(4 * column.length);
+function patchesOf(frame: Frame, extent: Extent | null): Patches | undefined {
+  const values = frame.columns.patches as Uint8Array | undefined;
   const said = frame.header.patches;
-  const colourOf = colouring(said);
-  for (let at = 0; at < column.length; at += 1) {
-    const colour = colourOf(column[at]);
-    pixels[4 * at] = colour[0];
-    pixels[4 * at + 1] = colour[1];
-    pixels[4 * at + 2] = colour[2];
-    // Pale, so that agents stand out, unless the model says how; a word's first place is the ground itself.
-    pixels[4 * at + 3] = said.colours ? 255 : said.words && column[at] === 0 ? 25 : 110;
-  }
-  return {
-    width: extent.width,
-    height: extent.height,
-    pixels,
-    extent: [extent.low_x, extent.low_y, extent.width, extent.height],
-  };
+  if (!values || !said || values.length !== (extent?.width ?? 0) * (extent?.height ?? 0)) return undefined; // of the model before
+  // Pale, so that agents stand out, unless the model says how; a word's first place is the ground itself.
+  const alpha = (place: number) => (said.colours ? 255 : said.words && place === 0 ? 25 : 110);
+  return { values, palette: palette(said, alpha), ...extent! };
 }
 
 function addLinks(
@@ -245,7 +228,7 @@ function addLinks(
   });
   for (let at = 0; at < links.length; at += 2) {
     const [one, other] = [places[0].get(links[at]), places[1].get(links[at + 1])];
-    if (one && other) lines.add([...one, ...other], NONE, 150);
+    if (one && other) lines.add([...one, ...other], packed(NONE, 150));
   }
 }
 

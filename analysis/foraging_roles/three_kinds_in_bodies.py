@@ -1,0 +1,109 @@
+"""Three kinds of object in bodies: the scheme, thresholds, chance and greed.
+
+python -m analysis.foraging_roles.three_kinds_in_bodies [--quick]
+
+A row of `results/three_kinds_in_bodies.csv` is a way, a ratio, what happens half-way, and a world
+for reporting; `results/three_kinds_in_bodies.md` has the means. Robots are known by what they
+bring home. What is measured is that of `three_kinds`, and the objects that a robot brings.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from socialmind.learning.episodes.plane_episodes import Episodes
+
+from .foraging_three import CHANCE, GREED, SCHEME, THRESHOLDS, ForagingThree
+from .large_groups import in_brackets
+from .threshold_scan import CONTROLLERS
+from .worlds import REPORTED
+
+RESULTS = Path(__file__).parent / "results"
+NAME = "three_kinds_in_bodies"
+TICKS, SHORT, WORLDS, FEW, ROBOTS = 60_000, 3000, 10, 1, 9
+NOTHING, TURNED = "nothing", "ratio turned round"
+SETTINGS = (("1:1:1", NOTHING), ("2:3:4", NOTHING), ("2:3:4", TURNED))
+WAYS: Mapping[str, Mapping[str, float]] = {
+    "programmed": {"decides": SCHEME},
+    **{way: {"decides": THRESHOLDS, **given} for way, given in CONTROLLERS.items()},
+    "random roles": {"decides": CHANCE},
+    "greedy": {"decides": GREED},
+}
+"""Parameters of `ForagingThree`; the numbers are those chosen for two kinds."""
+RECORD = ("off_late", "last_beyond", "robots.changes_brought", "robots.delivered", "robots.rescues")
+
+
+def judged(
+    way: str, ratio: str, event: str, worlds: Sequence[int], ticks: int = TICKS
+) -> pd.DataFrame:
+    """Return what robots come to, a row for each world.
+
+    Args:
+        way: how they decide.
+        ratio: the parts that are wanted of A, B and C.
+        event: what happens half-way.
+        worlds: their seeds.
+        ticks: of a run.
+    """
+    parts = dict(zip(("part_a", "part_b", "part_c"), map(float, ratio.split(":")), strict=True))
+    late, half = int(0.75 * ticks), ticks // 2 - 1
+    happens = {"reverse_at": half} if event == TURNED else {}
+    given = {**WAYS[way], **parts, **happens, "late": late}
+    episodes = Episodes(ForagingThree, given, ticks=ticks, record=RECORD)
+    seen = {name: np.asarray(one)[0] for name, one in episodes.run(None, worlds).fields.items()}
+    return pd.DataFrame(
+        {
+            "ratio": ratio,
+            "event": event,
+            "way": way,
+            "attempt": 0,
+            "world": list(worlds),
+            "within_one": (seen["last_beyond"] < 0.75 * ticks).astype(int).ravel(),
+            "off": seen["off_late"].ravel() / (ticks - late),
+            "changes": seen["robots.changes_brought"].mean(axis=1) / ticks * 10_000,
+            "brought": seen["robots.delivered"].mean(axis=1),
+            "rescues": seen["robots.rescues"].sum(axis=1),
+        }
+    )
+
+
+def report(table: pd.DataFrame) -> str:
+    """Return the means with intervals as Markdown."""
+    lines = [
+        "| ratio | half-way | way | worlds | within one | off, of nine | changes | brought |",
+        "|---" * 8 + "|",
+    ]
+    for key, part in table.groupby(["ratio", "event", "way"], sort=False):
+        cells = [
+            in_brackets(part, name, form)
+            for name, form in (("within_one", ".0%"), ("off", ".2f"), ("changes", ".2f"))
+        ]
+        found = [*key, len(part), *cells, f"{part['brought'].mean():.1f}"]
+        lines.append("| " + " | ".join(map(str, found)) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Judge all, keep what comes of it and print it."""
+    quick = "--quick" in arguments
+    worlds, ticks = (REPORTED[:FEW], SHORT) if quick else (REPORTED[:WORLDS], TICKS)
+    parts = []
+    for ratio, event in SETTINGS:
+        for way in WAYS:
+            parts.append(judged(way, ratio, event, worlds, ticks))
+            print(ratio, event, way, file=sys.stderr, flush=True)
+    table = pd.concat(parts, ignore_index=True)
+    if not quick:
+        path = RESULTS / f"{NAME}.csv"
+        table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+        (RESULTS / f"{NAME}.md").write_text(report(table), encoding="utf-8")
+    print(report(table))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

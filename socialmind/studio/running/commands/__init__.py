@@ -1,0 +1,1 @@
+"""What a stage can be told, by theme: each command is a function of the stage."""
