@@ -47,6 +47,11 @@ class Finding:
     def __str__(self) -> str:
         return str(PlacedError(self.found, self.expected, self.remedy, *self.place))
 
+    @property
+    def told(self) -> str:
+        """What it says, without its place."""
+        return str(PlacedError(self.found, self.expected, self.remedy))
+
 
 class Findings:
     """Findings, gathered while a folder is read."""

@@ -70,6 +70,7 @@ def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> t
         written = write_model(reading.model, unfinished)
         lacking = [Finding("unsupported", one.place, one.what) for one in written]
         findings = (*reading.findings, *(one for one in lacking if one.place not in said))
+        _say_in_readme(unfinished / "README.md", reading.findings)
         if strict and any(map(_is_left_out, findings)):
             raise ImportRefusedError(str(folder), findings, strict)
         if target.is_dir():
@@ -90,6 +91,15 @@ def counted(findings: Sequence[Finding]) -> str:
     counts = Counter[str](one.severity for one in findings)
     words = [f"{counts[one]} {WORDS[one][counts[one] > 1]}" for one in WORDS if counts[one]]
     return ", ".join(words) or "nothing odd"
+
+
+def _say_in_readme(file: Path, findings: Sequence[Finding]) -> None:
+    """Add to a model's README how what is odd in its files was read."""
+    odd = [f"- `{one.place.file}:{one.place.line}`: {one.told}" for one in findings]
+    if odd:
+        said = file.read_text("utf-8").rstrip("\n")
+        lines = (said, "", "## What is odd in the files", "", *odd, "")
+        file.write_text("\n".join(lines), "utf-8")
 
 
 def _is_left_out(one: Finding) -> bool:
