@@ -263,7 +263,8 @@ class ModelFile:
         peoples = [self._civilisation(one) for one in self.people.civilisations]
         lines += laid_out("        civilisations=(", peoples, "),")
         lines.append(f'        mind="{SCHEME_FILE}",')
-        lines += laid_out("        plans={", plans, "},")
+        if plans:
+            lines += laid_out("        plans={", plans, "},")
         return [*lines, "    )"]
 
     def _civilisation(self, one: Civilisation) -> str:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from .folders import files_of, imported, joined
+from .folders import files_of, followed, imported, joined
 
 TIRE = {"Tire": "self"}
 
@@ -81,3 +81,16 @@ def test_each_follows_its_own_plans_and_they_meet(model):
     assert (farmer.energy, raider.energy) == (6.0, 2.0)
     assert farmer.life + other.life == 8.0  # attacked in ticks 4 and 6
     assert society.series()["raiders"] == 1
+
+
+def test_a_blank_start_is_a_model_whose_agents_idle(tmp_path):
+    model = imported(tmp_path, files_of(plans={}, cognitons={}, agents=4))
+    society = model(seed=1, compiled=False)
+    society.advance(4)
+    assert len(society.humans) == 4
+    assert {one.plan for one in society.humans} == {None}
+
+
+def test_an_empty_plan_lets_ticks_pass(tmp_path):
+    model = imported(tmp_path, files_of(plans={"Wait": ""}, cognitons={"W": (True, "Wait", {})}))
+    assert followed(model, 3, "plan", "x") == [("Wait", 2.0)] * 3
