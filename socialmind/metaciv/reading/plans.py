@@ -27,6 +27,7 @@ DEEPEST = 50
 MOST_ACTIONS = 5_000
 """Actions of a plan."""
 
+BIRTH = "A_BirthGroupAndRole"
 NO_CONSTANT = "__NoConstant"
 CONSTANT = " Constant "
 NUMBERS = ("Integer", "Double")
@@ -52,7 +53,12 @@ def read_plan(
     world: WorldNames,
 ) -> Plan:
     """Return the plan that a file says."""
-    return Plan(record.name, kind, _Actions(record, scheme, world).tree(), record.place)
+    plan = Plan(record.name, kind, _Actions(record, scheme, world).tree(), record.place)
+    births = [one for action in plan.actions for one in action.all() if one.name == BIRTH]
+    for one in births if kind == "birth" else []:
+        found, remedy = f"{BIRTH} in the plan of birth", "each child would have a child at once"
+        record.findings.error(one.place, found, "no birth at birth", remedy)
+    return plan
 
 
 _TYPED = re.compile(rf"\((?=(?:{'|'.join(TYPES)}) )")

@@ -215,6 +215,18 @@ def test_of_two_plans_of_every_tick_the_last_counts(tmp_path):
     assert [one.place for one in reading.findings] == [(f"{home}/Age.metaciv", 1)]
 
 
+def test_a_birth_at_birth_would_never_end(tmp_path):
+    file = "schemasCognitifs/Farmer/plans/Born.metaciv"
+    plan = "Nom : Born\nBirth : true\nAction : A_BirthGroupAndRole,r(GroupAndRole Village:chief)\n"
+    assert said(reading_of(tmp_path, {file: plan})) == [
+        (
+            "error", file, 3,
+            "found A_BirthGroupAndRole in the plan of birth; expected no birth at birth; "
+            "each child would have a child at once",
+        )
+    ]  # fmt: skip
+
+
 def test_what_is_wrong_in_a_scheme_that_nobody_has_does_not_matter(tmp_path):
     home = "schemasCognitifs/Old"
     files = {
