@@ -26,18 +26,18 @@ class ImportRefusedError(SocialmindError):
 
     Args:
         folder: the folder.
-        findings: all that was found in it.
-        strict: whether what is not supported was to be refused.
+        findings: all that was found in it; one at least is no warning.
     """
 
-    def __init__(self, folder: str, findings: Sequence[Finding], strict: bool = False) -> None:
-        self.folder, self.findings, self.strict = folder, tuple(findings), strict
+    def __init__(self, folder: str, findings: Sequence[Finding]) -> None:
+        self.folder, self.findings = folder, tuple(findings)
         stops = [one for one in findings if one.severity != "warning"]
-        super().__init__(f"{folder}: {counted(findings)}; nothing was written; first {stops[0]}")
+        first = min(stops, key=lambda one: one.severity)  # an error, if there is one
+        super().__init__(f"{folder}: {counted(findings)}; nothing was written; first {first}")
 
     def __reduce__(self) -> tuple[type[ImportRefusedError], tuple[object, ...]]:
         """Keep the fields when the error crosses a process boundary."""
-        return type(self), (self.folder, self.findings, self.strict)
+        return type(self), (self.folder, self.findings)
 
 
 def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> tuple[Finding, ...]:
@@ -62,7 +62,7 @@ def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> t
         raise SocialmindError(f"{out}: is a file; give a folder")
     reading = read_folder(folder)
     if reading.model is None or (strict and any(map(_is_left_out, reading.findings))):
-        raise ImportRefusedError(str(folder), reading.findings, strict)
+        raise ImportRefusedError(str(folder), reading.findings)
     target.parent.mkdir(parents=True, exist_ok=True)
     unfinished = target.parent / f".{target.name}-{secrets.token_hex(4)}.partial"
     try:
@@ -72,7 +72,7 @@ def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> t
         findings = (*reading.findings, *(one for one in lacking if one.place not in said))
         _say_in_readme(unfinished / "README.md", reading.findings)
         if strict and any(map(_is_left_out, findings)):
-            raise ImportRefusedError(str(folder), findings, strict)
+            raise ImportRefusedError(str(folder), findings)
         if target.is_dir():
             target.rmdir()
         unfinished.rename(target)
