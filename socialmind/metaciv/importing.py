@@ -61,7 +61,7 @@ def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> t
     if target.exists() and not target.is_dir():
         raise SocialmindError(f"{out}: is a file; give a folder")
     reading = read_folder(folder)
-    if reading.model is None or (strict and any(map(_is_left_out, reading.findings))):
+    if reading.model is None:
         raise ImportRefusedError(str(folder), reading.findings)
     target.parent.mkdir(parents=True, exist_ok=True)
     unfinished = target.parent / f".{target.name}-{secrets.token_hex(4)}.partial"
@@ -73,9 +73,11 @@ def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> t
         _say_in_readme(unfinished / "README.md", reading.findings)
         if strict and any(map(_is_left_out, findings)):
             raise ImportRefusedError(str(folder), findings)
-        if target.is_dir():
-            target.rmdir()
-        unfinished.rename(target)
+        if target.is_dir():  # it may be the current folder, which must stay the one it is
+            for one in sorted(unfinished.iterdir()):
+                one.rename(target / one.name)
+        else:
+            unfinished.rename(target)
     finally:
         remove(unfinished)
     return findings
@@ -95,7 +97,11 @@ def counted(findings: Sequence[Finding]) -> str:
 
 def _say_in_readme(file: Path, findings: Sequence[Finding]) -> None:
     """Add to a model's README how what is odd in its files was read."""
-    odd = [f"- `{one.place.file}:{one.place.line}`: {one.told}" for one in findings]
+    odd = [
+        f"- `{one.place.file}:{one.place.line}`: {one.told}"
+        for one in findings
+        if one.severity == "warning"
+    ]
     if odd:
         said = file.read_text("utf-8").rstrip("\n")
         lines = (said, "", "## What is odd in the files", "", *odd, "")

@@ -2,6 +2,7 @@
 
 import ast
 import pickle
+from pathlib import Path
 
 import pytest
 
@@ -87,6 +88,15 @@ def test_what_is_refused_says_all_and_crosses_processes(tmp_path):
     again = pickle.loads(pickle.dumps(refused.value))
     assert (str(again), again.findings) == (str(refused.value), refused.value.findings)
     assert len(again.findings) == 2
+
+
+def test_the_current_folder_may_be_the_one_to_fill(tmp_path, monkeypatch):
+    folder, here = written(tmp_path / "m", FARMERS), tmp_path / "here"
+    here.mkdir()
+    monkeypatch.chdir(here)
+    import_model(folder, ".")
+    assert {one.name for one in Path().iterdir()} >= {"model.py", "scheme.yaml", "README.md"}
+    assert [one.name for one in tmp_path.iterdir() if one.name.endswith(".partial")] == []
 
 
 def test_a_folder_that_holds_something_is_left_alone(tmp_path):
