@@ -302,6 +302,19 @@ def test_civilisations_without_files_begin_nowhere(tmp_path):
     assert [one.civilisation for one in reading.model.environment.settlements] == ["Farmers"]
 
 
+def test_an_effect_on_what_is_nowhere_is_left_out_and_said_once(tmp_path):
+    file = "simulation/effects/Fed.metaciv"
+    reading = reading_of(tmp_path, {file: FARMERS[file].replace("energy", "strength")})
+    assert said(reading) == [
+        (
+            "warning", file, 3,
+            "found 'strength'; expected the name of an attribute; there is 'energy'; "
+            "the effect was left out",
+        )
+    ]  # fmt: skip
+    assert (reading.model.effects, reading.model.objects[0].effects) == ((), ())
+
+
 def test_links_that_lead_out_are_not_followed(tmp_path):
     folder = written(tmp_path / "model", FARMERS)
     secret = tmp_path / "secret.metaciv"
