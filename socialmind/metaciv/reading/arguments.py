@@ -12,7 +12,7 @@ from socialmind.metaciv.actions import COMPARATORS, Kind, Parameter
 from socialmind.metaciv.description import Argument, Place
 from socialmind.metaciv.findings import Findings
 from socialmind.metaciv.reading.names import SchemeNames, WorldNames
-from socialmind.metaciv.reading.record import LONGEST_NAME, as_number, as_whole, matching
+from socialmind.metaciv.reading.record import INT, LONGEST_NAME, as_number, as_whole, matching
 
 NO_CONSTANT = "__NoConstant"
 CONSTANT = " Constant "
@@ -134,7 +134,7 @@ class Arguments:
         type_ = argument.type if argument.type in parameter.types else parameter.types[0]
         value = argument.value
         if type_ == "Integer" and isinstance(value, float):
-            if not value.is_integer():
+            if not value.is_integer() or not INT[0] <= value <= INT[1]:
                 self.findings.error(place, shown(value), "a whole number")
                 return None
             value = int(value)
