@@ -174,12 +174,14 @@ def is_condition(sheet: Sheet, cogniton: Cogniton) -> bool:
     """Say whether a cogniton is there exactly while what its triggers compare holds.
 
     So it is with one trigger, or two that are the ends of a range. Else, and where it is there at
-    birth or rules add and take it too, the last crossing decides: rules called `notice_…` in the
-    model's file.
+    birth, rules add and take it too, or some agents do not have it, the last crossing decides:
+    rules called `notice_…` in the model's file.
     """
     if cogniton.name in changed_cognitons(sheet) or at_birth(sheet, cogniton.name):
         return False
     if any(cogniton.name in sheet.people.initial(one) for one in sheet.people.schemes):
+        return False
+    if not sheet.people.is_shared("cogniton", cogniton.name):
         return False
     if len(cogniton.triggers) == 1:
         return True

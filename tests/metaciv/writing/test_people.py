@@ -23,8 +23,9 @@ def model(tmp_path_factory):
             "Will": (True, "Live Rest", {"Live": 3}),
             "Alike": (True, "Rest", {"Rest": 1}),
             "Bond": (False, "", {}),
+            "Fit": "Initial : 0\nTrigger : skill,2.0,-2,__NoConstant\n",
         },
-        attributes={"energy": 10, "life": 5},
+        attributes={"energy": 10, "life": 5, "skill": 3},
         constants={"effort": -1},
         groups={"Home": "Culturon : one,Bond\nAutoJoin : true,one\n"},
         objects=("Corn",),
@@ -66,6 +67,10 @@ def test_each_is_born_with_its_own_mind_attributes_and_group(model):
     farmer, other, raider = society.humans
     assert (farmer.civilisation, raider.civilisation) == ("Farmers", "Raiders")
     assert (farmer.energy, raider.energy) == (10.0, 0.0)
+    assert (farmer.skill, raider.skill) == (3.0, 0.0)
+    farmer.skill = 1.0
+    society.advance(1)
+    assert farmer.mind.is_active("Fit") and not raider.mind.is_active("Fit")
     assert farmer.mind.is_active("Will") and not farmer.mind.is_active("Will (Raider)")
     assert raider.mind.is_active("Will (Raider)") and not raider.mind.is_active("Will")
     homes = [one.mind.get_group_id("Home") for one in (farmer, other, raider)]
