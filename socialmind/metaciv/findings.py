@@ -14,6 +14,8 @@ from socialmind.metaciv.description import Place
 
 MOST_OF_A_FILE = 100
 """Findings that are listed of one file."""
+MOST_HINTS = 500
+"""Findings up to which names are compared with those that there are, which takes its time."""
 MOST_NAMES = 8
 """Known names that a remedy lists; of more it lists the nearest."""
 
@@ -44,6 +46,11 @@ class Finding:
 
     def __str__(self) -> str:
         return str(PlacedError(self.found, self.expected, self.remedy, *self.place))
+
+    @property
+    def told(self) -> str:
+        """What it says, without its place."""
+        return str(PlacedError(self.found, self.expected, self.remedy))
 
 
 class Findings:
@@ -106,10 +113,10 @@ class Findings:
             severity: of the finding.
             instead: what was done instead, if anything.
         """
-        if self._of_file[place.file] > MOST_OF_A_FILE:
-            return self.error(place, shown(name))
-        remedy = "; ".join(one for one in (hint(name, known), instead) if one)
-        return self.add(Finding(severity, place, shown(name), f"the name of {what}", remedy))
+        compared = self._of_file[place.file] < MOST_OF_A_FILE and len(self._found) < MOST_HINTS
+        likely = hint(name, known) if compared else ""
+        remedy = "; ".join(one for one in (likely, instead) if one)
+        self.add(Finding(severity, place, shown(name), f"the name of {what}", remedy or None))
 
     def take(self, others: Findings, why_no_errors: str | None = None) -> None:
         """Note all of others, as warnings that say why if they do not matter."""

@@ -26,18 +26,18 @@ class ImportRefusedError(SocialmindError):
 
     Args:
         folder: the folder.
-        findings: all that was found in it.
-        strict: whether what is not supported was to be refused.
+        findings: all that was found in it; one at least is no warning.
     """
 
-    def __init__(self, folder: str, findings: Sequence[Finding], strict: bool = False) -> None:
-        self.folder, self.findings, self.strict = folder, tuple(findings), strict
+    def __init__(self, folder: str, findings: Sequence[Finding]) -> None:
+        self.folder, self.findings = folder, tuple(findings)
         stops = [one for one in findings if one.severity != "warning"]
-        super().__init__(f"{folder}: {counted(findings)}; nothing was written; first {stops[0]}")
+        first = min(stops, key=lambda one: one.severity)  # an error, if there is one
+        super().__init__(f"{folder}: {counted(findings)}; nothing was written; first {first}")
 
     def __reduce__(self) -> tuple[type[ImportRefusedError], tuple[object, ...]]:
         """Keep the fields when the error crosses a process boundary."""
-        return type(self), (self.folder, self.findings, self.strict)
+        return type(self), (self.folder, self.findings)
 
 
 def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> tuple[Finding, ...]:
@@ -61,8 +61,8 @@ def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> t
     if target.exists() and not target.is_dir():
         raise SocialmindError(f"{out}: is a file; give a folder")
     reading = read_folder(folder)
-    if reading.model is None or (strict and any(map(_is_left_out, reading.findings))):
-        raise ImportRefusedError(str(folder), reading.findings, strict)
+    if reading.model is None:
+        raise ImportRefusedError(str(folder), reading.findings)
     target.parent.mkdir(parents=True, exist_ok=True)
     unfinished = target.parent / f".{target.name}-{secrets.token_hex(4)}.partial"
     try:
@@ -70,11 +70,14 @@ def import_model(folder: str | Path, out: str | Path, strict: bool = False) -> t
         written = write_model(reading.model, unfinished)
         lacking = [Finding("unsupported", one.place, one.what) for one in written]
         findings = (*reading.findings, *(one for one in lacking if one.place not in said))
+        _say_in_readme(unfinished / "README.md", reading.findings)
         if strict and any(map(_is_left_out, findings)):
-            raise ImportRefusedError(str(folder), findings, strict)
-        if target.is_dir():
-            target.rmdir()
-        unfinished.rename(target)
+            raise ImportRefusedError(str(folder), findings)
+        if target.is_dir():  # it may be the current folder, which must stay the one it is
+            for one in sorted(unfinished.iterdir()):
+                one.rename(target / one.name)
+        else:
+            unfinished.rename(target)
     finally:
         remove(unfinished)
     return findings
@@ -90,6 +93,19 @@ def counted(findings: Sequence[Finding]) -> str:
     counts = Counter[str](one.severity for one in findings)
     words = [f"{counts[one]} {WORDS[one][counts[one] > 1]}" for one in WORDS if counts[one]]
     return ", ".join(words) or "nothing odd"
+
+
+def _say_in_readme(file: Path, findings: Sequence[Finding]) -> None:
+    """Add to a model's README how what is odd in its files was read."""
+    odd = [
+        f"- `{one.place.file}:{one.place.line}`: {one.told}"
+        for one in findings
+        if one.severity == "warning"
+    ]
+    if odd:
+        said = file.read_text("utf-8").rstrip("\n")
+        lines = (said, "", "## What is odd in the files", "", *odd, "")
+        file.write_text("\n".join(lines), "utf-8")
 
 
 def _is_left_out(one: Finding) -> bool:

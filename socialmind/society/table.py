@@ -279,6 +279,22 @@ class Table:
         column: NDArray[np.float64] = self.society.minds.values[slots, names.index(name)]
         return column
 
+    def plays(self, group: str, role: str) -> NDArray[np.bool_]:
+        """Return of each living agent whether it plays a role in a group of a type.
+
+        Raises:
+            SocialmindError: the scheme has no such group or role, or there are no minds.
+        """
+        groups = {} if self.society is None else self.society.names.roles
+        if self.society is None or role not in groups.get(group, ()):
+            hint = nearest(role, groups[group]) if group in groups else nearest(group, groups)
+            what = f"role {role!r} of a group {group!r}"
+            raise SocialmindError(f"{self.shape.name!r} has no {what}; {hint}")
+        minds, slots = self.society.minds, self.columns["_mind"][self.slots]
+        place = list(self.society.names.groups).index(group)
+        inside = minds.group_slot[slots, place] >= 0
+        return np.asarray(inside & (minds.role[slots, place] == groups[group][role]), np.bool_)
+
     def heed_conditions(self) -> None:
         """Let all minds heed the conditions of their scheme, if it has some."""
         if self._heeding is not None:

@@ -13,37 +13,43 @@ AROUND = ((0, 1), (1, 1), (1, 0), (1, -1), (0, -1), (-1, -1), (-1, 0), (-1, 1))
 """The eight neighbours, by headings of 0, 45, … 315 degrees."""
 
 
-def step_ahead(agent: Any, model: Any, rng: Any) -> None:
+def step_ahead(agent: Any, model: Any, rng: Any) -> bool:
     """Work one tick on crossing the patch, and enter the next one ahead when that is done.
 
     A patch of the passability p takes p div 10 - 2 ticks, one at least; below 20, two patches are
     crossed in one tick. Before what cannot be entered, the agent turns any way that is open.
+
+    Returns:
+        Whether it has entered a patch.
     """
+    entered = False
     effort = max(model.world.patch(agent.x, agent.y).passability // 10, 1)
     if agent.stride > effort:
         agent.stride -= effort
-        enter_next(agent, model, rng)
+        entered = enter_next(agent, model, rng)
     if agent.stride < effort:
         agent.stride += 1
     if agent.stride == effort:
-        enter_next(agent, model, rng)
+        entered = enter_next(agent, model, rng) or entered
         agent.stride = 2
+    return entered
 
 
-def enter_next(agent: Any, model: Any, rng: Any) -> None:
-    """Enter the neighbouring patch ahead, or another that is open."""
+def enter_next(agent: Any, model: Any, rng: Any) -> bool:
+    """Enter the neighbouring patch ahead, or another that is open; return whether there is one."""
     dx, dy = AROUND[math.floor(agent.heading / 45 + 0.5) % 8]
     while model.world.patch(agent.x + dx, agent.y + dy).impassable:
         if all(model.world.patch(agent.x + i, agent.y + j).impassable for i, j in AROUND):
-            return
+            return False
         agent.heading = rng.uniform(0, 360)
         dx, dy = AROUND[math.floor(agent.heading / 45 + 0.5) % 8]
     model.world.move_to(agent, agent.x + dx, agent.y + dy)
+    return True
 
 
 def step_towards(
     agent: Any, model: Any, x: float, y: float, sight: int, beyond: float, rng: Any
-) -> None:
+) -> bool:
     """Work one tick on the cheapest way to a place.
 
     Args:
@@ -54,8 +60,12 @@ def step_towards(
         sight: how many patches far the agent knows the ground; 0 or less for all.
         beyond: the effort that it expects beyond.
         rng: the agent's stream.
+
+    Returns:
+        Whether it has entered a patch.
     """
     heading = model.world.way("effort", agent.x, agent.y, x, y, sight, beyond)
-    if heading >= 0:
-        agent.heading = heading
-        step_ahead(agent, model, rng)
+    if heading < 0:
+        return False
+    agent.heading = heading
+    return step_ahead(agent, model, rng)

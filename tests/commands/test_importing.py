@@ -44,6 +44,7 @@ def test_strict_refuses_what_is_not_supported(socialmind, tmp_path):
     lenient = socialmind("import", folder, "--out", "lenient")
     assert lenient.exit_code == 0
     assert lenient.stderr.startswith(f"not supported: {PLAN}:12: A_Pray")
+    assert f"- `{PLAN}:12`: A_Pray" in (tmp_path / "lenient" / "README.md").read_text("utf-8")
 
 
 def test_import_overwrites_nothing(refused, farmers, tmp_path):

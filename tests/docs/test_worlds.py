@@ -43,3 +43,10 @@ def test_its_last_lines_are_right(page):
 def test_it_names_all_that_rules_call():
     for name in (*MOVING, *CALLS, *OF_ONE, *ASKED):
         assert re.search(rf"`(world\.)?{name}\b|`{name}`", PAGE), name
+
+
+def test_its_travellers_leave_a_road(page):
+    travels = page.Travels(seed=3, compiled=False)
+    travels.advance(40)
+    assert all((one.x, one.y) == (7.0, 2.0) for one in travels.travellers)
+    assert travels.world.road.sum() > 1

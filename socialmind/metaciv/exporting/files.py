@@ -8,8 +8,8 @@ from urllib.parse import quote_plus
 
 from socialmind.metaciv.actions import ACTIONS
 from socialmind.metaciv.description import Action, Argument, Cogniton, Group, Plan, Scheme, Trigger
+from socialmind.metaciv.reading.arguments import CONSTANT, NO_CONSTANT, NUMBERS
 from socialmind.metaciv.reading.files import SUFFIX
-from socialmind.metaciv.reading.plans import CONSTANT, NO_CONSTANT, NUMBERS
 from socialmind.metaciv.reading.schemes import COMPARISONS
 
 LONGEST = 80

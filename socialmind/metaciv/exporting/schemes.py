@@ -104,13 +104,16 @@ class _Export:
         self.attributes: dict[str, float] = {}
         self.constants: dict[str, float] = {}
         self.plans = fitting(scheme.plans, _fit)
-        held = [
-            (group.name, one) for group in scheme.groups for role in group.roles
-            for one in role.culturons
-        ]  # fmt: skip
-        self.culturons: dict[tuple[str, str], Culturon] = {
-            (group, one.name): one for group, one in held
-        }
+        self.culturons: dict[Key, Culturon] = {}
+        """Those that need a cogniton of their own."""
+        self.standing: dict[tuple[str, str], Key] = {}
+        """Which cogniton stands for a culturon, by group and name."""
+        for group in scheme.groups:
+            for one in (culturon for role in group.roles for culturon in role.culturons):
+                key = self._standing_for(group.name, one)
+                self.standing[group.name, one.name] = key
+                if key[0] == "culturon":
+                    self.culturons.setdefault(key, one)
         self.names = self._names()
         self.holders: list[OurCogniton | Culturon] = [*scheme.cognitons, *self.culturons.values()]
         self.factor = _factor(weight for one in self.holders for weight in one.influence.values())
@@ -151,10 +154,10 @@ class _Export:
         empty role ("role", group, name).
         """
         wanted: dict[Key, str] = {("cogniton", one.name): one.name for one in self.scheme.cognitons}
-        taken = list(wanted.values()) + [name for _, name in self.culturons]
-        for group, name in self.culturons:
-            alone = taken.count(name) == 1
-            wanted["culturon", group, name] = name if alone else f"{group} {name}"
+        taken = [*wanted.values(), *(one.name for one in self.culturons.values())]
+        for key, culturon in self.culturons.items():
+            alone = taken.count(culturon.name) == 1
+            wanted[key] = culturon.name if alone else f"{key[1]} {culturon.name}"
         for one in self.scheme.groups:
             empty = [role.name for role in one.roles if not role.culturons]
             wanted |= {("role", one.name, role): f"{one.name} {role}" for role in empty}
@@ -186,11 +189,19 @@ class _Export:
             NOWHERE,
         )
 
-    def _culturon(self, key: tuple[str, str], one: Culturon) -> Cogniton:
-        where = f"group {key[0]!r}: culturon {key[1]!r}"
+    def _standing_for(self, group: str, one: Culturon) -> Key:
+        """Return which cogniton stands for a culturon: one that is alike, or its own."""
+        if any(own.name == one.name and _alike(own, one) for own in self.scheme.cognitons):
+            return ("cogniton", one.name)
+        known = (key for key, other in self.culturons.items()
+                 if other.name == one.name and _alike(other, one))  # fmt: skip
+        return next(known, ("culturon", group, one.name))
+
+    def _culturon(self, key: Key, one: Culturon) -> Cogniton:
+        where = f"group {key[1]!r}: culturon {key[2]!r}"
         self._holder(where, one)
         return Cogniton(
-            self.names["culturon", *key],
+            self.names[key],
             "-",
             "culturon",
             False,
@@ -272,7 +283,7 @@ class _Export:
         made = []
         for role in one.roles:
             held = tuple(
-                self.names["culturon", one.name, culturon.name] for culturon in role.culturons
+                self.names[self.standing[one.name, culturon.name]] for culturon in role.culturons
             )
             if not held:
                 held = (self.names["role", one.name, role.name],)
@@ -305,6 +316,13 @@ class _Export:
             self.lost.append(f"beliefs, since no type is said, are {listed(untyped)}")
         if any(one.inherited > 0 for one in scheme.cognitons):
             self.lost.append("children begin with the initial cognitons, and inherit nothing")
+
+
+def _alike(one: OurCogniton | Culturon, other: Culturon) -> bool:
+    """Return whether the same cogniton of MetaCiv's can stand for both."""
+    return (one.influence, one.conditional, one.reinforcement, one.start_value) == (
+        other.influence, other.conditional, other.reinforcement, other.start_value
+    )  # fmt: skip
 
 
 def _empty(name: str) -> Cogniton:

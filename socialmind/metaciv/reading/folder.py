@@ -123,11 +123,7 @@ def _model(folder: Folder, findings: Findings) -> Model | None:
     terrains = {
         one: read_terrain(it, records["pheromones"]) for one, it in records["terrains"].items()
     }
-    effects = {}
-    for name, record in records["effects"].items():
-        effect = read_effect(record, used, objects)
-        if effect is not None:
-            effects[name] = effect
+    effects = {name: read_effect(one, used, objects) for name, one in records["effects"].items()}
     made = tuple(read_object(one, objects, effects) for one in objects.values())
     facilities = tuple(
         read_facility(one, objects, effects) for one in records["facilities"].values()
@@ -150,7 +146,7 @@ def _model(folder: Folder, findings: Findings) -> Model | None:
         made,
         facilities,
         tuple(Pheromone(one, record.place) for one, record in records["pheromones"].items()),
-        tuple(effects.values()),
+        tuple(one for one in effects.values() if one is not None),
     )
 
 

@@ -21,9 +21,10 @@ from socialmind.metaciv.description import (
     Trigger,
 )
 from socialmind.metaciv.findings import Findings
+from socialmind.metaciv.reading.arguments import NO_CONSTANT
 from socialmind.metaciv.reading.files import SUFFIX, Folder, Line
 from socialmind.metaciv.reading.names import SchemeNames, WorldNames
-from socialmind.metaciv.reading.plans import NO_CONSTANT, read_plan
+from socialmind.metaciv.reading.plans import read_plan
 from socialmind.metaciv.reading.record import Record, as_whole, fields, unlike
 
 COMPARISONS: dict[int | None, Literal["<", "<=", "==", ">=", ">"]] = {

@@ -92,7 +92,9 @@ def read_effect(
     )
 
 
-def read_object(record: Record, objects: Collection[str], effects: Mapping[str, Effect]) -> Object:
+def read_object(
+    record: Record, objects: Collection[str], effects: Mapping[str, Effect | None]
+) -> Object:
     """Return the object that a file says."""
     return Object(
         record.name,
@@ -104,7 +106,7 @@ def read_object(record: Record, objects: Collection[str], effects: Mapping[str, 
 
 
 def read_facility(
-    record: Record, objects: Collection[str], effects: Mapping[str, Effect]
+    record: Record, objects: Collection[str], effects: Mapping[str, Effect | None]
 ) -> Facility:
     """Return the facility that a file says."""
     return Facility(record.name, _effects(record, effects), _recipe(record, objects), record.place)
@@ -161,8 +163,8 @@ def _scheme(
     return None if name is None else names[name]
 
 
-def _effects(record: Record, effects: Mapping[str, Effect]) -> tuple[str, ...]:
-    """Return the effects of a thing; one that is nowhere is a warning."""
+def _effects(record: Record, effects: Mapping[str, Effect | None]) -> tuple[str, ...]:
+    """Return the effects of a thing but those left out; one that is nowhere is a warning."""
     line = record.document.first("Effects")
     if line is None:
         return ()
@@ -170,7 +172,7 @@ def _effects(record: Record, effects: Mapping[str, Effect]) -> tuple[str, ...]:
         record.known(line, one, effects, "an effect", "it was left out")
         for one in fields(line.value)
     ]
-    return tuple(one for one in found if one is not None)
+    return tuple(one for one in found if one is not None and effects[one] is not None)
 
 
 def _recipe(record: Record, objects: Collection[str]) -> tuple[Ingredient, ...]:

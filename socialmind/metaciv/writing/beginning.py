@@ -116,8 +116,7 @@ class Beginning:
                 for name, start in self.people.starts[scheme.name].items()
             ]
             for name in self.people.initial(scheme):
-                cogniton = self.people.cognitons[name]
-                if not at_birth(self.sheet, name) and not cogniton.triggers:
+                if not at_birth(self.sheet, name):
                     own += _activating(name)
             for group in scheme.groups:
                 if group.auto_join:

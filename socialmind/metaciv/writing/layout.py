@@ -35,7 +35,8 @@ def taken(lines: list[str], *first: str) -> str:
 
 def function(name: str, doc: str, lines: list[str], *first: str) -> str:
     """Return a function that takes what always, and of model and stream what its lines use."""
-    return f"def {name}({taken(lines, *first)}):\n{sentence(doc)}\n{block(lines)}"
+    head = f"def {name}({taken(lines, *first)}):\n{sentence(doc)}"
+    return f"{head}\n{block(lines)}" if lines else head
 
 
 def block(lines: list[str]) -> str:

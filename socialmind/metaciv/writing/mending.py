@@ -86,8 +86,33 @@ def mended(file: ModelFile) -> list[str]:
          "agent dies."),
         (any(one.start_chance for one in cognitons) and not file.model.older,
          "`StartChance` has no effect, as there."),
+        *_of_files(file),
     ]  # fmt: skip
     return [text for holds, text in said if holds]
+
+
+def _of_files(file: ModelFile) -> Iterator[tuple[bool, str]]:
+    """Return what is mended in reading the files."""
+    model = file.model
+    named = [
+        argument.value
+        for action in _all_actions(file)
+        for argument in action.arguments
+        if argument.type not in ("String", "Comparator")
+    ]
+    yield True, "Files come sorted by name; there as the system has them."
+    yield (
+        any(isinstance(one, str) and " " in one for one in named),
+        "Names with blanks may be arguments; there they end at the first blank.",
+    )
+    yield (
+        any(one.recipe for one in model.facilities),
+        "Recipes of facilities are read; there they stop the program.",
+    )
+    yield (
+        "." in model.parameters.map.removesuffix(".metaciv"),
+        "The map's name may have dots; there it ends at the first.",
+    )
 
 
 def _all_actions(file: ModelFile) -> Iterator[Action]:

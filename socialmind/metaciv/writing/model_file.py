@@ -20,7 +20,7 @@ from socialmind.metaciv.writing.layout import (
     sentence,
 )
 from socialmind.metaciv.writing.map_text import PERIOD, MapText
-from socialmind.metaciv.writing.names import identifier
+from socialmind.metaciv.writing.names import Names, identifier
 from socialmind.metaciv.writing.sheet import Built, Sheet, written
 from socialmind.metaciv.writing.turns import Turns
 
@@ -263,7 +263,8 @@ class ModelFile:
         peoples = [self._civilisation(one) for one in self.people.civilisations]
         lines += laid_out("        civilisations=(", peoples, "),")
         lines.append(f'        mind="{SCHEME_FILE}",')
-        lines += laid_out("        plans={", plans, "},")
+        if plans:
+            lines += laid_out("        plans={", plans, "},")
         return [*lines, "    )"]
 
     def _civilisation(self, one: Civilisation) -> str:
@@ -276,24 +277,32 @@ class ModelFile:
 
     def _series(self) -> list[str]:
         sheet = self.sheet
+        keys = Names(("humans", "tick"))
         rows = ['"humans": len(humans),']
         if len(self.people.civilisations) > 1:
             rows += [
-                f'"{identifier(one.name)}": sum(1 for one in humans if one.civilisation == '
-                f"{as_text(one.name)}),"
+                f'"{keys.own(identifier(one.name))}": '
+                f"int((humans.civilisation == {as_text(one.name)}).sum()),"
                 for one in self.people.civilisations
             ]
+        for group in self.people.groups.values():
+            for role in group.roles:
+                name = identifier(role.name)
+                key = keys.own(name, f"{identifier(group.name)}_{name}")
+                played = f"humans.plays({as_text(group.name)}, {as_text(role.name)})"
+                rows.append(f'"{key}": int({played}.sum()),')
         rows += [
-            f'"{sheet.object_fields[name]}": int(humans.{sheet.object_fields[name]}.sum()),'
-            for name in sheet.object_fields
+            f'"{keys.own(field, f"{field}_carried")}": int(humans.{field}.sum()),'
+            for name, field in sheet.object_fields.items()
             if name in sheet.carried
         ]
         rows += [
-            f'"{one}": float(humans.{one}.mean()) if len(humans) else 0.0,'
+            f'"{keys.own(one, f"mean_{one}")}": float(humans.{one}.mean()) if len(humans) else 0.0,'
             for one in sheet.attribute_fields.values()
         ]
         rows += [
-            f'"{one.population}": len(self.{one.population}),' for one in sheet.used_facilities
+            f'"{keys.own(one.population, f"{one.population}_built")}": len(self.{one.population}),'
+            for one in sheet.used_facilities
         ]
         doc = "Return how many there are, what all carry, and what they are like in the mean."
         return [

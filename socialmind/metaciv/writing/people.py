@@ -59,6 +59,11 @@ class People:
         """Return the civilisations of a scheme."""
         return [one for one in self.civilisations if one.scheme == scheme.name]
 
+    def is_shared(self, kind: str, name: str) -> bool:
+        """Say whether all schemes have a part of a kind under its name now."""
+        return all(name in (now for (of, _), now in self.names[one.name].items() if of == kind)
+                   for one in self.schemes)  # fmt: skip
+
     def initial(self, scheme: Scheme) -> list[str]:
         """Return the cognitons that agents of a scheme have at birth, by their names now."""
         names = self.names[scheme.name]
@@ -80,6 +85,11 @@ def people_of(model: Model) -> People:
     people = People(schemes, civilisations, places)
     for scheme in schemes:
         _take_in(people, scheme)
+    for scheme in schemes:
+        own = {one.name for one in scheme.attributes}
+        for name, attribute in people.attributes.items():
+            if name not in own and attribute.start != 0:
+                people.starts[scheme.name][name] = 0.0  # it has none
     return people
 
 

@@ -118,8 +118,17 @@ def _named(sheet: Sheet, beginnings: tuple[str, ...]) -> set[str]:
 
 
 def at_birth(sheet: Sheet, name: str) -> bool:
-    """Say whether all agents have a cogniton at birth, whatever their scheme."""
-    return all(name in sheet.people.initial(scheme) for scheme in sheet.people.schemes)
+    """Say whether all agents have a cogniton at birth, whatever their scheme, or may have it."""
+    by_chance = _chance(sheet, sheet.people.cognitons[name]) is not None
+    everybody = all(name in sheet.people.initial(scheme) for scheme in sheet.people.schemes)
+    return everybody or by_chance
+
+
+def _chance(sheet: Sheet, cogniton: Cogniton) -> float | None:
+    """Return how likely an agent has a cogniton at birth; None where that is no matter of luck."""
+    percent = cogniton.start_chance
+    by_chance = sheet.model.older and percent > 0 and not cogniton.initial
+    return min(percent / 100, 1.0) if by_chance else None
 
 
 def _cogniton(
@@ -132,10 +141,11 @@ def _cogniton(
     lines.append(f"{indent}{text(cogniton.name)}:")
     inner = f"{indent}  "
     if own:
-        if not at_birth(sheet, cogniton.name) or cogniton.triggers:
+        chance = _chance(sheet, cogniton)
+        if not at_birth(sheet, cogniton.name):
             lines.append(f"{inner}at_birth: false")
-        elif sheet.model.older and cogniton.start_chance < 100:
-            lines.append(f"{inner}chance: {written(cogniton.start_chance / 100)}")
+        elif chance is not None and chance < 1:
+            lines.append(f"{inner}chance: {written(chance)}")
     lines.append(f"{inner}start: 1")
     if cogniton.colour is not None:
         lines.append(f"{inner}colour: '#{cogniton.colour & 0xFFFFFF:06x}'")
@@ -163,10 +173,15 @@ def _cogniton(
 def is_condition(sheet: Sheet, cogniton: Cogniton) -> bool:
     """Say whether a cogniton is there exactly while what its triggers compare holds.
 
-    So it is with one trigger, or two that are the ends of a range. Else, and where rules add and
-    take it too, the last crossing decides: rules called `notice_…` in the model's file.
+    So it is with one trigger, or two that are the ends of a range. Else, and where it is there at
+    birth, rules add and take it too, or some agents do not have it, the last crossing decides:
+    rules called `notice_…` in the model's file.
     """
-    if cogniton.name in changed_cognitons(sheet):
+    if cogniton.name in changed_cognitons(sheet) or at_birth(sheet, cogniton.name):
+        return False
+    if any(cogniton.name in sheet.people.initial(one) for one in sheet.people.schemes):
+        return False
+    if not sheet.people.is_shared("cogniton", cogniton.name):
         return False
     if len(cogniton.triggers) == 1:
         return True

@@ -191,10 +191,12 @@ class Sheet:
 
     def count(self, argument: Argument) -> str:
         """Return a whole number of things as rules write it."""
-        if argument.constant is not None:
-            self.whole.add(argument.constant)
-            return self.number(argument)
-        return written(int(float(argument.value)))
+        if argument.constant is None:
+            return written(int(float(argument.value)))
+        if not self.people.constants[argument.constant].value.is_integer():
+            return f"int({self.number(argument)})"
+        self.whole.add(argument.constant)
+        return self.number(argument)
 
     def sign(self, argument: Argument) -> int:
         """Return whether a number is above 0 (1), below (−1) or 0."""

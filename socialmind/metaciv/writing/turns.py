@@ -5,7 +5,7 @@ from __future__ import annotations
 from socialmind.metaciv.description import Civilisation, Cogniton, Scheme, Trigger
 from socialmind.metaciv.writing.acts.form import COMPARISONS, as_text, in_name
 from socialmind.metaciv.writing.acts.minds import GAIN
-from socialmind.metaciv.writing.layout import block
+from socialmind.metaciv.writing.layout import block, function
 from socialmind.metaciv.writing.names import identifier
 from socialmind.metaciv.writing.plans import Plans, Rule
 from socialmind.metaciv.writing.scheme_file import chosen_plans, compared, is_condition
@@ -86,9 +86,10 @@ class Turns:
             lines.append("human.reconsider_plan(2.0)")
         elif trees:
             lines += ["if human.plan_ended:", "    human.plan = human.mind.choose_next_plan()"]
-        else:
+        elif self.plans.carried_out:
             lines.append("human.plan = human.mind.choose_next_plan()")
-        lines.append("human.run_plan(model, rng)")
+        if self.plans.carried_out:
+            lines.append("human.run_plan(model, rng)")
         lines += self.by_scheme(noticing)
         for name in sorted(one for one in sheet.needs if one.startswith("lent ")):
             cogniton = name.removeprefix("lent ")
@@ -100,7 +101,9 @@ class Turns:
         doc = "Do what is done in every tick, then go on with the plan or choose another."
         if not any(self.every_tick.values()):
             doc = "Go on with the plan, or choose another."
-        return f'def live(human, model, rng):\n    """{doc}"""\n{block(lines)}'
+        if not self.plans.carried_out:
+            doc = "Do what is done in every tick: there are no plans to choose."
+        return function("live", doc, lines, "human").removesuffix("\n")
 
     # Triggers that are no conditions -------------------------------------------------------------
 

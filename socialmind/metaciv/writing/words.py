@@ -142,12 +142,12 @@ def _entities(file: ModelFile) -> Iterator[str]:
     carried = [
         f"`{sheet.object_fields[one]}`" for one in sheet.object_fields if one in sheet.carried
     ]
-    said = ["Humans stand on patches and have minds"]
+    said = "Humans stand on patches and have minds"
     if attributes:
-        said.append(f"the attributes {', '.join(attributes)}")
+        said += f" and the attribute{'s' * (len(attributes) > 1)} {', '.join(attributes)}"
     if carried:
-        said.append(f"and carry {', '.join(carried)}")
-    yield f"{', '.join(said)}."
+        said += f"; they carry {', '.join(carried)}"
+    yield f"{said}."
     if sheet.used_facilities:
         built = [f"{one.facility.name} (`{one.population}`)" for one in sheet.used_facilities]
         yield f"They build {', '.join(built)}."

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from coglogo_py import CognitiveScheme, Cogniton, Culturon, Group, PositiveStochastic, Role
 from socialmind.metaciv.description import Place, Scheme
 from socialmind.metaciv.exporting import for_metaciv, scheme_files
+from socialmind.metaciv.importing import import_model
 from socialmind.metaciv.reading import read_folder
 
 from ..reading.folders import FARMERS, written
@@ -126,6 +127,33 @@ def test_what_metaciv_can_hold_is_all_there(tmp_path):
         "the decision maker PositiveStochastic stands in parametres.metaciv",
         "what plans do is no part of a scheme",
     ]  # fmt: skip
+
+
+def test_a_scheme_of_metacivs_is_written_as_it_was_read(tmp_path):
+    (scheme,) = read_folder(written(tmp_path / "old", FARMERS)).model.schemes
+    files = {f"schemasCognitifs/{file}": text for file, text in scheme_files(scheme).items()}
+    others = {file: text for file, text in FARMERS.items() if "schemasCognitifs" not in file}
+    (again,) = read_folder(written(tmp_path / "new", files | others)).model.schemes
+    assert without_places(again) == without_places(scheme)
+
+
+def test_an_imported_scheme_goes_back_as_it_came(tmp_path):
+    folder = written(tmp_path / "old", FARMERS)
+    (came,) = read_folder(folder).model.schemes
+    import_model(folder, tmp_path / "ours")
+    ours = CognitiveScheme.load(tmp_path / "ours" / "scheme.yaml")
+    gone = for_metaciv(ours, {"energy": 4.5}, {"meal": 3.0})
+    assert gone.factor == 1
+    assert [one.name for one in gone.scheme.plans] == [one.name for one in came.plans]
+    links = {
+        one.name: ([link.plan for link in one.permits],
+                   {link.plan: link.weight for link in one.influences})
+        for one in came.cognitons
+    }  # fmt: skip
+    for one in gone.scheme.cognitons:
+        permits, weights = links[one.name]
+        assert [link.plan for link in one.permits] == permits
+        assert {link.plan: link.weight for link in one.influences} == weights
 
 
 def test_each_loss_is_named():

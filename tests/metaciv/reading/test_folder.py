@@ -215,6 +215,18 @@ def test_of_two_plans_of_every_tick_the_last_counts(tmp_path):
     assert [one.place for one in reading.findings] == [(f"{home}/Age.metaciv", 1)]
 
 
+def test_a_birth_at_birth_would_never_end(tmp_path):
+    file = "schemasCognitifs/Farmer/plans/Born.metaciv"
+    plan = "Nom : Born\nBirth : true\nAction : A_BirthGroupAndRole,r(GroupAndRole Village:chief)\n"
+    assert said(reading_of(tmp_path, {file: plan})) == [
+        (
+            "error", file, 3,
+            "found A_BirthGroupAndRole in the plan of birth; expected no birth at birth; "
+            "each child would have a child at once",
+        )
+    ]  # fmt: skip
+
+
 def test_what_is_wrong_in_a_scheme_that_nobody_has_does_not_matter(tmp_path):
     home = "schemasCognitifs/Old"
     files = {
@@ -288,6 +300,19 @@ def test_civilisations_without_files_begin_nowhere(tmp_path):
     reading = reading_of(tmp_path, {MAP: two})
     assert [(one.severity, one.place.line) for one in reading.findings] == [("warning", 4)]
     assert [one.civilisation for one in reading.model.environment.settlements] == ["Farmers"]
+
+
+def test_an_effect_on_what_is_nowhere_is_left_out_and_said_once(tmp_path):
+    file = "simulation/effects/Fed.metaciv"
+    reading = reading_of(tmp_path, {file: FARMERS[file].replace("energy", "strength")})
+    assert said(reading) == [
+        (
+            "warning", file, 3,
+            "found 'strength'; expected the name of an attribute; there is 'energy'; "
+            "the effect was left out",
+        )
+    ]  # fmt: skip
+    assert (reading.model.effects, reading.model.objects[0].effects) == ((), ())
 
 
 def test_links_that_lead_out_are_not_followed(tmp_path):

@@ -170,8 +170,7 @@ def line_of(kind, prefix=""):
     parts = [prefix + kind.name]
     if kind.has_direction:
         parts.append("EAST")
-    for one in kind.arguments:
-        parts.append(f"{one.label or 'n'}({ARGUMENTS[one.types[0]]})")
+    parts += [f"{one.label or 'n'}({ARGUMENTS[one.types[0]]})" for one in kind.arguments]
     return ",".join(parts)
 
 
@@ -185,8 +184,8 @@ def everything(kinds, per_plan=4, **more):
     plans, lines = {}, []
     for kind in kinds:
         lines.append(line_of(kind))
-        for _ in range(kind.most_children if kind.most_children is not None else 2):
-            lines.append("  A_AddItem,o(Objet Corn),n(Integer 1)")
+        children = kind.most_children if kind.most_children is not None else 2
+        lines += ["  A_AddItem,o(Objet Corn),n(Integer 1)"] * children
         if sum(not one.startswith(" ") for one in lines) == per_plan:
             plans[f"Plan {len(plans) + 1}"], lines = "\n".join(lines), []
     if lines:
@@ -211,3 +210,14 @@ def everything(kinds, per_plan=4, **more):
         maker="WeightedStochastic",
         **more,
     )
+
+
+def joined(one, other, place=(3, 2)):
+    """The files of two models as one of two civilisations, each with its scheme, on one map."""
+    files = {**other, **one}
+    name = next(file for file in other if file.startswith("simulation/civilisations/"))
+    people = name.rpartition("/")[2].removesuffix(".metaciv")
+    field = "simulation/environnements/Field.metaciv"
+    first, rest = files[field].split("Terrain : ", 1)
+    files[field] = f"{first}Civilisation : {people},{place[0]},{place[1]}\nTerrain : {rest}"
+    return files

@@ -4,6 +4,7 @@ import pytest
 
 from socialmind.errors import IdleWarning
 
+from ..reading.folders import flat
 from .folders import files_of, followed, imported
 
 WILL = (True, "Work", {"Work": 5})
@@ -197,3 +198,15 @@ def test_two_triggers_are_a_range_or_the_last_crossing_decides(tmp_path):
     assert values(model, 4, "Within", "Beyond") == [
         (None, 1.0), (1.0, None), (1.0, None), (None, 1.0)
     ]  # fmt: skip
+
+
+def test_an_older_folder_has_cognitons_at_birth_by_their_chance(tmp_path):
+    model = imported(tmp_path, flat())
+    text = (model.folder() / "scheme.yaml").read_text()
+    assert "chance: 0.4" in text
+    society = model(seed=1, compiled=False, n_farmers=300)
+    society.advance(2)
+    by_chance = [one.mind.is_active("Hungry") for one in society.humans]
+    assert all(by_chance)  # the civilisation begins with it
+    society.advance(3)
+    assert len(society.humans) == 300

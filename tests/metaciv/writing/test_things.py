@@ -75,7 +75,7 @@ def test_effects_come_and_go_with_what_is_carried_and_fractions_stay(tmp_path):
     assert society.humans[0].mind.get_cogniton_value("Proud") == 2.0
 
 
-@pytest.mark.parametrize("constant", [4.0, -2.0])
+@pytest.mark.parametrize("constant", [4.0, -2.0, 2.5])
 def test_a_constant_is_a_parameter_that_counts(tmp_path, constant):
     line = "A_AddItem,o(Objet Coin),n(Integer 1 Constant pay)"
     model = imported(
@@ -88,7 +88,7 @@ def test_a_constant_is_a_parameter_that_counts(tmp_path, constant):
         ),
     )
     assert followed(model, 2, "coin")[1] == (5 + int(constant),)
-    if constant > 0:
+    if constant == 4:
         assert followed(model, 2, "coin", pay=7)[1] == (12,)
 
 

@@ -95,6 +95,8 @@ def create_private(sheet: Sheet, action: Action) -> Act:
             f"    {name}.efficiency = rng.integers(100)",
             f"    {name}.counter = {name}.efficiency",
         ]
+        doc = f"Build an own {built.facility.name} where none is, {_of(built)}, to be worked at."
+        return Act((f"set_up_{name}",), doc, body)
     doc = f"Build an own {built.facility.name} where none is, {_of(built)}."
     return Act((f"build_{name}", f"build_own_{name}"), doc, body)
 

@@ -62,7 +62,7 @@ def in_name(text: str) -> str:
     >>> in_name("-0.5"), in_name("12"), in_name("model.meal")
     ('minus_0_5', '12', 'meal')
     """
-    text = text.removeprefix("model.")
+    text = text.removeprefix("int(").removesuffix(")").removeprefix("model.")
     if text.startswith("-"):
         return f"minus_{in_name(text[1:])}"
     return text.replace(".", "_").replace("+", "").replace("-", "_")
@@ -70,7 +70,8 @@ def in_name(text: str) -> str:
 
 def in_doc(text: str) -> str:
     """Return a number, or a parameter, as part of a sentence."""
-    return f"`{text.removeprefix('model.')}`" if text.startswith("model.") else text
+    bare = text.removeprefix("int(").removesuffix(")")
+    return f"`{bare.removeprefix('model.')}`" if bare.startswith("model.") else text
 
 
 def name_of(value: object) -> str:

@@ -13,16 +13,16 @@ SMELL = 20
 
 WALK = '''
 def walk(human, model, rng):
-    """Work one tick on crossing the ground ahead, and leave a trace on it."""
-    step_ahead(human, model, rng)
-    tread(human, model, model.road_creation)
+    """Work one tick on crossing the ground ahead, and leave a trace on what is entered."""
+    if step_ahead(human, model, rng):
+        tread(human, model, model.road_creation)
 '''
 GO = '''
 def go_to(human, model, rng, x, y):
     """Work one tick on the way to a place; return whether it is reached."""
     if model.world.is_on(human, x, y):
         return True
-    step_towards(human, model, x, y, model.vision_radius, EASIEST, rng)TREAD
+    STEP
     return False
 '''
 
@@ -47,12 +47,12 @@ def going(sheet: Sheet, x: str, y: str) -> str:
     sheet.constants["EASIEST"] = (
         f"{max(min(passable), 1)}.0  # effort that is expected of ground out of sight"
     )
-    tread = ""
+    step = "step_towards(human, model, x, y, model.vision_radius, EASIEST, rng)"
     if sheet.model.parameters.road_creation > 0:
         sheet.needs.add("roads")
         sheet.use("socialmind.terrain", "tread")
-        tread = "\n    tread(human, model, model.road_creation)"
-    sheet.help("go_to", GO.replace("TREAD", tread))
+        step = f"if {step}:\n        tread(human, model, model.road_creation)"
+    sheet.help("go_to", GO.replace("STEP", step))
     return f"go_to(human, model, rng, {x}, {y})"
 
 

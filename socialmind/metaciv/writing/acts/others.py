@@ -152,9 +152,11 @@ def target_empty_patch(sheet: Sheet, action: Action) -> Act:
     """A_SetTargetToClosestEmptyPatch."""
     go_to_goal(sheet, action)
     sheet.needs |= {"any facility here", "free ground"}
+    known = sheet.model.parameters.vision_radius > 0
+    reach = "model.vision_radius" if known else "model.world.width + model.world.height"
     body = [
         "best = -1.0",
-        "for patch in model.world.neighbours(human, steps=model.vision_radius):",
+        f"for patch in model.world.neighbours(human, steps={reach}):",
         "    away = model.world.distance(human, patch.x, patch.y)",
         "    if (best < 0 or away < best) and not any_facility_here(patch, model):",
         "        best = away",
