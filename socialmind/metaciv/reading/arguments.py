@@ -125,7 +125,15 @@ class Arguments:
                 self.findings.error(place, f"{kind.name} without its {what}", expected)
                 complete.append(None)
         whole = tuple(one for one in complete if one is not None)
-        return whole if len(whole) == len(complete) else None
+        if len(whole) < len(complete):
+            return None
+        groups = [one for one in whole if one.type == "GroupAndRole"]
+        for one in groups[1:]:
+            if one.value != groups[0].value:
+                found = f"{one.value}:{one.role} beside {groups[0].value}:{groups[0].role}"
+                self.findings.error(place, found, "two roles of one group")
+                return None
+        return whole
 
     def _converted(
         self, parameter: Parameter, argument: Argument, kind: Kind, place: Place

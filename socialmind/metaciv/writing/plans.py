@@ -309,7 +309,7 @@ class Plans:
         lines = self._branches(test, action.children[:2], plan)
         if action.name == "L_IsCounterAtZero":
             there = efficient_here(self.sheet, action).test
-            return [f"if {there}:", *_indented(lines)]
+            return [f"if {there}:", *_indented(lines)] if lines else []
         return lines
 
     def _branches(self, test: str, children: tuple[Action, ...], plan: Plan | None) -> list[str]:

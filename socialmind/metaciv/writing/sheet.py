@@ -198,6 +198,10 @@ class Sheet:
         self.whole.add(argument.constant)
         return self.number(argument)
 
+    def radius(self, argument: Argument) -> str:
+        """Return how far something reaches, in patches: below 0 nobody is reached, as with 0."""
+        return written(max(int(float(argument.value)), 0))
+
     def sign(self, argument: Argument) -> int:
         """Return whether a number is above 0 (1), below (−1) or 0."""
         value = float(argument.value)

@@ -167,7 +167,7 @@ def elect(sheet: Sheet, action: Action) -> Act:
     group, leader, group_name, leader_name = role_of(action)
     _, follower, _, _ = role_of(action, 1)
     cogniton = as_text(str(action.argument("Cogniton").value))
-    radius = sheet.count(action.argument("Integer"))
+    radius = sheet.radius(action.argument("Integer"))
     same = (
         " and other.civilisation == human.civilisation"
         if len(sheet.people.civilisations) > 1

@@ -191,7 +191,7 @@ def broadcast(sheet: Sheet, action: Action) -> Act:
     """A_BroadcastMessage_Commerce, _Embauche, _Commerce_SiObjet."""
     _messages(sheet)
     kind, name = ("HIRING", "offer_work") if "Embauche" in action.name else ("TRADE", "offer_trade")
-    radius = sheet.count(action.argument("Integer"))
+    radius = sheet.radius(action.argument("Integer"))
     text = '''
 def ask_around(human, model, radius, kind):
     """Ask all within a radius, oneself too, for something."""
