@@ -107,6 +107,7 @@ def test_every_kind_of_world_is_drawn(browser, studio):
     page.close()
 
 
+COLOURED = f"({COLOURS})()"
 CARD = """() => {
   // What draws by software says that it is a card.
   const plain = WebGL2RenderingContext.prototype.getParameter;
@@ -128,8 +129,7 @@ def test_a_card_and_the_processor_draw_the_same(browser, studio):
             page.select_option("[data-test=model]", model)
             page.wait_for_selector(f"h2:text-is('{model.replace('_', ' ')}')")
             page.wait_for_selector("[data-test=setup]:not([disabled])")
-            page.click("[data-test=step]")
-            wait_for_tick(page, 1)
+            page.wait_for_function(f"{COLOURED} > 2")
             page.focus("[data-test=world]")
             for _ in range(times):
                 page.keyboard.press("+")
