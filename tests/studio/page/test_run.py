@@ -28,6 +28,7 @@ COLOURS = """() => {
     seen.add((pixels[at] << 16) | (pixels[at + 1] << 8) | pixels[at + 2]);
   return seen.size;
 }"""
+COLOURED = f"({COLOURS})()"
 
 
 @pytest.fixture(scope="module")
@@ -94,15 +95,25 @@ def test_a_wrong_parameter_is_refused_where_it_stands(browser, studio):
     page.close()
 
 
+WORLD = "document.querySelector('[data-test=world]')"
+
+
+def choose(page, model):
+    """Set a model up, and wait until its world is drawn in place of the one before."""
+    page.wait_for_function(f"{COLOURED} > 2")
+    page.evaluate(f"window.before = {WORLD}.toDataURL()")
+    page.select_option("[data-test=model]", model)
+    page.wait_for_selector(f"h2:text-is('{model.replace('_', ' ')}')")
+    page.wait_for_selector("[data-test=setup]:not([disabled])")
+    page.wait_for_function(f"{WORLD}.toDataURL() !== window.before")
+    page.wait_for_timeout(200)
+    assert page.evaluate(COLOURS) > 2  # something else than the ground
+
+
 def test_every_kind_of_world_is_drawn(browser, studio):
     page = studio.page(browser)
     for model in ("schelling", "boids", "braitenberg"):
-        page.select_option("[data-test=model]", model)
-        page.wait_for_selector(f"h2:text-is('{model}')")
-        page.wait_for_selector("[data-test=setup]:not([disabled])")
-        page.click("[data-test=step]")
-        wait_for_tick(page, 1)
-        assert page.evaluate(COLOURS) > 2  # something else than the ground
+        choose(page, model)
     assert page.failures == []
     page.close()
 
@@ -114,7 +125,6 @@ CARD = """() => {
     return what === 37446 ? "a card" : plain.call(this, what);
   };
 }"""
-WORLD = "document.querySelector('[data-test=world]')"
 
 
 def test_a_card_and_the_processor_draw_the_same(browser, studio):
@@ -125,11 +135,7 @@ def test_a_card_and_the_processor_draw_the_same(browser, studio):
         page.goto(f"http://127.0.0.1:{studio.port}/")
         page.wait_for_selector("[data-test=setup]:not([disabled])")
         for model, times in (("wolves_sheep", 0), ("foraging", 6)):
-            page.select_option("[data-test=model]", model)
-            page.wait_for_selector(f"h2:text-is('{model.replace('_', ' ')}')")
-            page.wait_for_selector("[data-test=setup]:not([disabled])")
-            page.click("[data-test=step]")
-            wait_for_tick(page, 1)
+            choose(page, model)
             page.focus("[data-test=world]")
             for _ in range(times):
                 page.keyboard.press("+")
