@@ -362,7 +362,10 @@ def report(table: pd.DataFrame) -> str:
 
 
 def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
-    """Return a mean with its interval of 95 %: over trainings and worlds, or worlds alone."""
+    """Return a mean with its interval of 95 %: over trainings and worlds, or worlds alone.
+
+    A single number has none.
+    """
     square = part.pivot_table(index="attempt", columns="world", values=name).dropna(axis="columns")
     if square.empty:
         raise SocialmindError(
@@ -375,6 +378,8 @@ def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
         found = share_interval(values[0])
     else:
         found = interval_of(values[0])
+    if not np.isfinite(found.low):
+        return f"{found.mean:{form}}"
     return f"{found.mean:{form}} ({found.low:{form}} to {found.high:{form}})"
 
 

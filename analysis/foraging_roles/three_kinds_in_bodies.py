@@ -1,6 +1,8 @@
 """Three kinds of object in bodies: the scheme, thresholds, chance and greed.
 
-python -m analysis.foraging_roles.three_kinds_in_bodies [--quick]
+python -m analysis.foraging_roles.three_kinds_in_bodies          # all, or gone on with
+python -m analysis.foraging_roles.three_kinds_in_bodies 1:1:1    # this ratio alone
+python -m analysis.foraging_roles.three_kinds_in_bodies --quick
 
 A row of `results/three_kinds_in_bodies.csv` is a way, a ratio, what happens half-way, and a world
 for reporting; `results/three_kinds_in_bodies.md` has the means. Robots are known by what they
@@ -27,6 +29,7 @@ RESULTS = Path(__file__).parent / "results"
 NAME = "three_kinds_in_bodies"
 TICKS, SHORT, WORLDS, FEW, ROBOTS = 60_000, 3000, 10, 1, 9
 NOTHING, TURNED = "nothing", "ratio turned round"
+KEYS = ["ratio", "event", "way"]
 SETTINGS = (("1:1:1", NOTHING), ("2:3:4", NOTHING), ("2:3:4", TURNED))
 WAYS: Mapping[str, Mapping[str, float]] = {
     "programmed": {"decides": SCHEME},
@@ -78,7 +81,7 @@ def report(table: pd.DataFrame) -> str:
         "| ratio | half-way | way | worlds | within one | off, of nine | changes | brought |",
         "|---" * 8 + "|",
     ]
-    for key, part in table.groupby(["ratio", "event", "way"], sort=False):
+    for key, part in table.groupby(KEYS, sort=False):
         cells = [
             in_brackets(part, name, form)
             for name, form in (("within_one", ".0%"), ("off", ".2f"), ("changes", ".2f"))
@@ -88,20 +91,38 @@ def report(table: pd.DataFrame) -> str:
     return "\n".join(lines) + "\n"
 
 
-def main(arguments: Sequence[str]) -> None:
-    """Judge all, keep what comes of it and print it."""
-    quick = "--quick" in arguments
-    worlds, ticks = (REPORTED[:FEW], SHORT) if quick else (REPORTED[:WORLDS], TICKS)
-    parts = []
+def judge_all(path: Path, ratios: Sequence[str], worlds: Sequence[int]) -> pd.DataFrame:
+    """Judge all that are not judged yet, and keep what comes of it after each.
+
+    Args:
+        path: of the table that is kept.
+        ratios: those that are judged.
+        worlds: their seeds.
+    """
+    table = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=KEYS)
+    done = set(table[KEYS].itertuples(index=False, name=None))
     for ratio, event in SETTINGS:
         for way in WAYS:
-            parts.append(judged(way, ratio, event, worlds, ticks))
-            print(ratio, event, way, file=sys.stderr, flush=True)
-    table = pd.concat(parts, ignore_index=True)
-    if not quick:
-        path = RESULTS / f"{NAME}.csv"
-        table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
-        (RESULTS / f"{NAME}.md").write_text(report(table), encoding="utf-8")
+            if ratio in ratios and (ratio, event, way) not in done:
+                found = judged(way, ratio, event, worlds)
+                table = pd.concat([table, found], ignore_index=True) if len(table) else found
+                table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+                print(ratio, event, way, file=sys.stderr, flush=True)
+    return table
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Judge all, or ratios that are named, keep what comes of it and print it."""
+    if "--quick" in arguments:
+        first = [judged(way, *SETTINGS[0], REPORTED[:FEW], SHORT) for way in WAYS]
+        print(report(pd.concat(first, ignore_index=True)))
+        return
+    known = dict.fromkeys(ratio for ratio, _ in SETTINGS)
+    for word in arguments:
+        if word not in known:
+            raise SystemExit(f"no ratio {word!r}; there are {', '.join(known)}")
+    table = judge_all(RESULTS / f"{NAME}.csv", list(arguments) or list(known), REPORTED[:WORLDS])
+    (RESULTS / f"{NAME}.md").write_text(report(table), encoding="utf-8")
     print(report(table))
 
 

@@ -9,18 +9,19 @@ from typing import TYPE_CHECKING
 import pandas as pd
 
 from coglogo_py import CognitiveScheme
-from socialmind.catalogue import model_folder
+from socialmind.catalogue import load_file, model_folder
 from socialmind.drawing import style as paper
 from socialmind.experiments.measures.effects import comparisons
 
 from . import farmers, plots
 from .page import page_of
-from .societies import MIXED, MIXED_WITH, SEED, Size
+from .societies import FULL, MIXED, MIXED_WITH, SEED, TRAINED, Size
 from .tables import (
     MEASURED,
     attempts,
     between_kinds,
     differences,
+    further,
     judged,
     means,
     over_time,
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 
     from .runs import Records
 
+CHOOSING = load_file(TRAINED / "choosing.py")
 BOTH = ("society", "condition")
 SCHEME = "scheme.yaml"
 COMPARED = {
@@ -77,7 +79,11 @@ def made(
 
 
 def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str, pd.DataFrame]:
-    """Return all tables by name."""
+    """Return all tables by name.
+
+    Those of the whole study say too what the attempts that were chosen come to in further worlds,
+    as `analysis/foraging_roles` keeps it.
+    """
     worlds = judged(with_changes(records.worlds, records.kinds))
     alone = worlds[worlds["society"] != "mixed"]
     mixed = mixed_of(worlds, size)
@@ -90,10 +96,14 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
     )
     of_villagers = [*farmers.MEASURED, "agents_to_tasks_by_chance", "beyond_chance"]
     against = comparisons(villagers.drop(columns="attempt"), "learned", measures=of_villagers)
+    of_robots = means(alone, BOTH, measures)
+    if size == FULL:
+        reported = pd.read_csv(CHOOSING.REPORT)
+        of_robots = pd.concat([of_robots, further(reported, len(CHOOSING.FURTHER))])
     return {
         "worlds": worlds,
         "attempts": attempts(alone),
-        "means": means(alone, BOTH, measures),
+        "means": of_robots,
         "differences": differences(alone),
         "course": over_time(records.course[records.course["society"] != "mixed"], BOTH),
         "robots": first_spells(records.spells),

@@ -96,7 +96,7 @@ SOCIETIES = {
         Society(
             "counts", "learned by the counts",
             "the same skill, a perceptron taught with nine undecided robots, one ratio and no "
-            "shock, judged by the counts alone; not in bodies, as the thesis's was",
+            "shock, judged by the counts alone; not in bodies, where the thesis's was",
             LEARNED, paper.PURPLE, (0, (3, 1, 1, 1, 1, 1)), lesson="thesis",
         ),
         Society(

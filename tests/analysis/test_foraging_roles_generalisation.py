@@ -141,6 +141,7 @@ def test_the_distance_of_three_kinds_is_who_would_have_to_change():
 def test_reports_tell_worlds_that_are_all_alike_with_an_interval():
     table = pd.DataFrame({"attempt": 0, "world": range(10), "within_one": 1, "way": "x"})
     assert groups.in_brackets(table, "within_one", ".0%") == "100% (72% to 100%)"
+    assert groups.in_brackets(table[:1].assign(off=0.25), "off", ".2f") == "0.25"
 
 
 def test_three_kinds_are_collected_by_the_skills_of_two():

@@ -138,6 +138,24 @@ def test_it_is_chosen_in_worlds_for_choosing():
     assert not set(worlds.CHOOSING) & set(worlds.REPORTED)
 
 
+def test_what_is_reported_is_of_worlds_behind_all_others_and_of_all_attempts():
+    assert set(choosing.FURTHER) <= set(worlds.REPORTED[50:])
+    table = pd.read_csv(choosing.REPORT)
+    assert table["attempt"].tolist() == list(range(1, choosing.ATTEMPTS + 1))
+    shares = table[list(choosing.CONDITIONS)].to_numpy() * len(choosing.FURTHER)
+    assert shares == pytest.approx(shares.round())
+
+
+def test_who_cannot_be_chosen_any_more_is_judged_no_further():
+    table = choosing.read()
+    asked = table[list(choosing.CONDITIONS)].to_numpy()
+    judged_on = ~np.isnan(asked)
+    assert judged_on[:, 0].all()
+    # What comes after a share that is too low is not there, and nothing else is missing.
+    low = np.cumsum(asked < choosing.TOO_FEW, axis=1) > 0
+    assert (judged_on[:, 1:] == ~low[:, :-1]).all()
+
+
 @pytest.mark.study
 def test_minds_are_judged_by_the_worlds_that_settle(mind):
     share = choosing.settles(mind, {"reverse_at": 499}, range(3001, 3003), ticks=1000)

@@ -146,17 +146,17 @@ def test_a_card_and_the_processor_draw_the_same(browser, studio):
 
 
 @pytest.mark.study
-def test_every_model_is_set_up_and_runs(browser, studio):
+@pytest.mark.parametrize("model", sorted(catalogue()))
+def test_every_model_is_set_up_and_runs(browser, studio, model):
     page = studio.page(browser)
-    for model in catalogue():
-        page.select_option("[data-test=model]", model)
-        page.wait_for_selector(f"h2:text-is('{model.replace('_', ' ')}')")
-        page.wait_for_selector("[data-test=setup]:not([disabled])")
-        page.wait_for_function(f"{TICK} == 0")
-        for tick in (1, 2, 3):
-            page.click("[data-test=step]")
-            wait_for_tick(page, tick)
-        assert page.evaluate(COLOURS) > 2
-        assert not page.is_visible(".said.wrong"), page.inner_text(".said")
+    page.select_option("[data-test=model]", model)
+    page.wait_for_selector(f"h2:text-is('{model.replace('_', ' ')}')")
+    page.wait_for_selector("[data-test=setup]:not([disabled])")
+    page.wait_for_function(f"{TICK} == 0")
+    for tick in (1, 2, 3):
+        page.click("[data-test=step]")
+        wait_for_tick(page, tick)
+    assert page.evaluate(COLOURS) > 2
+    assert not page.is_visible(".said.wrong"), page.inner_text(".said")
     assert page.failures == []
     page.close()

@@ -1,4 +1,4 @@
-// From a frame to what the renderer draws.
+// From a frame to what is drawn.
 
 import { NONE, ofShare, ofWord, read, type Colour } from "../../colours";
 import type { Colouring, Column, Frame } from "../frame";
@@ -102,7 +102,8 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
       for (let one = 0; one < said.count; one += 1) {
         const [x, y, angle, radius, emits] = rows.subarray(5 * one, 5 * one + 5);
         const front = [x, y, x + radius * 1.6 * Math.cos(angle), y + radius * 1.6 * Math.sin(angle)];
-        add(x, y, angle, radius, shape ?? DISC, packed(ofWord(number + 1)));
+        const turned = shape === undefined || TURNED.includes(shape);
+        add(x, y, turned ? angle : 0, radius, shape ?? DISC, packed(ofWord(number + 1)));
         above.add(front, packed([250, 250, 250]));
         if (emits) above.add(circle(x, y, 2 * radius), packed(ofWord(0)));
       }
@@ -116,7 +117,7 @@ export function sceneOf(frame: Frame, wanted: Wanted): Scene {
       const rows = columns[`${name}.zones`];
       for (let one = 0; one < said.count; one += 1) {
         const [x, y, angle, half] = rows.subarray(4 * one, 4 * one + 4);
-        add(x, y, angle, half, SQUARE, packed(ofWord(4), PALE));
+        add(x, y, angle, half, shape ?? SQUARE, packed(ofWord(4), PALE));
       }
     } else {
       const heading = columns[`${name}.heading`];
