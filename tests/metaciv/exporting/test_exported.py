@@ -5,7 +5,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from coglogo_py import CognitiveScheme, Cogniton, Culturon, Group, PositiveStochastic, Role
@@ -213,6 +213,7 @@ schemes = st.builds(
 )
 
 
+@settings(max_examples=60)
 @given(schemes)
 def test_any_scheme_is_read_as_it_was_written(scheme):
     exported = for_metaciv(scheme)
