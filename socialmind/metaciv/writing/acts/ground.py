@@ -104,7 +104,7 @@ def smell_and_move(sheet: Sheet, action: Action) -> Act:
         "    for patch in model.world.neighbours(human, steps=SMELL)",
         f"    if patch.{field} == most and in_reach(human, patch)",
         ")",
-        "model.world.face(human, spot.x, spot.y)",
+        "human.heading = math.degrees(math.atan2(spot.x - human.x, spot.y - human.y))",
         walking(sheet),
     ]
     return Act((f"follow_{field}",), f"Go where there is most {pheromone} around.", body)
