@@ -205,7 +205,8 @@ def on_terrain(sheet: Sheet, action: Action) -> Ask:
     sheet.needs.add("terrains")
     names = list(sheet.model.environment.terrains)
     number = names.index(terrain) if terrain in names else -1
-    constant = sheet.terrain_named(terrain)
+    wanted = name_of(terrain).upper()
+    constant = sheet.constant_named("terrain", terrain, wanted, f"{wanted}_TERRAIN")
     sheet.constants[constant] = f"{number}  # a terrain" + (
         ", which the map does not have" if number < 0 else ""
     )
