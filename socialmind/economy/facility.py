@@ -100,10 +100,5 @@ def clear_deserted(facilities: Any, agents: Any, group: str) -> None:
         group: the type of the groups, as in their scheme.
     """
     for facility in facilities:
-        if facility.group >= 0:
-            members = 0
-            for agent in agents:
-                if agent.mind.get_group_id(group) == facility.group:
-                    members += 1
-            if members == 0:
-                facility.die()
+        if facility.group >= 0 and len(agents.members_of(group, facility.group)) == 0:
+            facility.die()

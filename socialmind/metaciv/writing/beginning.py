@@ -7,7 +7,6 @@ import re
 from socialmind.metaciv.writing.acts.form import as_text
 from socialmind.metaciv.writing.layout import block, fractional, function, sentence, taken
 from socialmind.metaciv.writing.map_text import MapText
-from socialmind.metaciv.writing.names import identifier
 from socialmind.metaciv.writing.scheme_file import at_birth
 from socialmind.metaciv.writing.sheet import Sheet
 from socialmind.metaciv.writing.turns import Turns
@@ -121,7 +120,7 @@ class Beginning:
             for group in scheme.groups:
                 if group.auto_join:
                     now = self.people.names[scheme.name]["group", group.name]
-                    own.append(f"{self._joining(now)}(human, model)")
+                    own.append(f"{self.sheet.joins[now]}(human, model)")
             own += [one.call for one in self.turns.births[scheme.name]]
             own += self.turns.noticing(scheme)
             per_scheme[scheme.name] = own
@@ -145,9 +144,6 @@ class Beginning:
             return ""
         return function("come_into_being", doc, lines, "human")
 
-    def _joining(self, group: str) -> str:
-        return f"join_{identifier(group)}"
-
     def _join(self, name: str) -> str:
         group = self.people.groups[name]
         field = self.sheet.group_fields[name]
@@ -168,7 +164,7 @@ class Beginning:
             f"    model.{field}{number} = human.mind.get_group_id({text})",
         ]
         doc = f"Join the {name} of the own civilisation; the first one founds it."
-        return f"def {self._joining(name)}(human, model):\n{sentence(doc)}\n{block(lines)}"
+        return f"def {self.sheet.joins[name]}(human, model):\n{sentence(doc)}\n{block(lines)}"
 
     def _give_birth(self) -> str:
         lines = ["child = model.humans.create()"]

@@ -73,16 +73,24 @@ class Sheet:
         """Constants at the top of the file, name -> value as text."""
         self.objects = {one.name: one for one in model.objects}
         self.effects = {one.name: one for one in model.effects}
-        self._file = Names(TAKEN_BY_FILES)
+        patch = Names(TAKEN_BY_PATCHES)
+        self.pheromone_fields = {
+            one.name: patch.own(identifier(one.name)) for one in model.pheromones
+        }
+        smelt = [one.upper() for one in self.pheromone_fields.values()]
+        tables = [name for one in smelt for name in (f"FIRST_{one}", f"{one}_GROWTH")]
+        self._file = Names((*TAKEN_BY_FILES, *tables))
+        self.joins = {
+            one: self._file.own(f"join_{identifier(one)}")
+            for one, group in people.groups.items()
+            if group.auto_join
+        }
+        """How rules are called by which all join a group at birth."""
         own = Names(TAKEN_BY_AGENTS)
         self.attribute_fields = {one: own.own(identifier(one)) for one in people.attributes}
         self.object_fields = {
             one.name: own.own(identifier(one.name), f"{identifier(one.name)}_carried")
             for one in model.objects
-        }
-        patch = Names(TAKEN_BY_PATCHES)
-        self.pheromone_fields = {
-            one.name: patch.own(identifier(one.name)) for one in model.pheromones
         }
         model_names = Names(TAKEN_BY_MODELS)
         self.parameters = {one: model_names.own(identifier(one)) for one in people.constants}
@@ -113,7 +121,7 @@ class Sheet:
         for one in self.built.values():
             one.title = self.class_named(one.facility.name, "Facility")
         self._handlers: dict[tuple[str, str], str] = {}
-        self._terrains: dict[str, str] = {}
+        self._constants: dict[tuple[str, str], str] = {}
         self.before: Sheet | None = None
         """What was written the last time: what rules need is known when all are written."""
 
@@ -135,12 +143,11 @@ class Sheet:
             self._handlers[key] = self._file.own(f"{what}_{thing}")
         return self._handlers[key]
 
-    def terrain_named(self, name: str) -> str:
-        """Return the constant that stands for a terrain."""
-        if name not in self._terrains:
-            constant = identifier(name).upper()
-            self._terrains[name] = self._file.own(constant, f"{constant}_TERRAIN")
-        return self._terrains[name]
+    def constant_named(self, kind: str, name: str, *wanted: str) -> str:
+        """Return the constant that stands for a terrain, or a tag, by one of some names."""
+        if (kind, name) not in self._constants:
+            self._constants[kind, name] = self._file.own(*wanted)
+        return self._constants[kind, name]
 
     # Names ------------------------------------------------------------------------------------
 

@@ -104,7 +104,7 @@ def smell_and_move(sheet: Sheet, action: Action) -> Act:
         "    for patch in model.world.neighbours(human, steps=SMELL)",
         f"    if patch.{field} == most and in_reach(human, patch)",
         ")",
-        "model.world.face(human, spot.x, spot.y)",
+        "human.heading = math.degrees(math.atan2(spot.x - human.x, spot.y - human.y))",
         walking(sheet),
     ]
     return Act((f"follow_{field}",), f"Go where there is most {pheromone} around.", body)
@@ -205,7 +205,8 @@ def on_terrain(sheet: Sheet, action: Action) -> Ask:
     sheet.needs.add("terrains")
     names = list(sheet.model.environment.terrains)
     number = names.index(terrain) if terrain in names else -1
-    constant = sheet.terrain_named(terrain)
+    wanted = name_of(terrain).upper()
+    constant = sheet.constant_named("terrain", terrain, wanted, f"{wanted}_TERRAIN")
     sheet.constants[constant] = f"{number}  # a terrain" + (
         ", which the map does not have" if number < 0 else ""
     )

@@ -107,11 +107,14 @@ def trade_by_tag(sheet: Sheet, action: Action) -> Act:
     return Act((name, f"{name}_as_{own_tag.lower()}"), doc, body, True)
 
 
+_OFFER = "  # what an agent offers in a trade: "
+
+
 def _tag(sheet: Sheet, tag: str) -> str:
-    name = f"TAG_{name_of(tag).upper()}"
+    name = sheet.constant_named("tag", tag, f"TAG_{name_of(tag).upper()}")
     if name not in sheet.constants:
-        number = 1 + sum(1 for one in sheet.constants if one.startswith("TAG_"))
-        sheet.constants[name] = f"{number}  # what an agent offers in a trade: {tag}"
+        number = 1 + sum(1 for one in sheet.constants.values() if _OFFER in one)
+        sheet.constants[name] = f"{number}{_OFFER}{tag}"
     return name
 
 
