@@ -130,8 +130,8 @@ class Arguments:
         groups = [one for one in whole if one.type == "GroupAndRole"]
         for one in groups[1:]:
             if one.value != groups[0].value:
-                found = f"{one.value}:{one.role} beside {groups[0].value}:{groups[0].role}"
-                self.findings.error(place, found, "two roles of one group")
+                both = f"{one.value}:{one.role} beside {groups[0].value}:{groups[0].role}"
+                self.findings.error(place, both, "two roles of one group")
                 return None
         return whole
 
