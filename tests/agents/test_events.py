@@ -114,8 +114,8 @@ WORLDS = st.fixed_dictionaries(
 )
 
 
-@settings(max_examples=60)
-@given(WORLDS, st.integers(0, 2**64 - 1), st.lists(st.integers(1, 6), min_size=1, max_size=5))
+@settings(max_examples=40)
+@given(WORLDS, st.integers(0, 2**64 - 1), st.lists(st.integers(1, 5), min_size=1, max_size=3))
 def test_events_and_founders_say_who_lives_at_each_tick(parameters, seed, stretches):
     plain, quick = begun(False, seed, **parameters), begun(True, seed, **parameters)
     founders, seen = numbers(plain), {}
