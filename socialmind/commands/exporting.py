@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
 
-from coglogo_py import CognitiveScheme
 from socialmind.errors import SocialmindError, nearest
-from socialmind.work.files import replace_file
 
 if TYPE_CHECKING:
+    from coglogo_py import CognitiveScheme
     from socialmind.model import Model
 
 FORMATS = ("metaciv", "cogscheme")
 SUFFIXES = (".yaml", ".yml", ".cogscheme")
 
-Known = tuple[CognitiveScheme, Mapping[str, float], Mapping[str, float]]
+Known: TypeAlias = "tuple[CognitiveScheme, Mapping[str, float], Mapping[str, float]]"
 """A scheme, what its agents' fields begin with, and what the model's parameters are."""
 
 
@@ -51,6 +50,8 @@ def export_scheme(
 
 def _schemes(source: str) -> dict[str, Known]:
     """Return the schemes that are meant: of a file one, of a model one for each population."""
+    from coglogo_py import CognitiveScheme
+
     path = Path(source).expanduser()
     if path.suffix.lower() in SUFFIXES or (path.is_file() and path.suffix != ".py"):
         if not path.is_file():
@@ -65,6 +66,8 @@ def _schemes(source: str) -> dict[str, Known]:
 
 
 def _of_model(model_class: type[Model]) -> dict[str, Known]:
+    from coglogo_py import CognitiveScheme
+
     parameters = {
         name: float(one.default)
         for name, one in model_class.parameters.items()
@@ -107,6 +110,7 @@ def _write_cogscheme(known: Known, out: Path, population: str) -> tuple[tuple[st
     """Write CogLogo's file; return what was lost, and the file."""
     from coglogo_py.files.cogscheme_file import written
     from coglogo_py.files.cogscheme_losses import for_coglogo
+    from socialmind.work.files import replace_file
 
     path = out / f"{population}.cogscheme" if population else out
     if path.suffix.lower() != ".cogscheme":
