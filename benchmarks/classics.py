@@ -3,9 +3,8 @@
 Wolves and sheep, flocking and Schelling's segregation, in both sizes of the public comparison of
 agent-based frameworks (DOI 10.5281/zenodo.8016506). A time is that of a whole run, setup included
 and compilation not. Each run has a seed of its own; Mesa runs a few of the seeds, by turns with
-socialmind, and a ratio is taken within such a round. Another process compiles: code that is loaded,
-as in every process but the first that runs a model, is faster. Then the lines of the models, and
-what a bird costs in a step, from a thousand birds on, at constant density.
+socialmind, and a ratio is taken within such a round. Then the lines of the models, and what a bird
+costs in a step, from a thousand birds on, at constant density.
 
     python benchmarks/classics.py            # a hundred seeds, five of them with Mesa
     python benchmarks/classics.py --full     # up to a million birds

@@ -257,42 +257,31 @@ def of_group_here(sheet: Sheet, action: Action) -> Ask:
 
 def withdraw(sheet: Sheet, action: Action) -> Act:
     """A_WithdrawObjectFromFacilityHere."""
-    built, thing = facility_of(sheet, action), str(action.argument("Objet").value)
-    count, field = sheet.count(action.argument("Integer")), sheet.thing(thing)
-    built.stock[thing] = None
-    name = built.name
-    body = [
-        f"for {name} in model.{built.population}.on(human):",
-        f"    many = min({name}.{field}, {count})",
-        f"    {name}.{field} -= many",
-        *(f"    {line}" for line in gaining(sheet, thing, "many")),
-    ]
-    names = (
-        f"take_{name_of(thing)}_from_{name}",
-        f"take_{in_name(count)}_{name_of(thing)}_from_{name}",
-    )
-    doc = f"Take {in_doc(count)} {thing}, or what there is, from a {built.facility.name} here."
-    return Act(names, doc, body)
+    return _moving(sheet, action, "take", "from")
 
 
 def deposit(sheet: Sheet, action: Action) -> Act:
     """A_DepositObjectInFacilityHere."""
+    return _moving(sheet, action, "put", "into")
+
+
+def _moving(sheet: Sheet, action: Action, verb: str, way: str) -> Act:
+    """Return what moves things between the bag and the facilities here."""
     built, thing = facility_of(sheet, action), str(action.argument("Objet").value)
     count, field = sheet.count(action.argument("Integer")), sheet.thing(thing)
     built.stock[thing] = None
-    name = built.name
-    body = [
-        f"for {name} in model.{built.population}.on(human):",
-        f"    many = {at_most(sheet, thing, count)}",
-        *(f"    {line}" for line in losing(sheet, thing, "many")),
-        f"    {name}.{field} += many",
-    ]
-    names = (
-        f"put_{name_of(thing)}_into_{name}",
-        f"put_{in_name(count)}_{name_of(thing)}_into_{name}",
-    )
-    doc = f"Put {in_doc(count)} {thing}, or what there is, into a {built.facility.name} here."
-    return Act(names, doc, body)
+    name, what = built.name, name_of(thing)
+    if verb == "take":
+        many = f"min({name}.{field}, {count})"
+        moved = [f"{name}.{field} -= many", *gaining(sheet, thing, "many")]
+    else:
+        many = at_most(sheet, thing, count)
+        moved = [*losing(sheet, thing, "many"), f"{name}.{field} += many"]
+    body = [f"for {name} in model.{built.population}.on(human):"]
+    body += [f"    {line}" for line in (f"many = {many}", *moved)]
+    names = (f"{verb}_{what}_{way}_{name}", f"{verb}_{in_name(count)}_{what}_{way}_{name}")
+    doc = f"{verb.title()} {in_doc(count)} {thing}, or what there is, {way} a"
+    return Act(names, f"{doc} {built.facility.name} here.", body)
 
 
 def compare_stock(sheet: Sheet, action: Action) -> Ask:
