@@ -72,12 +72,15 @@ class Program:
                 time.sleep(0.1)
         raise TimeoutError("the studio does not listen")
 
-    def page(self, browser, place="", ready="[data-test=setup]:not([disabled])"):
+    def page(
+        self, browser, place="", ready="[data-test=setup]:not([disabled])", begin=lambda page: None
+    ):
         page = browser.new_page(viewport={"width": 1280, "height": 720})
         page.set_default_timeout(SECONDS)
         page.failures = []
         page.where = partial(where, page)
         page.on("pageerror", lambda error: page.failures.append(str(error)))
+        begin(page)
         page.goto(f"http://127.0.0.1:{self.port}/{place}")
         page.wait_for_selector(ready)
         return page

@@ -40,6 +40,46 @@ def wait_for_tick(page, tick, how="=="):
     page.wait_for_function(f"{TICK} {how} {tick}")
 
 
+def test_what_was_told_shows_at_once_and_not_what_comes_late(browser, studio):
+    """A frame on its way when the society was told to stand does not say that it runs again."""
+    held, servers = [], []
+
+    def hold_pauses(socket):
+        servers.append(socket.connect_to_server())
+
+        def pass_on(message):
+            if '"pause"' in str(message):
+                held.append(message)
+            else:
+                servers[-1].send(message)
+
+        socket.on_message(pass_on)
+
+    page = studio.page(browser, begin=lambda page: page.route_web_socket("**/live/*", hold_pauses))
+    page.click("[data-test=go]")
+    wait_for_tick(page, 5, ">=")
+    page.click("[data-test=go]")
+    wait_for_tick(page, page.evaluate(TICK) + 8, ">=")  # it has not heard yet
+    assert page.inner_text("[data-test=go]") == "Go"
+    page.click("[data-test=save]")
+    page.wait_for_selector("input[aria-label=folder]")
+    servers[-1].send(held.pop())
+    page.click("text=Cancel")
+    page.click("[data-test=step]")
+    page.wait_for_timeout(300)
+    stood = page.evaluate(TICK)
+    # It goes on where another page lets it, and this one says so.
+    other = studio.page(browser)
+    other.click("[data-test=go]")
+    wait_for_tick(page, stood + 2, ">=")
+    page.wait_for_selector("[data-test=go]:text('Pause')")
+    other.click("[data-test=go]")
+    page.wait_for_selector("[data-test=go]:text('Go')")
+    assert page.failures == other.failures == []
+    other.close()
+    page.close()
+
+
 def test_a_society_is_run_looked_into_changed_saved_and_found_again(browser, studio):
     page = studio.page(browser)
     # Run, and stand.

@@ -89,6 +89,11 @@ const TOLD = 10;
 /** Rows of the series that are kept; of more each second one goes, as in the program (running/history.py). */
 const ROWS = 4000;
 
+/** What is said when a society goes on no longer, or another comes. */
+const ENDING = new Set(["society", "over", "error"]);
+/** What lets a society stand, whatever it was told before. */
+const STANDING = new Set(["setup", "open", "reset", "step", "turn", "go_to"]);
+
 export type Command = Record<string, unknown> & { do: string };
 
 /** A society that runs in a process of the program, under a name that other tabs can look at too. */
@@ -130,6 +135,8 @@ export class Live {
   /** Edited schemes that a model is set up with in place of its own, by population. */
   documents = $state.raw<{ model: string; of: Record<string, Scheme> } | null>(null);
 
+  /** Whether it is to run, as it was last told here, until a frame says so too: some are on their way. */
+  #wished: boolean | null = null;
   #next: ArrayBuffer | null = null;
   #told = 0;
   #socket: WebSocket | null = null;
@@ -144,8 +151,14 @@ export class Live {
 
   /** Ask for something; what is asked before the socket is open waits for it. */
   send(command: Command): void {
+    if (STANDING.has(command.do)) this.#wished = null;
     if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(command));
     else if (this.#socket?.readyState === WebSocket.CONNECTING) this.#waiting.push(command);
+  }
+
+  /** Show at once that it goes on, or stands, as it has been told. */
+  wish(running: boolean): void {
+    this.running = this.#wished = running;
   }
 
   setup(model: string, seed: string, parameters: Record<string, unknown>): void {
@@ -205,8 +218,8 @@ export class Live {
       else this.#come(event.data);
     };
     socket.onclose = () => {
-      this.connected = false;
-      this.running = false;
+      this.connected = this.running = false;
+      this.#wished = null;
       if (this.#ended) return;
       setTimeout(() => this.#connect(), this.#retry);
       this.#retry = Math.min(2 * this.#retry, 4000);
@@ -227,6 +240,7 @@ export class Live {
     this.send({ do: "seen" });
     this.frame = frame;
     const { running, watched } = frame.header;
+    if (running === this.#wished) this.#wished = null;
     const other = watched && (watched as Watched).id !== this.watched?.id;
     if (running && this.running && !other && performance.now() < this.#told + 1000 / TOLD) return;
     this.#told = performance.now();
@@ -234,7 +248,8 @@ export class Live {
   }
 
   #tell(header: Header): void {
-    const { tick, furthest, running, rate, watched, turn } = header;
+    const { tick, furthest, rate, watched, turn } = header;
+    const running = this.#wished ?? header.running;
     Object.assign(this, { header, tick, furthest, running, rate, turn: turn ?? null });
     if (watched && "gone" in watched) {
       this.gone = watched.gone;
@@ -246,6 +261,7 @@ export class Live {
 
   #hear(message: { said: string } & Record<string, never>): void {
     const { said, ...rest } = message as unknown as { said: string } & Record<string, unknown>;
+    if (ENDING.has(said)) this.#wished = null;
     if (said === "model") {
       this.model = rest as unknown as ModelOutline;
     } else if (said === "society") {

@@ -67,7 +67,7 @@ class Studio {
     if (!this.several) this.send({ do: running ? "pause" : "go" });
     else if (running) this.all({ do: "pause" });
     else this.send({ do: "go", together: this.worlds.map((one) => one.name), pace: this.#pace === "turn" ? 1 : this.#pace });
-    for (const one of this.worlds) one.running = !running;
+    for (const one of this.worlds) one.wish(!running);
   }
   setPace(ticks: number | "turn" | null): void {
     this.#pace = ticks;
