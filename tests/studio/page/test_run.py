@@ -82,6 +82,8 @@ def test_what_was_told_shows_at_once_and_not_what_comes_late(browser, studio):
 
 def test_a_society_is_run_looked_into_changed_saved_and_found_again(browser, studio):
     page = studio.page(browser)
+    page.click("[data-test=reset]")
+    wait_for_tick(page, 0)
     # Run, and stand.
     page.select_option("[data-test=pace]", label="100 ticks a frame")
     page.click("[data-test=go]")
