@@ -7,8 +7,8 @@
 - *Click to watcher*: from letting go of the mouse on an agent to its name at the side.
 - *To the first picture*: from the command to the first frame that is drawn, all compiled.
 - *Memory* of the program and of the page (its heap, after collecting garbage), while a society runs
-  as fast as possible: after a sixth of the time, and at its end. Over an hour it runs a tick a
-  frame, so that other work can go on, and the page shows an agent, a histogram and a series too.
+  as fast as possible: after a sixth of the time, and at its end. Over an hour the page shows an
+  agent, a histogram and a series too.
 
 Chromium starts as it does by itself. Without a graphics card it draws by software, on the same
 cores as all else: with one there are more frames.
@@ -241,11 +241,11 @@ def measure_first_picture(browser: Browser, times: int) -> list[float]:
     return found[1:]  # the first one warms files and caches
 
 
-def measure_memory(browser: Browser, seconds: float, pace: str) -> dict[str, float]:
+def measure_memory(browser: Browser, seconds: float) -> dict[str, float]:
     """Mebibytes of program and page after a sixth of the time and at its end."""
     with program("farmer_artisan", {}) as made:
         page = page_of(browser, made)
-        go(page, pace)
+        go(page, "as fast as possible")
         if seconds >= HOUR:
             page.click("[data-test=add-histogram]")
             page.focus("[data-test=world]")
@@ -312,7 +312,7 @@ def measure(seconds: float = SECONDS, rounds: int = 3, memory: float = 75.0) -> 
             "frames": measure_frames(browser, seconds, rounds),
             "speed": measure_speed(browser, seconds, rounds),
             "click": measure_click(browser, 5 * rounds),
-            "memory": measure_memory(browser, memory, "as fast as possible"),
+            "memory": measure_memory(browser, memory),
             "bundle": bundle(),
         }
         browser.close()
@@ -361,7 +361,7 @@ def main() -> None:
     if options.hour:
         with sync_playwright() as driver:
             browser = started(driver)
-            results = {**before, "hour": measure_memory(browser, HOUR, "1 tick a frame")}
+            results = {**before, "hour": measure_memory(browser, HOUR)}
             browser.close()
     else:
         results = measure() | ({"hour": before["hour"]} if "hour" in before else {})
