@@ -60,6 +60,18 @@ def make_figure(name: str, way: Way, out: Path) -> list[Path]:
     return write_curves(figure, trainings, _lines(name, way, told, ""), out)
 
 
+def make_equal_ticks(name: str, way: Way, out: Path) -> list[Path]:
+    from .equal_ticks import PANELS, write
+    from .trainings import PLANS
+
+    given = {plan: PLANS.training(plan, way, out) for plan, _, _ in PANELS}
+    trainings = {plan: training for plan, (training, _) in given.items() if training is not None}
+    told = [line for _, line in given.values()]
+    if not any(training.finished for training in trainings.values()):
+        raise SocialmindError(f"{name}: {'; '.join(told)}")
+    return write(trainings, _lines(name, way, told, ""), out)
+
+
 def _study(make: Callable[[str, Way, Path], list[Path]], name: str, about: str) -> Study:
     return Study.of_trainings(name, about, partial(make, name))
 
@@ -69,7 +81,11 @@ studies = (
     _study(make_figure, "figure-6.3", "Avoid learned"),
     _study(make_figure, "figure-6.4", "GoToObject+Avoid and GoToDropZone+Avoid learned"),
     _study(make_figure, "figure-6.5", "Collect learned"),
+    _study(
+        make_equal_ticks, "figure-6.5-equal-ticks", "hierarchy and monolith, until they level off"
+    ),
     _study(make_table, "table-6.1", "hierarchy or monolith, curriculum or final task only"),
+    _study(make_table, "table-6.1-equal-ticks", "the same with equal ticks in each lesson"),
     _study(make_table, "table-6.2", "more resources for Avoid, or Avoid learned in context"),
     _study(make_table, "table-6.3", "power management, two variants on two Avoids"),
 )

@@ -68,41 +68,46 @@ def _structure(
     return Structure(name, plan, after, reported, budget)
 
 
+def _structures(level: str = "") -> tuple[Block, ...]:
+    """Return the blocks of table 6.1, with the trainings whose names end so."""
+    alone = f"{level}_at_once"
+    return (
+        Block(
+            ENDS,
+            BOTH,
+            (
+                _structure("hierarchical, curriculum", f"hierarchy{level}", "Collect", 4.63, 0.54),
+                _structure("monolithic, curriculum", f"monolith{level}", "Collect", 5.19, 0.68),
+                _structure("hierarchical, final task only", f"hierarchy{alone}", "All at once",
+                           0.06, 0.51),
+                _structure("monolithic, final task only", f"monolith{alone}", "All at once",
+                           0.31, 0.80),
+            ),
+        ),
+        Block(
+            GOES_ON,
+            ("objects",),
+            (
+                _structure("hierarchical, curriculum", f"hierarchy{level}", "Collect", 9.55),
+                _structure("monolithic, curriculum", f"monolith{level}", "Collect", 7.70),
+                _structure("hierarchical, final task only", f"hierarchy{alone}", "All at once",
+                           0.18),
+                _structure("monolithic, final task only", f"monolith{alone}", "All at once", 0.39),
+            ),
+        ),
+    )  # fmt: skip
+
+
 TABLES = (
     Table(
         "table-6.1",
         "Hierarchical or monolithic, by curriculum or by the final task alone",
-        (
-            Block(
-                ENDS,
-                BOTH,
-                (
-                    _structure("hierarchical, curriculum", "hierarchy", "Collect", 4.63, 0.54),
-                    _structure("monolithic, curriculum", "monolith", "Collect", 5.19, 0.68),
-                    _structure(
-                        "hierarchical, final task only", "hierarchy_at_once", "All at once",
-                        0.06, 0.51,
-                    ),
-                    _structure(
-                        "monolithic, final task only", "monolith_at_once", "All at once", 0.31, 0.80
-                    ),
-                ),
-            ),
-            Block(
-                GOES_ON,
-                ("objects",),
-                (
-                    _structure("hierarchical, curriculum", "hierarchy", "Collect", 9.55),
-                    _structure("monolithic, curriculum", "monolith", "Collect", 7.70),
-                    _structure(
-                        "hierarchical, final task only", "hierarchy_at_once", "All at once", 0.18
-                    ),
-                    _structure(
-                        "monolithic, final task only", "monolith_at_once", "All at once", 0.39
-                    ),
-                ),
-            ),
-        ),
+        _structures(),
+    ),
+    Table(
+        "table-6.1-equal-ticks",
+        "Hierarchical or monolithic, with the same ticks in each lesson",
+        _structures("_level"),
     ),
     Table(
         "table-6.2",
@@ -228,7 +233,7 @@ def rows_of(standing: Standing, table: Table) -> list[dict[str, Any]]:
 
 def text(table: Table, standings: Sequence[Standing], made: Sequence[str]) -> str:
     """Return a table as Markdown."""
-    number = table.name.removeprefix("table-")
+    number = table.name.removeprefix("table-").replace("-", ", ", 1).replace("-", " ")
     lines = [f"# Table {number}: {table.title[0].lower()}{table.title[1:]}", "", *made]
     for block in table.blocks:
         own = [one for one in standings if one.benchmark == block.benchmark]

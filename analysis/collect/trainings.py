@@ -12,83 +12,34 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from socialmind.catalogue import load_file, model_folder
-from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans, most_ticks
-from socialmind.learning import Curriculum, Lesson, Training
+from socialmind.experiments.trainings.plans import TrainingPlan, TrainingPlans
+from socialmind.learning import Curriculum, Training
 from socialmind.mind import MindDescription
 
-from .controls import LESSONS, MONOLITH, AllAtOnce, hierarchy, monolith
+from .controls import MONOLITH, hierarchy, monolith
+from .curricula import (
+    COMMON,
+    CONTEXT,
+    EQUAL,
+    FURTHER,
+    SIX,
+    at_once,
+    base_skills,
+    equal,
+    equal_for_monolith,
+    for_monolith,
+    with_longer_avoid,
+)
 
 TOPIC = Path(__file__).parent
 SEED = 6
-SIX = tuple(LESSONS.curriculum.items)
-"""The lessons of the curriculum."""
-CONTEXT, *FURTHER = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
-"""Avoid, as in the thesis (6.2.2), and then more of the hierarchy, learned while Collect steers."""
-MORE = "More of Collect"
-"""The monolith's lesson in place of the first."""
-AT_ONCE = 320_000_000
-"""Ticks of the six lessons together, for learning all at once."""
-LONG = 0.98
-"""How steps narrow each generation in lessons of some hundreds of generations."""
-COMMON = 64
-"""Worlds on which the base skills' curves are validated."""
-
-
-# Lessons ----------------------------------------------------------------------------------------
-
-
-def by_monolith(lesson: Lesson, first: bool = False) -> Lesson:
-    """Return a lesson for the monolith, which goes on from what it knows, in fine steps."""
-    return replace(
-        lesson,
-        skill=MONOLITH,
-        master=MONOLITH,
-        settings={**LESSONS.FINE, "population": lesson.settings["population"]},
-        start="scratch" if first else "known",
-    )
-
-
-def for_monolith() -> Curriculum:
-    """Return the curriculum for one network, then as many ticks more of Collect."""
-    six = [by_monolith(lesson, place == 0) for place, lesson in enumerate(SIX)]
-    return Curriculum((*six, by_monolith(replace(CONTEXT, name=MORE))))
-
-
-def at_once(skills: tuple[str, ...], master: str) -> Curriculum:
-    """Return the one lesson of learning everything as a single task."""
-    lesson = Lesson(
-        "All at once",
-        AllAtOnce,
-        skill=skills,
-        master=master,
-        repetitions=6,
-        generations=10_000,
-        budget=AT_ONCE,
-        settings={**LESSONS.FINE, "narrowing": LONG},
-    )
-    return Curriculum((lesson,))
-
-
-def with_longer_avoid() -> Curriculum:
-    """Return the curriculum with as many more ticks for Avoid as learning in context takes."""
-    lessons = []
-    for lesson in SIX:
-        if lesson.name == "Avoid":
-            budget = CONTEXT.budget or 0
-            lesson = replace(
-                lesson,
-                generations=10_000,
-                budget=most_ticks(lesson) + budget,
-                settings={**lesson.settings, "narrowing": LONG},
-            )
-        lessons.append(lesson)
-    return Curriculum(tuple(lessons))
+ALL = sum(EQUAL.values())
+"""Ticks of the six lessons of equal length."""
 
 
 def chosen() -> int:
@@ -98,18 +49,14 @@ def chosen() -> int:
     return int(done.loc[done["score"].idxmax(), "attempt"])
 
 
+def all_skills() -> tuple[str, ...]:
+    """Return the skills of the hierarchy that learn."""
+    return tuple(name for name, skill in hierarchy().skills.items() if skill.genome_size)
+
+
 def kept_hierarchy() -> Training:
     """Return the attempts at the hierarchy that are kept."""
     return Training(TOPIC / "results" / "trainings" / "hierarchy")
-
-
-def base_skills() -> Curriculum:
-    """Return the two base skills' lessons as long as the thesis's, with curves on common worlds."""
-    return Curriculum(
-        replace(lesson, generations=1000, validation=COMMON)
-        for lesson in SIX
-        if lesson.name in ("GoToObject", "GoToDropZone")
-    )
 
 
 # Power management -------------------------------------------------------------------------------
@@ -175,15 +122,34 @@ PLANS = TrainingPlans(
             "the hierarchy, final task only (6.1)",
             5,
             hierarchy,
-            lambda: at_once(
-                tuple(n for n, s in hierarchy().skills.items() if s.genome_size), "Collect"
-            ),
+            lambda: at_once(all_skills(), "Collect"),
         ),
         "monolith_at_once": plan(
             "the monolith, final task only (6.1)",
             5,
             monolith,
             lambda: at_once((MONOLITH,), MONOLITH),
+        ),
+        "hierarchy_level": plan(
+            "the curriculum with equal ticks, until it levels off (6.1)", 10, hierarchy, equal
+        ),
+        "monolith_level": plan(
+            "the same for one network, with the hierarchy's ticks in each lesson (6.1)",
+            10,
+            monolith,
+            equal_for_monolith,
+        ),
+        "hierarchy_level_at_once": plan(
+            "the hierarchy, final task only, with the ticks of the whole curriculum (6.1)",
+            5,
+            hierarchy,
+            lambda: at_once(all_skills(), "Collect", ALL, COMMON),
+        ),
+        "monolith_level_at_once": plan(
+            "the monolith, final task only, with the ticks of the whole curriculum (6.1)",
+            5,
+            monolith,
+            lambda: at_once((MONOLITH,), MONOLITH, ALL, COMMON),
         ),
         "in_context": plan(
             "more of the hierarchy in context, on one attempt of it (6.2)",

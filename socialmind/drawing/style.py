@@ -220,7 +220,11 @@ def time_axis(axes: Axes, ticks: Sequence[float]) -> float:
 
 
 def attempts(
-    axes: Axes, lines: Sequence[Sequence[float]], failed: Sequence[bool] = (), width: float = 0.7
+    axes: Axes,
+    lines: Sequence[Sequence[float]],
+    failed: Sequence[bool] = (),
+    width: float = 0.7,
+    step: float = 1.0,
 ) -> None:
     """Draw curves that are alike, such as attempts, in one pale colour, and their median.
 
@@ -229,9 +233,10 @@ def attempts(
 
     Args:
         axes: the panel.
-        lines: the values of each, from 1 on the x axis on.
+        lines: the values of each, the first one at `step` on the x axis.
         failed: for each whether it is red, being told of by itself; none by default.
         width: of a line, in points.
+        step: between two values on the x axis.
 
     >>> axes = figure(85, 60).subplots()
     >>> attempts(axes, [[1.0, 2.0, 3.0], [3.0, 4.0]])
@@ -240,7 +245,7 @@ def attempts(
     """
     longest = max(map(len, lines))
     for values, short in zip(lines, chain(failed, repeat(False)), strict=False):
-        places = range(1, len(values) + 1)
+        places = step * np.arange(1, len(values) + 1)
         colour, order = (RED, 2.2) if short else (PALE, 2.0)
         dashes = DASHES.get(colour, "-")
         axes.plot(places, values, color=colour, linestyle=dashes, linewidth=width, zorder=order)
@@ -249,9 +254,10 @@ def attempts(
     if len(lines) > 1:
         shared = min(map(len, lines))
         middle = np.median([values[:shared] for values in lines], axis=0)
-        axes.plot(range(1, shared + 1), middle, color=BLUE, linewidth=1.3, zorder=3)
+        places = step * np.arange(1, shared + 1)
+        axes.plot(places, middle, color=BLUE, linewidth=1.3, zorder=3)
     axes.xaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10), integer=True))
-    axes.set_xlim(1, max(2, longest))
+    axes.set_xlim(step, step * max(2, longest))
 
 
 def attempts_key(lines: Sequence[Sequence[float]], failed: Sequence[bool] = ()) -> list[Line2D]:

@@ -1,0 +1,186 @@
+"""Whether hierarchy and monolith have learned all they will: curves against ticks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from socialmind.drawing import style as paper
+from socialmind.experiments.measures.intervals import Interval, interval_of
+
+from .figures import short_of
+from .tables import write_rows
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from socialmind.learning import Training
+
+NAME = "figure-6.5-equal-ticks"
+PANELS = (
+    ("hierarchy_level", "Collect", "hierarchy, curriculum"),
+    ("monolith_level", "Collect", "one network, curriculum"),
+    ("hierarchy_level_at_once", "All at once", "hierarchy, final task only"),
+    ("monolith_level_at_once", "All at once", "one network, final task only"),
+)
+"""The training, its last lesson, and the title of each panel."""
+STEP = 10
+"""Million ticks over whose generations a point of a curve is the mean."""
+LAST = 4
+"""The part of a curve, one in so many of its ticks, in which it is to have levelled off."""
+
+
+@dataclass(frozen=True)
+class Learned:
+    """What the attempts of a training came to in its last lesson.
+
+    Attributes:
+        title: of its panel.
+        curves: for each attempt the score on common worlds, a number every `STEP` million ticks.
+        finals: of each attempt.
+    """
+
+    title: str
+    curves: Mapping[int, np.ndarray]
+    finals: Mapping[int, float]
+
+    @property
+    def late_gain(self) -> Interval:
+        """What the last part of the ticks added, in shares of the score, over attempts."""
+        return interval_of([gained(one) for one in self.curves.values()])
+
+
+def thinned(ticks: np.ndarray, scores: np.ndarray, step: float = STEP * 1e6) -> np.ndarray:
+    """Return the mean score of the generations that end within each step of ticks.
+
+    Where none does, the one before stands.
+
+    >>> thinned(np.array([4.0, 9.0, 12.0, 31.0]), np.array([1.0, 3.0, 5.0, 7.0]), step=10.0)
+    array([2., 5., 5., 7.])
+    """
+    places = np.ceil(ticks / step).astype(int)
+    means = [
+        scores[places == place].mean() if (places == place).any() else np.nan
+        for place in range(1, places[-1] + 1)
+    ]
+    for place in np.flatnonzero(np.isnan(means)):
+        means[place] = means[place - 1]
+    return np.array(means)
+
+
+def gained(curve: np.ndarray) -> float:
+    """Return how much of the score the last part of a curve adds to that before it.
+
+    Each is the mean of a tenth of the points: of the last ones, and of those before the last part.
+    What comes from nothing counts as no gain.
+
+    >>> gained(np.array([1.0] * 15 + [1.1] * 5)).__round__(3)
+    0.1
+    """
+    width = max(1, len(curve) // 10)
+    before = curve[: len(curve) - len(curve) // LAST][-width:].mean()
+    return float(curve[-width:].mean() / before - 1) if before else 0.0
+
+
+def learned(training: Training, lesson: str, title: str) -> Learned:
+    """Return what the attempts that have finished a lesson came to in it."""
+    told = training.lessons
+    told = told[told["lesson"] == lesson]
+    curve = training.curve
+    curves = {}
+    for attempt in told["attempt"].tolist():
+        own = curve[(curve["attempt"] == attempt) & (curve["lesson"] == lesson)]
+        curves[attempt] = thinned(own["ticks"].to_numpy(), own["validated"].to_numpy())
+    return Learned(title, curves, dict(zip(told["attempt"], told["score"], strict=True)))
+
+
+def draw(all_learned: Sequence[Learned]) -> Figure:
+    """Draw a panel for each training, with one scale for each kind of lesson."""
+    down = -(-len(all_learned) // 2)
+    with paper.style():
+        drawn = paper.figure(paper.COLUMN, 46.0 * down + 8)
+        panels = drawn.subplots(down, 2, squeeze=False, sharey="row")
+        for place, axes in enumerate(panels.flat):
+            if place >= len(all_learned):
+                axes.set_visible(False)
+                continue
+            own = all_learned[place]
+            failed = short_of(list(own.finals.values()))
+            paper.attempts(axes, list(own.curves.values()), failed, step=STEP)
+            axes.set_ylim(bottom=0)
+            axes.set_xlabel("million ticks of the lesson")
+            axes.set_ylabel("" if place % 2 else "score, common worlds")
+            paper.panel_title(axes, "abcd"[place], own.title)
+        every = [one for own in all_learned for one in own.curves.values()]
+        failed = [one for own in all_learned for one in short_of(list(own.finals.values()))]
+        key = [one for one in paper.attempts_key(every, failed) if one.get_label()[:3] != "its"]
+        drawn.legend(handles=key, loc="outside lower center", ncols=3, columnspacing=1.2,
+                     handlelength=1.6)  # fmt: skip
+    return drawn
+
+
+def findings(all_learned: Sequence[Learned]) -> list[str]:
+    """Return what can be said of each training, a line each."""
+    lines = []
+    for own in all_learned:
+        gain, finals = own.late_gain, list(own.finals.values())
+        ticks = STEP * min(map(len, own.curves.values()))
+        several = len(finals) > 1
+        apart = f" ({gain.low:+.1%} to {gain.high:+.1%} over attempts)" if several else ""
+        lines.append(
+            f"{own.title}: {len(finals)} attempt{'s' if several else ''} of {ticks:,} million "
+            f"ticks; the last quarter of them added {gain.mean:+.1%}{apart} to the score of the "
+            f"best individuals on common worlds. Finals of {min(finals):.2f} to {max(finals):.2f}, "
+            f"median {np.median(finals):.2f}."
+        )
+    return lines
+
+
+def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> list[Path]:
+    """Write the figure, what it says (Markdown), and its curves (CSV).
+
+    Args:
+        trainings: by plan; those with attempts that have come to the end.
+        made: how they came about, a line each.
+        out: the folder, made where it is missing.
+
+    Returns:
+        The files written.
+    """
+    shown = {
+        plan: learned(trainings[plan], lesson, title)
+        for plan, lesson, title in PANELS
+        if plan in trainings
+    }
+    shown = {plan: own for plan, own in shown.items() if own.finals}
+    written = paper.save({NAME: draw(list(shown.values()))}, out)
+    page = out / f"{NAME}.md"
+    lines = [
+        "# Figure 6.5, equal ticks: whether more ticks would teach more",
+        "",
+        *made,
+        "",
+        *(f"- {line}" for line in findings(list(shown.values()))),
+        "",
+        "A grey line is an attempt, red where its final individual fell short; blue is the median "
+        "of the attempts. A point is the mean of the best individuals of the generations of "
+        f"{STEP} million ticks, each judged on the same worlds, which no generation is trained in.",
+        "",
+    ]
+    page.write_text("\n".join(lines), encoding="utf-8")
+    rows = [
+        {
+            "training": plan,
+            "attempt": attempt,
+            "million_ticks": STEP * place,
+            "score": f"{score:.5g}",
+        }
+        for plan, own in shown.items()
+        for attempt, curve in own.curves.items()
+        for place, score in enumerate(curve, 1)
+    ]
+    return [*written, page, write_rows(out / f"{NAME}.csv", rows)]

@@ -1,0 +1,67 @@
+"""Lessons of equal length for hierarchy and monolith, and whether they level off."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from socialmind.learning.training.course import TrainingCourse
+from socialmind.sources.loading import load_file
+
+COLLECT = Path(__file__).parents[2] / "analysis" / "collect"
+trainings = load_file(COLLECT / "trainings.py")
+curricula = load_file(COLLECT / "curricula.py")
+equal_ticks = load_file(COLLECT / "equal_ticks.py")
+BOTH = ("hierarchy_level", "monolith_level")
+PLANS = {name: trainings.PLANS[name] for name, *_ in equal_ticks.PANELS}
+
+
+@pytest.mark.parametrize("name", PLANS)
+def test_each_plan_fits_its_mind(name):
+    plan = PLANS[name]
+    TrainingCourse(plan.curriculum(), plan.mind(), plan.seed, "compiled")
+
+
+def test_both_have_the_same_ticks_in_each_lesson_and_are_ended_by_them():
+    ours, other = (PLANS[name].curriculum().lessons for name in BOTH)
+    for one, two in zip(ours, other, strict=True):
+        assert (one.name, one.budget, one.episode_ticks) == (
+            two.name,
+            two.budget,
+            two.episode_ticks,
+        )
+        assert one.environment is two.environment
+        for lesson in (one, two):
+            generation = lesson.settings["population"] * lesson.repetitions
+            assert lesson.generations * generation * lesson.episode_ticks > 10 * lesson.budget
+    assert [one.name for one in ours] == list(curricula.EQUAL)
+
+
+def test_the_final_task_alone_has_the_ticks_of_all_lessons():
+    for name in PLANS:
+        assert sum(one.budget for one in PLANS[name].curriculum().lessons) == 866_000_000
+
+
+def test_the_last_lesson_is_long_and_seen_on_common_worlds():
+    for plan in PLANS.values():
+        *_, last = plan.curriculum().lessons
+        assert last.budget >= 10 * 36_152_950  # what ten generations took
+        assert last.validation == 64
+
+
+def test_what_is_said_of_a_curve_that_levels_off_and_of_one_that_does_not():
+    level = np.array([1.0, 2.0, 3.0, *[4.0] * 37])
+    rising = np.arange(1.0, 41.0)
+    assert equal_ticks.gained(level) == 0.0
+    # The mean of 37 to 40 against that of 27 to 30.
+    assert equal_ticks.gained(rising) == pytest.approx(38.5 / 28.5 - 1)
+    both = equal_ticks.Learned("both", {1: level, 2: rising}, {1: 4.0, 2: 40.0})
+    assert both.late_gain.mean == pytest.approx((38.5 / 28.5 - 1) / 2)
+    (line,) = equal_ticks.findings([both])
+    assert "2 attempts of 400 million ticks" in line
+    assert "+17.5%" in line
+    alone = equal_ticks.Learned("alone", {1: level}, {1: 4.0})
+    assert (
+        "1 attempt of 400 million ticks; the last quarter of them added +0.0% to"
+        in (equal_ticks.findings([alone])[0])
+    )
