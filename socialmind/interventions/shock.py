@@ -19,7 +19,7 @@ from socialmind.model import Model
 from socialmind.society.copying import own_of
 from socialmind.sources.folders import MODEL_FILE
 from socialmind.sources.loading import failure_in_model
-from socialmind.sources.provenance import note_module
+from socialmind.sources.modules import note_module
 from socialmind.streams import SHOCK_TAG, SHOCK_TAGS, Stream
 
 Society = TypeVar("Society", bound=Model)

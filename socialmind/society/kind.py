@@ -20,7 +20,7 @@ from socialmind.society.founding.making import begin_networks
 from socialmind.society.messages import with_mailboxes
 from socialmind.sources.cells import refuse_outdated, taken_by
 from socialmind.sources.folders import file_of_class
-from socialmind.sources.provenance import note_definition
+from socialmind.sources.modules import note_definition
 from socialmind.sources.typed_in import MAIN, is_typed_in, note_place
 from socialmind.work.packing import is_private, reference
 

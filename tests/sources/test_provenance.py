@@ -11,7 +11,7 @@ import pytest
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, replay, resume, run
-from socialmind.sources import provenance
+from socialmind.sources import modules
 from socialmind.sources.folders import source_hash
 from socialmind.sources.provenance import difference, sources_of
 
@@ -111,7 +111,7 @@ def test_what_a_society_reads_when_asked_counts_and_what_others_read_does_not(wo
 
 def socialmind_files():
     """Return the modules of the library that count as readers of files."""
-    return [name for name in provenance._read_by if name.startswith(("socialmind.", "coglogo_py."))]
+    return [name for name in modules._read_by if name.startswith(("socialmind.", "coglogo_py."))]
 
 
 EDITS = {
