@@ -444,7 +444,7 @@ class _Lowering(ast.NodeTransformer):
             keep = f"_near_keep_slots_{population}(_model, {begin}, {end})"
             slot = "slot_as_it_is"
         dead = ""
-        if self.program is None or self.program.may_kill(node.body, population):
+        if self.program is None or self.program.effects.may_kill(node.body, population):
             dead = (
                 f"    if not _alive_{population}(_model)[_found_{self.loops}]:\n        continue\n"
             )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from socialmind.language.program import RUNTIME
+from socialmind.language.interpreting import RUNTIME
 
 HEAD = '''"""Generated from a model's rules; see ARCHITECTURE.md, "One definition, two speeds"."""
 

@@ -56,7 +56,7 @@ def network_call(
         if name == "link":
             typer.program.bears(net)
         if name in ("link", "unlink"):
-            typer.program.changes(net)
+            typer.program.effects.changes(net)
         result: types.AnyType = types.BOOL if name == "linked" else types.NONE
         if name == "link":
             result = types.RowType(net)

@@ -79,7 +79,7 @@ def typed_plans(program: Any, population: str, typer: Any, node: ast.AST) -> Typ
 
 def _check_ends(program: Any, population: str, plan: str, call: PlanCall) -> None:
     """Refuse a plan in which an agent carries out its plan."""
-    if program.carries_out(call.symbol, population):
+    if program.effects.carried_out_by(call.symbol, population):
         source = program.functions[call.symbol].source
         raise ModelError(
             f"the plan {plan!r}, in which an agent carries out its plan",

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import ast
 import types as python_types
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from socialmind.errors import ModelError, close, nearest
 from socialmind.fields import Field
-from socialmind.language import arithmetic
+from socialmind.language.effects import Effects
+from socialmind.language.interpreting import code_of, functions_of
 from socialmind.language.plan_calls import TypedPlans, typed_plans
 from socialmind.language.shape import ModelShape, PhaseShape
 from socialmind.language.source import Names, RuleSource, rule_source
-from socialmind.language.syntax import compiled
 from socialmind.language.types import MODEL, NONE, RNG, AnyType, RowType, TableType, TextType
 from socialmind.language.typing.statements import FunctionTyper
 from socialmind.streams import (
@@ -85,6 +85,7 @@ class Program:
         compiled: whether it will be compiled; `print` and `breakpoint` are for interpreted runs.
 
     Attributes:
+        effects: what its functions do to populations.
         made: what the rooms above made of it, by whose it is: as long as the program is in force.
         between_minds: what minds do to those of others: whose minds, the command, and to whose;
             with file and line.
@@ -109,18 +110,14 @@ class Program:
         self.reconsidered = set[str]()
         self.imitations: list[tuple[str, str, str]] = []
         self.made: dict[Any, Any] = {}
+        self.effects = Effects()
         self._codes: dict[str, python_types.CodeType] | None = None
         self._sources: dict[Callable[..., Any], RuleSource] = {}
         self._modules: dict[python_types.ModuleType, Names] = {}
         self._symbols: dict[tuple[Callable[..., Any], tuple[AnyType, ...]], str] = {}
         self._open: list[Callable[..., Any]] = []
-        self._in_ticks: set[str] | None = None  # what is reached, but for the setup's rules
-        # The populations whose plans a function carries out, and those whose agents it changes
-        # ("changes humans"), by itself or through others.
-        self._calls: list[set[str]] = []
-        self._reached: dict[str, set[str]] = {}
         self.setup = self._phases(shape.setup, SETUP_TAG)
-        self._in_ticks = set()
+        self.effects.begin_ticks()
         self.schedule = self._phases(shape.schedule, SCHEDULE_TAG)
         born = tuple(
             PhaseShape(one.at_birth, one.name, shuffled=False)
@@ -217,15 +214,13 @@ class Program:
 
     def runs_plans(self, population: str, typer: Any, node: ast.AST) -> None:
         """Type the functions of a population's plans, once a rule runs them."""
-        for calls in self._calls:
-            calls.add(population)
+        self.effects.carries_out(population)
         if population not in self.plans:
             # A plan may carry out plans, which is refused once it is typed.
             self.plans[population] = TypedPlans((), (), None)
             self.plans[population] = typed_plans(self, population, typer, node)
         for call in self.plans[population].calls:
-            for calls in self._calls:
-                calls |= self._reached[call.symbol]
+            self.effects.calls(call.symbol)
 
     @property
     def within_a_call(self) -> bool:
@@ -236,19 +231,12 @@ class Program:
         """Note that rules bring new agents into a population."""
         if population not in self.births:
             self.births.append(population)
-        for calls in self._calls:
-            calls.add(f"bears {population}")
-
-    def loses(self, population: str) -> None:
-        """Note that agents of a population die by rules."""
-        for calls in self._calls:
-            calls.add(f"loses {population}")
+        self.effects.bears(population)
 
     @cached_property
     def eventful(self) -> tuple[str, ...]:
         """The populations whose agents are born or die in ticks."""
-        reached = self._in_ticks or set()
-        return tuple(name for name in self.agents if reached & {f"bears {name}", f"loses {name}"})
+        return tuple(filter(self.effects.come_and_go, self.agents))
 
     @cached_property
     def agents(self) -> tuple[str, ...]:
@@ -365,35 +353,6 @@ class Program:
             dict.fromkeys(one for call in self.world_calls for one in calls[call[0]].columns)
         )
 
-    def changes(self, population: str) -> None:
-        """Note that a function writes fields of a population, or brings births or deaths."""
-        for calls in self._calls:
-            calls.add(f"changes {population}")
-
-    def kills(self, population: str) -> None:
-        """Note that a function lets agents of a population die."""
-        for calls in self._calls:
-            calls.add(f"kills {population}")
-
-    def may_kill(self, nodes: Iterable[ast.AST], population: str) -> bool:
-        """Return whether agents of a population may die in what has been typed."""
-        for node in (part for one in nodes for part in ast.walk(one)):
-            mark = getattr(node, "mark", ("",))
-            if mark[0] == "run_plan" or mark[:2] == ("die", population):
-                return True
-            called = getattr(getattr(node, "func", None), "id", None)
-            if f"kills {population}" in self._reached.get(str(called), ()):
-                return True
-        return False
-
-    def carries_out(self, symbol: str, population: str) -> bool:
-        """Return whether a function carries out plans of a population, or calls one that does."""
-        return population in self._reached[symbol]
-
-    def changed_by(self, symbol: str, population: str) -> bool:
-        """Return whether a function changes agents of a population, or calls one that does."""
-        return f"changes {population}" in self._reached[symbol]
-
     def name(self, population: str, part: str, keys: tuple[str, ...], file: str, line: int) -> int:
         """Return the place of a written name in the population's table of names."""
         written = self.names[population]
@@ -410,8 +369,7 @@ class Program:
         key = (source.function, kinds)
         if key in self._symbols:
             symbol = self._symbols[key]
-            for calls in self._calls:
-                calls |= self._reached[symbol]
+            self.effects.calls(symbol)
             self._note_reached(symbol)
             return symbol, self.functions[symbol].result
         if source.function in self._open:
@@ -424,11 +382,11 @@ class Program:
             )
         _check_definition(source)
         self._open.append(source.function)
-        self._calls.append(set())
+        self.effects.begin()
         body, result = FunctionTyper(self, source, kinds).typed()
         self._open.pop()
         symbol = self._symbol(source.name)
-        self._reached[symbol] = self._calls.pop()
+        self.effects.end(symbol)
         names = [
             name
             for name, kind in zip(source.parameters, kinds, strict=True)
@@ -445,9 +403,9 @@ class Program:
         return symbol, result
 
     def _note_reached(self, symbol: str) -> None:
-        """Note what a function that no other calls reaches, unless it is a rule of the setup."""
-        if not self._open and self._in_ticks is not None:
-            self._in_ticks |= self._reached[symbol]
+        """Note what a function that no other calls does."""
+        if not self._open:
+            self.effects.in_ticks(symbol)
 
     def _symbol(self, name: str) -> str:
         # No variable of the author's begins with an underscore.
@@ -457,20 +415,17 @@ class Program:
             symbol = f"_do_{name}_{count}"
         return symbol
 
-    def interpreted(self, namespace: dict[str, Any]) -> dict[str, Callable[..., Any]]:
+    def interpreted(self, namespace: Mapping[str, Any]) -> dict[str, Callable[..., Any]]:
         """Return the functions as ordinary Python, with the author's files and lines.
 
         Args:
             namespace: further names that the tree calls (the world's, the rows').
         """
         if self._codes is None:
-            self._codes = {one.symbol: _code(one) for one in self.functions.values()}
-        names: dict[str, Any] = {**RUNTIME, **namespace}
-        made: dict[str, Callable[..., Any]] = {
-            symbol: python_types.FunctionType(code, names) for symbol, code in self._codes.items()
-        }
-        names |= made
-        return made
+            self._codes = {
+                one.symbol: code_of(one.tree, one.source) for one in self.functions.values()
+            }
+        return functions_of(self._codes, namespace)
 
     def placed(
         self, population: str, tables: Mapping[str, Mapping[Any, int]], owners: Mapping[str, str]
@@ -506,48 +461,6 @@ class Program:
                 )
             indices.append(table[key])
         return indices
-
-
-def _code(function: TypedFunction) -> python_types.CodeType:
-    """Return a function as Python's code, under its author's name for tracebacks and debuggers."""
-    module = compiled(ast.Module([function.tree], []), function.source.file)
-    (code,) = (one for one in module.co_consts if isinstance(one, python_types.CodeType))
-    name = function.source.name
-    return code.replace(co_name=name, co_qualname=name)
-
-
-def present(value: Any) -> Any:
-    """Return an optional field's value; raise when it is None."""
-    if value is None:
-        raise ValueError("a field that is None was used as a number; ask `is None` before")
-    return value
-
-
-def agent_there(agent: Any) -> Any:
-    """Return an agent that may be None; raise when it is."""
-    if agent is None:
-        raise ValueError("an agent that is None was used; ask `is not None` before")
-    return agent
-
-
-RUNTIME: dict[str, Any] = {
-    **{
-        f"_{name}": function
-        for name, function in vars(arithmetic).items()
-        if isinstance(function, python_types.FunctionType) and not name.startswith("_")
-    },
-    "_present": present,
-    "_agent_there": agent_there,
-    "_perhaps": lambda agent: agent,
-    "_as_int": int,
-    "_as_float": float,
-    "_abs": abs,
-    "_len": len,
-    "_range": range,
-    "_print": print,
-    "_breakpoint": breakpoint,
-}
-"""What the trees of both speeds call by name."""
 
 
 _INSTEAD = {

@@ -297,7 +297,7 @@ class FunctionTyper:
                     "set its places one by one",
                 )
             if mark[0] == "agent":
-                self.program.changes(mark[1])
+                self.program.effects.changes(mark[1])
                 instead = self.program.shape.world.instead_of_setting(mark[1], reading.attr)
                 if instead is not None:
                     self.typer.refuse(target, f"a new value for {reading.attr!r} alone", instead)

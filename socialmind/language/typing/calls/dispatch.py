@@ -218,12 +218,11 @@ def _agent(typer: Typer, node: ast.Call, base: ast.expr, kind: types.RowType, na
     if asked is not None:
         return asked
     if name in ("die", "hatch"):
-        typer.program.changes(population)
+        typer.program.effects.changes(population)
     if name == "die":
-        typer.program.loses(population)
         fitted(typer, node, "die", Signature((), types.NONE))
         without_keywords(typer, node, "die")
-        typer.program.kills(population)
+        typer.program.effects.kills(population)
         return method_call(node, base, name, [], ("die", population)), types.NONE
     if name == "hatch":
         keep = False
@@ -294,7 +293,7 @@ def _population(
     if name == "create":
         _alone(typer, node, "create", f"new = model.{kind.population}.create()")
         typer.program.bears(kind.population)
-        typer.program.changes(kind.population)
+        typer.program.effects.changes(kind.population)
         return method_call(node, base, name, [], ("create", kind.population)), row
     if name == "one_of":
         kinds = [typer.expression(argument) for argument in node.args]
@@ -341,7 +340,7 @@ def _message(
             f"an agent that sends, and an agent of {to!r}",
         )
     typer.program.bears(messages)
-    typer.program.changes(messages)
+    typer.program.effects.changes(messages)
     values = [value for value, _ in written]
     return method_call(node, base, name, values, ("send", messages)), types.RowType(messages)
 

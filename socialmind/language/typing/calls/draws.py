@@ -70,7 +70,7 @@ def _shuffle(typer: Typer, node: ast.Call, stream: ast.expr) -> Typed:
         )
     mark: tuple[Any, ...] = getattr(value, "mark", ("other",))
     if mark[0] == "agent":
-        typer.program.changes(mark[1])
+        typer.program.effects.changes(mark[1])
     return drawn(node, stream, "shuffle", [value]), NONE
 
 

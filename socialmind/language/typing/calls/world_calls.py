@@ -44,7 +44,7 @@ def world_call(typer: Typer, node: ast.Call, base: ast.expr, name: str) -> Typed
                 typer.refuse(argument, f"{kind} for world.{name}()", "give it an agent", AGENT)
             arguments.append(value)
             keys.append(kind.population)
-            typer.program.changes(kind.population)
+            typer.program.effects.changes(kind.population)
         elif isinstance(one, types.Type) and one in types.NUMBERS:
             arguments.append(typer.fitted(argument, one, f"world.{name}()"))
         else:

@@ -176,7 +176,7 @@ def planned(program: Program, shape: PlaneShape) -> PlaneProgram:
     symbols += [c.symbol for one in stages.values() for s in one.values() for c in s.calls]
     obstacles = shape.obstacles
     shifting = obstacles is not None and any(
-        program.changed_by(symbol, obstacles) for symbol in symbols
+        program.effects.changed_by(symbol, obstacles) for symbol in symbols
     )
     settling = {}
     for robots, of_robots in stages.items():
