@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
@@ -182,18 +182,21 @@ class Role:
     Args:
         name: unique in its group.
         culturons: each named once.
+        position: x and y in the drawing of the scheme, or None.
 
     Raises:
-        SchemeError: two culturons have one name, or something is no culturon.
+        SchemeError: two culturons have one name, or something is no culturon or position.
     """
 
     name: str
     culturons: tuple[Culturon, ...] = ()
+    position: tuple[int, int] | None = None
 
     def __post_init__(self) -> None:
         where = f"role {self.name!r}"
         checks.checked_name(self.name, "a role")
         settle(self, "culturons", described_once(self.culturons, Culturon, "culturon", where))
+        _settle_position(self, where)
 
 
 @dataclass(frozen=True)
@@ -208,9 +211,10 @@ class Group:
             value when it is created, or a mapping.
         within: the type of group that an instance may lie in an instance of, and the role whose
             culturons all in it are under there; None for none.
+        position: x and y in the drawing of the scheme, or None.
 
     Raises:
-        SchemeError: two roles have one name, or something is no role or no number.
+        SchemeError: two roles have one name, or something is no role, number or position.
 
     >>> chief = Role("chief", (Culturon("Peace", 1, influence={"talk": 1}),))
     >>> other = Role("villager", (Culturon("Peace", 5, influence={"trade": 2}),))
@@ -222,9 +226,11 @@ class Group:
     roles: tuple[Role, ...] = ()
     attributes: tuple[tuple[str, float], ...] = ()
     within: tuple[str, str] | None = None
+    position: tuple[int, int] | None = None
 
     def __post_init__(self) -> None:
         checks.checked_name(self.name, "a group")
+        _settle_position(self, f"group {self.name!r}")
         if self.within is not None:
             around = checks.checked_names(self.within, f"what group {self.name!r} is within")
             if len(around) != 2:
@@ -244,8 +250,13 @@ class Group:
             for culturon in role.culturons:
                 described.setdefault(culturon.name, []).append(culturon)
         shared = {name: one_culturon(several) for name, several in described.items()}
-        one_each = tuple(Role(r.name, tuple(shared[c.name] for c in r.culturons)) for r in roles)
-        settle(self, "roles", one_each)
+        one_each = (replace(r, culturons=tuple(shared[c.name] for c in r.culturons)) for r in roles)
+        settle(self, "roles", tuple(one_each))
+
+    def without_positions(self) -> Group:
+        """Return it without its own place in a drawing and those of its roles."""
+        roles = tuple(replace(role, position=None) for role in self.roles)
+        return replace(self, roles=roles, position=None)
 
 
 def check_nesting(groups: Mapping[str, tuple[Iterable[str], tuple[str, str] | None]]) -> None:
@@ -366,13 +377,17 @@ def _check_links(holder: Cogniton | Culturon, where: str) -> None:
         holder, "start_value", checks.checked_number(holder.start_value, f"start_value of {where}")
     )
     settle(holder, "colour", checks.checked_colour(holder.colour, where))
-    if holder.position is not None:
-        settle(holder, "position", checks.checked_position(holder.position, where))
+    _settle_position(holder, where)
     for links in ("influence", "reinforcement"):
         weights = checks.checked_weights(getattr(holder, links), f"{links} links of {where}")
         settle(holder, links, weights)
     plans = checks.checked_names(holder.conditional, f"conditional links of {where}")
     settle(holder, "conditional", tuple(dict.fromkeys(plans)))
+
+
+def _settle_position(one: Cogniton | Culturon | Role | Group, where: str) -> None:
+    if one.position is not None:
+        settle(one, "position", checks.checked_position(one.position, where))
 
 
 def _check_becoming(one: Cogniton, where: str) -> None:

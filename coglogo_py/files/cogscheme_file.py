@@ -314,6 +314,12 @@ def written(scheme: Scheme) -> str:
                 "none: a CogLogo file holds no groups in others",
                 "save it as .yaml",
             )
+        if group != group.without_positions():
+            raise SchemeError(
+                f"positions of the group {group.name!r} or of its roles",
+                "none: a CogLogo file holds those of cognitons, culturons and plans",
+                "save it as .yaml",
+            )
     for one in scheme.cognitons:
         plain = Cogniton(one.name, one.starting, one.start_value)
         for name in OF_YAML_ALONE:

@@ -78,6 +78,8 @@ def _group(group: Group, name: str, plans: Mapping[str, str], lost: list[str]) -
         lost.append(f"{where}: its attributes {listed(names)} are left out")
     if group.within is not None:
         lost.append(f"{where}: that it lies in {group.within[0]!r} is left out")
+    if group != group.without_positions():
+        lost.append(f"{where}: its place in the drawing and those of its roles are left out")
     roles = fitting((one.name for one in group.roles), _line)
     culturons = fitting((held.name for one in group.roles for held in one.culturons), _line)
     lost += renamed_in_words(f"{where}: role", roles)

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from coglogo_py.parts import GREY, AScheme, Cogniton, Culturon, Group, Role, Sch
 
 TOP_FIELDS = (
     "name", "decision_maker", "breeds", "plans", "plan_positions", "cognitons", "groups",
-    "group_attributes", "nested_groups",
+    "group_attributes", "nested_groups", "group_positions", "role_positions",
 )  # fmt: skip
 LINK_FIELDS = ("influence", "conditional", "reinforcement")
 CULTURON_FIELDS = ("start", "colour", "position", *LINK_FIELDS)
@@ -33,6 +34,7 @@ COGNITON_FIELDS = (
 
 Attributes = tuple[tuple[str, float], ...]
 Around = tuple[str, str]
+Position = tuple[int, int]
 WIDTH = 100
 PLAIN = re.compile(r"[^\W\d][\w-]*( [\w-]+)*")
 """Names that need no quotes, but for the words that YAML takes for something else."""
@@ -136,9 +138,8 @@ def _described(
     }
 
 
-def _group(
-    nodes: Nodes, name: str, node: yaml.Node, attributes: Attributes, within: Around | None
-) -> Group:
+def _group(nodes: Nodes, name: str, node: yaml.Node) -> Group:
+    """Return a group as the field `groups` describes it: its roles and their culturons."""
     where = f"group {name!r}"
     earlier: dict[str, Culturon] = {}
     roles = []
@@ -152,27 +153,64 @@ def _group(
             earlier[culturon] = Culturon(culturon, **_described(nodes, given, here, first))
             culturons.append(earlier[culturon])
         roles.append(Role(role, tuple(culturons)))
-    return Group(name, tuple(roles), attributes, within)
+    return Group(name, tuple(roles))
 
 
-def _attributes(nodes: Nodes, node: yaml.Node, groups: list[str]) -> dict[str, Attributes]:
+def _attributes(nodes: Nodes, node: yaml.Node, groups: Collection[str]) -> dict[str, Attributes]:
     """Return the attributes of groups by the groups' names."""
     found = {}
     for group, at, values in nodes.entries(node, "group_attributes"):
-        if group not in groups:
-            known = f"a group of the scheme: {', '.join(groups) or 'there are none'}"
-            raise nodes.error(at, f"attributes of a group {group!r}", known)
+        _check_known(nodes, at, f"attributes of a group {group!r}", group, groups)
         found[group] = tuple(nodes.weights(values, f"attributes of group {group!r}").items())
     return found
 
 
-def _nesting(nodes: Nodes, node: yaml.Node, groups: list[str]) -> dict[str, Around]:
+def _positions(
+    nodes: Nodes, node: yaml.Node, field: str, part: str, known: Collection[str]
+) -> dict[str, Position]:
+    """Return the places of groups, or of the roles of a group, by their names."""
+    found = {}
+    for name, at, place in nodes.entries(node, field):
+        _check_known(nodes, at, f"the position of a {part} {name!r}", name, known, part)
+        found[name] = nodes.position(place, f"position of {part} {name!r}")
+    return found
+
+
+def _placed(
+    nodes: Nodes, given: dict[str, yaml.Node], groups: Iterable[Group]
+) -> tuple[Group, ...]:
+    """Return groups, and their roles, with the places in the drawing that the fields say."""
+    named = {one.name: one for one in groups}
+    places = _positions(
+        nodes, given.get("group_positions", NOTHING), "group_positions", "group", named
+    )
+    for name, place in places.items():
+        named[name] = replace(named[name], position=place)
+    for name, at, inner in nodes.entries(given.get("role_positions", NOTHING), "role_positions"):
+        _check_known(nodes, at, f"positions of the roles of a group {name!r}", name, named)
+        roles = {role.name: role for role in named[name].roles}
+        field = f"the positions of the roles of group {name!r}"
+        for role, place in _positions(nodes, inner, field, "role", roles).items():
+            roles[role] = replace(roles[role], position=place)
+        named[name] = replace(named[name], roles=tuple(roles.values()))
+    return tuple(named.values())
+
+
+def _check_known(
+    nodes: Nodes, at: yaml.Node, found: str, name: str, known: Collection[str], part: str = "group"
+) -> None:
+    """Refuse the name of a group, or of a role of one, that there is not."""
+    if name not in known:
+        whole = "scheme" if part == "group" else "group"
+        expected = f"a {part} of the {whole}: {', '.join(known) or 'there are none'}"
+        raise nodes.error(at, found, expected)
+
+
+def _nesting(nodes: Nodes, node: yaml.Node, groups: Collection[str]) -> dict[str, Around]:
     """Return the group and role that groups are within, by the groups' names."""
     found = {}
     for group, at, around in nodes.entries(node, "nested_groups"):
-        if group not in groups:
-            known = f"a group of the scheme: {', '.join(groups) or 'there are none'}"
-            raise nodes.error(at, f"a nested group {group!r}", known)
+        _check_known(nodes, at, f"a nested group {group!r}", group, groups)
         pairs = list(nodes.entries(around, f"what group {group!r} is within"))
         if len(pairs) != 1:
             raise nodes.error(at, f"{len(pairs)} groups around {group!r}", "one, {clan: member}")
@@ -197,17 +235,17 @@ def _scheme(
     def entries(field: str) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
         return nodes.entries(given.get(field, NOTHING), field)
 
-    groups = [(name, node) for name, _, node in entries("groups")]
-    attributes = _attributes(nodes, given.get("group_attributes", NOTHING), [n for n, _ in groups])
-    nesting = _nesting(nodes, given.get("nested_groups", NOTHING), [n for n, _ in groups])
-    described = tuple(
-        _group(nodes, name, node, attributes.get(name, ()), nesting.get(name))
-        for name, node in groups
+    groups = {name: _group(nodes, name, node) for name, _, node in entries("groups")}
+    attributes = _attributes(nodes, given.get("group_attributes", NOTHING), groups)
+    nesting = _nesting(nodes, given.get("nested_groups", NOTHING), groups)
+    described = (
+        replace(one, attributes=attributes.get(name, ()), within=nesting.get(name))
+        for name, one in groups.items()
     )
     return kind(
         nodes.name(given["name"], "name of the scheme"),
         tuple(_cogniton(nodes, name, node) for name, _, node in entries("cognitons")),
-        described,
+        _placed(nodes, given, described),
         MaximumWeight() if maker is None else _decision_maker(nodes, maker, decision_makers),
         nodes.names(given.get("breeds", NOTHING), "breeds"),
         {
@@ -253,7 +291,7 @@ def written(scheme: Scheme) -> str:
         lines += _list("breeds", scheme.breeds, "")
     order = scheme.linked_plans if scheme.plan_order is None else scheme.plan_order
     lines += _list("plans", order, "")
-    positions = {plan: f"[{x}, {y}]" for plan, (x, y) in scheme.plan_positions.items()}
+    positions = {plan: position_text(place) for plan, place in scheme.plan_positions.items()}
     lines += _mapping("plan_positions", positions, "")
     if scheme.cognitons:
         lines.append("cognitons:")
@@ -286,6 +324,11 @@ def written(scheme: Scheme) -> str:
         if group.within is not None:
             around, part = group.within
             lines += _mapping(name_text(group.name), {around: name_text(part)}, "  ")
+    lines += _mapping("group_positions", _places(scheme.groups), "")
+    if any(role.position for group in scheme.groups for role in group.roles):
+        lines.append("role_positions:")
+    for group in scheme.groups:
+        lines += _mapping(name_text(group.name), _places(group.roles), "  ")
     return HEADER + "\n".join(lines) + "\n"
 
 
@@ -295,7 +338,7 @@ def _rest(holder: Cogniton | Culturon, indent: str) -> list[str]:
     if holder.colour != GREY:
         lines.append(indent + "colour: '#{:02x}{:02x}{:02x}'".format(*holder.colour))
     if holder.position is not None:
-        lines.append(f"{indent}position: [{holder.position[0]}, {holder.position[1]}]")
+        lines.append(f"{indent}position: {position_text(holder.position)}")
     influence = {plan: number_text(weight) for plan, weight in holder.influence.items()}
     reinforcement = {plan: number_text(weight) for plan, weight in holder.reinforcement.items()}
     lines += _mapping("influence", influence, indent)
@@ -316,6 +359,11 @@ def _becoming(cogniton: Cogniton, indent: str) -> list[str]:
     shares = {"chance": cogniton.chance, "inherited": cogniton.inherited}
     lines += [f"{indent}{name}: {number_text(one)}" for name, one in shares.items() if one != 1.0]
     return lines
+
+
+def _places(parts: Iterable[Group | Role]) -> dict[str, str]:
+    """Return the places of those that have one, by their names."""
+    return {one.name: position_text(one.position) for one in parts if one.position is not None}
 
 
 def _flow(texts: list[str]) -> str:
@@ -342,6 +390,11 @@ def _list(field: str, names: Iterable[str], indent: str) -> list[str]:
         if len(line) <= WIDTH
         else [f"{indent}{field}:", *(f"{indent}  - {t}" for t in texts)]
     )
+
+
+def position_text(position: Sequence[int]) -> str:
+    """Return a place in the drawing as the file has it."""
+    return f"[{position[0]}, {position[1]}]"
 
 
 def number_text(value: float) -> str:

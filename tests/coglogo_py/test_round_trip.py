@@ -45,6 +45,7 @@ any_names = st.text(max_size=6) | odd_names | st.sampled_from("abcd")
 line_names = any_names.filter(lambda n: not set(n) & set("\0\r\n=") and n not in KEYWORDS)
 numbers = st.floats(allow_nan=False, allow_infinity=False) | st.integers(-3, 3)
 coordinates = st.tuples(*[st.integers(-(2**31), 2**31 - 1)] * 2)
+anywhere = st.none() | coordinates
 makers = st.sampled_from([MaximumWeight, WeightedStochastic, BiasedWeightedStochastic, Loyal])
 
 
@@ -56,7 +57,7 @@ def descriptions(kind, names, *more):
         *more,
         numbers,
         st.tuples(*[st.integers(0, 255)] * 3),
-        st.none() | coordinates,
+        anywhere,
         links,
         st.lists(names, max_size=4),
         links,
@@ -67,13 +68,14 @@ def named_once(values):
     return st.lists(values, max_size=4, unique_by=lambda value: value.name)
 
 
-def schemes(names, orders):
-    roles = st.builds(Role, names, named_once(descriptions(Culturon, names)))
+def schemes(names, orders, places=anywhere):
+    roles = st.builds(Role, names, named_once(descriptions(Culturon, names)), places)
+    groups = st.builds(Group, names, named_once(roles), position=places)
     return st.builds(
         CognitiveScheme,
         names,
         named_once(descriptions(Cogniton, names, st.booleans())),
-        named_once(st.builds(Group, names, named_once(roles))),
+        named_once(groups),
         st.builds(lambda maker, bias: maker(bias), makers, st.floats(0, 1e9, exclude_min=True)),
         st.lists(names, unique=True, max_size=3),
         st.dictionaries(names, coordinates, max_size=3),
@@ -89,7 +91,7 @@ def saved_and_loaded(scheme, name):
 
 
 @pytest.mark.filterwarnings("ignore:.*has groups but no cogniton")
-@given(schemes(line_names, st.none()))
+@given(schemes(line_names, st.none(), places=st.none()))
 def test_as_a_coglogo_file(scheme):
     loaded = saved_and_loaded(scheme, "a.cogscheme")
     assert loaded == scheme

@@ -309,7 +309,8 @@ class _Export:
             self.lost.append("breeds are left out: a civilisation names its scheme")
         if scheme.plan_order is not None and scheme.plan_order != scheme.linked_plans:
             self.lost.append("between equals MetaCiv takes the plan that was permitted first")
-        if scheme.plan_positions or any(one.position is not None for one in self.holders):
+        drawn = [*self.holders, *scheme.groups, *(r for g in scheme.groups for r in g.roles)]
+        if scheme.plan_positions or any(one.position is not None for one in drawn):
             self.lost.append("places in the drawing are left out")
         untyped = [one.name for one in scheme.cognitons if one.type is None]
         if untyped:

@@ -188,7 +188,9 @@ def _undrawn(scheme: CognitiveScheme) -> CognitiveScheme:
     def of(one: Any) -> Any:
         return replace(one, colour=(0, 0, 0), position=None)
 
-    return replace(_with_holders(scheme, of), plan_positions={}, plan_order=scheme.plans)
+    bare = _with_holders(scheme, of)
+    groups = tuple(one.without_positions() for one in bare.groups)
+    return replace(bare, groups=groups, plan_positions={}, plan_order=scheme.plans)
 
 
 def _with_holders(scheme: CognitiveScheme, of: Callable[[Any], Any]) -> CognitiveScheme:

@@ -120,10 +120,12 @@ def _group(
         "name": group.name,
         "attributes": [[name, value] for name, value in group.attributes],
         "within": within,
+        "position": _place(group.position),
         "roles": [
             {
                 "id": f"{identity}r{place}",
                 "name": one.name,
+                "position": _place(one.position),
                 "culturons": [culturons[culturon.name] for culturon in one.culturons],
             }
             for place, one in enumerate(group.roles)
@@ -266,11 +268,16 @@ def _group_of(
     return Group(
         one["name"],
         tuple(
-            Role(role["name"], tuple(culturons[c] for c in role["culturons"] if c in culturons))
+            Role(
+                role["name"],
+                tuple(culturons[c] for c in role["culturons"] if c in culturons),
+                role["position"],
+            )
             for role in one["roles"]
         ),
         tuple((name, value) for name, value in one["attributes"]),
         None if within is None else (groups[within[0]], roles[within[1]]),
+        one["position"],
     )
 
 

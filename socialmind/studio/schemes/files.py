@@ -65,12 +65,11 @@ def written(
     makers = tuple(makers)
     scheme = scheme_of(document, makers)
     yaml = suffix.lower() in YAML
-    if not yaml:
-        scheme, notes = _for_coglogo(scheme)
+    scheme, notes = (scheme, ()) if yaml else _for_coglogo(scheme)
     if base and (base_suffix.lower() in YAML) == yaml:
         before = CognitiveScheme.parsed(base, f"text{base_suffix}", makers)
         if _same(scheme, before):
-            return Written(base)
+            return Written(base, notes)
         if yaml:
             return _changed(document, scheme, before, base, suffix, makers)
     if yaml:
@@ -104,13 +103,17 @@ def _same(one: CognitiveScheme, other: CognitiveScheme) -> bool:
 
 
 def _for_coglogo(scheme: CognitiveScheme) -> tuple[CognitiveScheme, tuple[str, ...]]:
-    """Return a scheme as CogLogo's form can hold it, with plans in the order of links."""
+    """Return a scheme as CogLogo's form can hold it, and what that leaves out, in sentences."""
+    notes = []
+    placeless = replace(scheme, groups=tuple(one.without_positions() for one in scheme.groups))
+    if placeless.groups != scheme.groups:
+        notes.append("CogLogo's form holds no places of groups and roles: they are laid out anew")
     if scheme.plans == scheme.linked_plans:
-        return scheme, ()
-    notes = ["CogLogo's form holds no order of plans: that of the links is taken"]
-    lost = [
-        p for p in scheme.plans if p not in scheme.linked_plans and p not in scheme.plan_positions
-    ]
+        return placeless, tuple(notes)
+    named = {*scheme.linked_plans, *scheme.plan_positions}
+    lost = [plan for plan in scheme.plans if plan not in named]
     if lost:
-        notes = [f"CogLogo's form holds no plans without links or positions: {', '.join(lost)}"]
-    return replace(scheme, plan_order=None), tuple(notes)
+        notes.append(f"CogLogo's form holds no plans without links or positions: {', '.join(lost)}")
+    else:
+        notes.append("CogLogo's form holds no order of plans: that of the links is taken")
+    return replace(placeless, plan_order=None), tuple(notes)

@@ -7,7 +7,13 @@ from typing import Any
 
 import yaml
 
-from coglogo_py.files.yaml_file import COGNITON_FIELDS, TOP_FIELDS, name_text, number_text
+from coglogo_py.files.yaml_file import (
+    COGNITON_FIELDS,
+    TOP_FIELDS,
+    name_text,
+    number_text,
+    position_text,
+)
 from coglogo_py.files.yaml_nodes import composed
 from socialmind.studio.schemes.document import CONDITIONS, SHARES, WEIGHTS, Document
 from socialmind.studio.schemes.patching import Items, Patch, Value, entries, patched
@@ -73,26 +79,47 @@ class _Difference:
             "before": {self.was[one["id"]]: one["position"] for one in before["plans"]},
             "after": {self.now[one["id"]]: one["position"] for one in after["plans"]},
         }
-        self._within(patch, "plan_positions", self._values(**positions, text=_flow_position))
+        places = _values(**positions, text=position_text, renamed=self.renamed)
+        self._within(patch, "plan_positions", places)
         self._within(patch, "cognitons", self._cognitons())
         self._within(patch, "groups", self._groups())
-        names = _renamed(before["groups"], after["groups"])
-        numbers: dict[str, Any] = {
-            word: {
-                one["name"]: dict(one["attributes"]) for one in each["groups"] if one["attributes"]
-            }
-            for word, each in (("before", before), ("after", after))
-        }
-        self._within(patch, "group_attributes", _attributes(**numbers, renamed=names))
-        around: dict[str, Any] = {"before": _nesting(before), "after": _nesting(after)}
-        self._within(patch, "nested_groups", self._values(**around, text=str, renamed=names))
+        self._of_groups(patch)
         return patch
 
+    def _of_groups(self, patch: Patch) -> None:
+        """Patch what is said of groups beside their roles and culturons."""
+        before, after = self.before["groups"], self.after["groups"]
+        names = _renamed(before, after)
+        roles = {
+            was["name"]: _renamed(was["roles"], now["roles"])
+            for was in before
+            for now in after
+            if was["id"] == now["id"]
+        }
+
+        def said(of: Any) -> dict[str, Any]:
+            return {
+                word: {one["name"]: of(one) for one in each}
+                for word, each in (("before", before), ("after", after))
+            }
+
+        numbers = _by_group(**said(lambda one: dict(one["attributes"])), text=_number, names=names)
+        self._within(patch, "group_attributes", numbers)
+        around: dict[str, Any] = {"before": _nesting(self.before), "after": _nesting(self.after)}
+        self._within(patch, "nested_groups", _values(**around, text=str, renamed=names))
+        places = _values(**said(lambda one: one["position"]), text=position_text, renamed=names)
+        self._within(patch, "group_positions", places)
+        inner = said(lambda one: {role["name"]: role["position"] for role in one["roles"]})
+        places = _by_group(**inner, text=position_text, names=names, inner_names=roles)
+        self._within(patch, "role_positions", places)
+
     def _within(self, patch: Patch, name: str, inner: Patch) -> None:
-        """Take a patch of a field of the whole, which may not stand there yet."""
+        """Take a patch of a field of the whole, which may not stand there yet, or go empty."""
         if not inner:
             return
-        if name in self.root:
+        if name in self.root and inner.removed == {*entries(self.root[name])} and not inner.added:
+            patch.removed.add(name)
+        elif name in self.root:
             patch.inner[name] = inner
         else:
             patch.added[name] = inner.added
@@ -121,31 +148,6 @@ class _Difference:
             if was["bias"] != now["bias"]:
                 (inner.inner if "bias" in entries(stands) else inner.added)["bias"] = bias
             patch.inner["decision_maker"] = inner
-
-    def _values(
-        self,
-        before: Mapping[str, Any],
-        after: Mapping[str, Any],
-        text: Any,
-        renamed: Mapping[str, str] | None = None,
-    ) -> Patch:
-        """Return the patch of a mapping of values on one line; None stands for no entry."""
-        renamed = self.renamed if renamed is None else renamed
-        patch = Patch()
-        was = {name: value for name, value in before.items() if value is not None}
-        now = {name: value for name, value in after.items() if value is not None}
-        for name, value in was.items():
-            new = renamed.get(name, name)
-            if new not in now:
-                patch.removed.add(name)
-                continue
-            if new != name:
-                patch.renamed[name] = new
-            if now[new] != value:
-                patch.inner[name] = text(now[new])
-        stays = {renamed.get(name, name) for name in was}
-        patch.added = {name: text(value) for name, value in now.items() if name not in stays}
-        return patch
 
     def _cognitons(self) -> Patch:
         stands = entries(self.root.get("cognitons"))
@@ -183,7 +185,7 @@ class _Difference:
                 "before": {self.was[plan]: weight for plan, weight in before[name]},
                 "after": {self.now[plan]: weight for plan, weight in after[name]},
             }
-            inner = self._values(**links, text=_number)
+            inner = _values(**links, text=_number, renamed=self.renamed)
             if not inner:
                 continue
             if name not in stands:
@@ -211,7 +213,7 @@ class _Difference:
         found["start"] = _number(one["start"])
         found["colour"] = f"'{one['colour']}'"
         if one["position"] is not None:
-            found["position"] = _flow_position(one["position"])
+            found["position"] = position_text(one["position"])
         for name in WEIGHTS:
             if one[name]:
                 pairs = (f"{name_text(self.now[plan])}: {_number(w)}" for plan, w in one[name])
@@ -354,34 +356,66 @@ def _nesting(document: Document) -> dict[str, str]:
     }
 
 
-def _attributes(
-    before: Mapping[str, Any], after: Mapping[str, Any], renamed: Mapping[str, str]
+def _values(
+    before: Mapping[str, Any], after: Mapping[str, Any], text: Any, renamed: Mapping[str, str]
 ) -> Patch:
+    """Return the patch of a mapping of values on one line; None stands for no entry."""
     patch = Patch()
-    for group, numbers in before.items():
-        new = renamed.get(group, group)
-        if new not in after:
+    was, now = _there(before), _there(after)
+    for name, value in was.items():
+        new = renamed.get(name, name)
+        if new not in now:
+            patch.removed.add(name)
+            continue
+        if new != name:
+            patch.renamed[name] = new
+        if now[new] != value:
+            patch.inner[name] = text(now[new])
+    stays = {renamed.get(name, name) for name in was}
+    patch.added = {name: text(value) for name, value in now.items() if name not in stays}
+    return patch
+
+
+def _by_group(
+    before: Mapping[str, Mapping[str, Any]],
+    after: Mapping[str, Mapping[str, Any]],
+    text: Any,
+    names: Mapping[str, str],
+    inner_names: Mapping[str, Mapping[str, str]] | None = None,
+) -> Patch:
+    """Return the patch of a mapping from groups to mappings of values; of none there is no entry.
+
+    Args:
+        before: by the names of groups.
+        after: likewise.
+        text: makes a text of a value.
+        names: new names of groups by old ones.
+        inner_names: new names within a group by old ones, by the group's old name.
+    """
+    patch = Patch()
+    was = {group: there for group, values in before.items() if (there := _there(values))}
+    now = {group: there for group, values in after.items() if (there := _there(values))}
+    for group, values in was.items():
+        new = names.get(group, group)
+        if new not in now:
             patch.removed.add(group)
             continue
         if new != group:
             patch.renamed[group] = new
-        now = after[new]
-        inner = Patch(removed=set(numbers) - set(now))
-        inner.inner = {n: _number(now[n]) for n in numbers if n in now and now[n] != numbers[n]}
-        inner.added = {n: _number(value) for n, value in now.items() if n not in numbers}
+        inner = _values(values, now[new], text, (inner_names or {}).get(group, {}))
         if inner:
             patch.inner[group] = inner
-    stays = {renamed.get(group, group) for group in before}
-    for group, numbers in after.items():
+    stays = {names.get(group, group) for group in was}
+    for group, values in now.items():
         if group not in stays:
-            pairs = (f"{name_text(name)}: {_number(value)}" for name, value in numbers.items())
+            pairs = (f"{name_text(name)}: {text(value)}" for name, value in values.items())
             patch.added[group] = f"{{{', '.join(pairs)}}}"
     return patch
 
 
+def _there(values: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in values.items() if value is not None}
+
+
 def _number(value: Any) -> str:
     return number_text(float(value))
-
-
-def _flow_position(position: Any) -> str:
-    return f"[{position[0]}, {position[1]}]"

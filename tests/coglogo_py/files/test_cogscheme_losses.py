@@ -29,7 +29,7 @@ def test_each_loss_is_named():
         ),
         (
             Group("herd", (Role("x\ny", (Culturon("Calm"),)),), (("milk", 1.0),)),
-            Group("family", within=("herd", "x\ny")),
+            Group("family", within=("herd", "x\ny"), position=(1, 2)),
         ),
         Loyal(),
         plan_order=("eat", "a=b"),
@@ -43,6 +43,7 @@ def test_each_loss_is_named():
         "group 'herd': its attributes 'milk' are left out",
         "group 'herd': role 'x\\ny' is called 'x y'",
         "group 'family': that it lies in 'herd' is left out",
+        "group 'family': its place in the drawing and those of its roles are left out",
         "the decision maker Loyal, which CogLogo lacks, becomes MaximumWeight",
         "the order of plans, ['eat', 'a=b', 'a_b'], becomes ['a_b_2', 'a_b']",
     )

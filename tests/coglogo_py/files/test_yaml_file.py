@@ -154,6 +154,23 @@ groups:
     assert group == Group("g", (Role("r", (k,)), Role("s", (k,))))
 
 
+def test_groups_and_roles_stand_where_a_drawing_has_them():
+    group, other = read("""
+name: c
+groups:
+  g: {r: {k: {position: [5, 6]}}, s: }
+  h:
+nested_groups: {h: {g: r}}
+group_positions: {g: [-480, 0]}
+role_positions: {g: {s: [-290, 90]}}
+""").groups
+    assert group == Group(
+        "g", (Role("r", (Culturon("k", position=(5, 6)),)), Role("s", (), (-290, 90))),
+        position=(-480, 0),
+    )  # fmt: skip
+    assert (other.position, other.within) == (None, ("g", "r"))
+
+
 def test_other_readers_of_yaml_see_the_same_values():
     scheme = CognitiveScheme(
         "yes",
@@ -206,6 +223,23 @@ def test_what_is_saved_begins_with_a_comment_and_describes_a_culturon_once():
         ("name: c\nplans:\n  - \n", 3, "found nothing as a name in plans; expected a name"),
         ("name: c\nplan_positions: {a: 3}\n", 2, "as position of plan 'a'; expected a list"),
         ("name: c\nplan_positions: {a: [1, 3000000000]}\n", 2, "a whole number of 32 bits"),
+        (
+            "name: c\ngroups: {g: {r: }}\ngroup_positions: {g: [1, 2],\n  h: [0, 0]}\n",
+            4,
+            "the position of a group 'h'; expected a group of the scheme: g",
+        ),
+        (
+            "name: c\ngroups: {g: {r: }}\nrole_positions:\n  g: {r: [1, 2], s: [0, 0]}\n",
+            4,
+            "the position of a role 's'; expected a role of the group: r",
+        ),
+        ("name: c\nrole_positions: {g: {r: [1, 2]}}\n", 2, "of a group 'g'; expected a group of"),
+        ("name: c\ngroups: {g: }\ngroup_positions: {g: 3}\n", 3, "as position of group 'g'; exp"),
+        (
+            "name: c\ngroups: {g: {r: }}\nrole_positions: {g: {r: [1]}}\n",
+            3,
+            "as position of role 'r'; expected two whole numbers; write [97, -20]",
+        ),
         ("name: &a [*a]\n", 1, "expected a name"),
         ("name: c\nbreeds: cows\n", 2, "found 'cows' as breeds; expected a list; write [cows]"),
     ],

@@ -25,6 +25,12 @@ def holders(document):
     return [*document["cognitons"], *(c for g in document["groups"] for c in g["culturons"])]
 
 
+def boxes(document):
+    groups = document["groups"]
+    roles = [role for group in groups for role in group["roles"]]
+    return [*holders(document), *document["plans"], *groups, *roles]
+
+
 def one_of(draw, values):
     values = list(values)
     return draw(st.sampled_from(values)) if values else None
@@ -56,13 +62,14 @@ def add_cogniton(draw, document, number):
 
 def add_group(draw, document, number):
     name = fresh(draw, document["groups"])
-    role = {"id": f"n{number}r", "name": "member", "culturons": []}
+    role = {"id": f"n{number}r", "name": "member", "position": [190, 0], "culturons": []}
     document["groups"].append(
         {
             "id": f"n{number}",
             "name": name,
             "attributes": [],
             "within": None,
+            "position": [0, 0],
             "roles": [role],
             "culturons": [],
         }
@@ -73,7 +80,8 @@ def add_role(draw, document, number):
     group = one_of(draw, document["groups"])
     if group:
         name = fresh(draw, group["roles"])
-        group["roles"].append({"id": f"n{number}", "name": name, "culturons": []})
+        role = {"id": f"n{number}", "name": name, "position": None, "culturons": []}
+        group["roles"].append(role)
 
 
 def add_culturon(draw, document, number):
@@ -150,6 +158,12 @@ def set_field(draw, document, number):
         holder[field] = value
 
 
+def drag(draw, document, number):
+    one = one_of(draw, boxes(document))
+    if one:
+        one["position"] = draw(st.sampled_from([[-480, 7], [0, 0], [2**31 - 1, -(2**31)]]))
+
+
 def set_maker(draw, document, number):
     name = draw(
         st.sampled_from(["MaximumWeight", "WeightedStochastic", "BiasedWeightedStochastic"])
@@ -221,7 +235,7 @@ def remove_group(draw, document, number):
 
 ADDING = (
     add_plan, add_cogniton, add_group, add_role, add_culturon, rename, rename_scheme, weigh,
-    open_or_close, set_field, set_maker, set_breeds, reorder, nest,
+    open_or_close, set_field, drag, set_maker, set_breeds, reorder, nest,
 )  # fmt: skip
 REMOVING = (
     unlink, share_culturon, set_attribute, remove_plan, remove_cogniton, remove_role, remove_group,

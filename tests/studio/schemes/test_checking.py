@@ -51,8 +51,9 @@ def test_an_error_is_told_at_its_part_in_a_sentence(document):
 
 def test_several_errors_are_told_at_once_and_nesting_at_its_group():
     groups = [
-        {"id": g, "name": g, "attributes": [], "culturons": [], "within": [o, f"{o}r"],
-         "roles": [{"id": f"{g}r", "name": "r", "culturons": []}]}
+        {"id": g, "name": g, "attributes": [], "culturons": [], "position": None,
+         "within": [o, f"{o}r"],
+         "roles": [{"id": f"{g}r", "name": "r", "position": None, "culturons": []}]}
         for g, o in (("a", "b"), ("b", "a"))
     ]  # fmt: skip
     found = checked({**document_of(CognitiveScheme("x")), "groups": groups})

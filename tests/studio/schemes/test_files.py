@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from coglogo_py import CognitiveScheme, SchemeError
 from socialmind.studio.schemes.document import document_of, scheme_of
 from socialmind.studio.schemes.files import opened, written
-from tests.studio.schemes.edits import ADDING, edited
+from tests.studio.schemes.edits import ADDING, drag, edited
 
 HERD = """\
 # A herd.
@@ -123,6 +123,37 @@ def test_edits_that_are_taken_back_leave_the_text(data):
     assert written(before, ".yaml", HERD, ".yaml").text == HERD
 
 
+@settings(max_examples=50)
+@given(st.data())
+def test_what_is_dragged_stands_there_and_dragged_back_the_text_is_as_it_was(data):
+    text = data.draw(st.sampled_from(list(TEXTS.values()))).replace("C: {}", "C:") + "\n"
+    before = document_of(parsed(text))
+    after = data.draw(edited(before, (drag,)))
+    found = written(after, ".yaml", text, ".yaml")
+    assert found.notes == ()
+    assert document_of(parsed(found.text)) == after
+    assert written(before, ".yaml", found.text, ".yaml").text == text
+
+
+def test_a_dragged_group_and_its_roles_are_said_at_the_end():
+    document = document_of(parsed(HERD))
+    herd = document["groups"][0]
+    herd["position"] = [-480, 0]
+    herd["roles"][1]["position"] = [-290, 90]
+    text = written(document, ".yaml", HERD, ".yaml").text
+    end = "# The end.\n"
+    lines = "group_positions:\n  herd: [-480, 0]\nrole_positions:\n  herd: {follower: [-290, 90]}\n"
+    assert text == HERD.removesuffix(end) + lines + end
+    # Renamed, they stay where they are; gone, so is what was said of them.
+    herd["name"], herd["roles"][1]["name"] = "flock", "sheep"
+    renamed = written(document, ".yaml", text, ".yaml").text
+    assert "  flock: {sheep: [-290, 90]}\n" in renamed
+    assert document_of(parsed(renamed)) == document_of(scheme_of(document))
+    document["groups"] = document["groups"][1:]
+    gone = written(document, ".yaml", text, ".yaml").text
+    assert not re.search("_positions:.*herd|(group|role)_positions", gone)
+
+
 def test_one_weight_changes_one_number():
     document = document_of(parsed(HERD))
     document["cognitons"][0]["influence"][0][1] = -0.2
@@ -170,6 +201,27 @@ def test_a_coglogo_file_unchanged_is_the_same_and_changed_keeps_places(tmp_path)
     assert scheme.cognitons[0].influence == {"eat": 3.0}
     assert (scheme.cognitons[0].position, scheme.cognitons[0].colour) == ((5, 6), (255, 255, 0))
     assert scheme.plan_positions == {"eat": (97, -20), "run": (1, 2)}
+
+
+def test_that_coglogos_form_holds_no_places_of_groups_is_said(tmp_path):
+    path = tmp_path / "cows.cogscheme"
+    path.write_text(
+        "STARTCS\ncows\nMaximumWeight\nBREEDS\nCOG\nhunger\n-256\ntrue\n2\nINFLUENCE\neat=2\n"
+        "GRP\nherd\nROL\nleader\nCOG\ntrust\n-256\n2\nINFLUENCE\neat=1\nENDCS\n"
+    )
+    base, document = opened(path)
+    (herd,) = document["groups"]
+    herd["culturons"][0]["position"] = [7, 8]
+    found = written(document, ".cogscheme", base, ".cogscheme")
+    assert found.notes == ()
+    assert document_of(CognitiveScheme.parsed(found.text, path)) == document
+    herd["roles"][0]["position"] = [5, 6]
+    told = written(document, ".cogscheme", found.text, ".cogscheme")
+    assert told.notes == (
+        "CogLogo's form holds no places of groups and roles: they are laid out anew",
+    )
+    assert told.text == found.text
+    assert parsed(written(document, ".yaml").text).groups[0].roles[0].position == (5, 6)
 
 
 def test_what_coglogos_form_cannot_hold_is_said():
