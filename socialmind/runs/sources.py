@@ -190,7 +190,7 @@ def changes_since(capsule: Made, model_class: type[Model]) -> str | None:
     for population, path in capsule.minds.items():
         if not path.is_dir():
             return f"{path}: the run's copy of its mind is missing"
-        if hash_of(files_in(path)) != capsule.manifest.minds[population]["sha256"]:
+        if hash_of(mind_files_in(path)) != capsule.manifest.minds[population]["sha256"]:
             return f"{path}: the run's copy of its mind was changed"
     return None
 
@@ -328,6 +328,14 @@ def files_in(folder: Path) -> dict[str, bytes]:
         for path in paths
         if "__pycache__" not in path.parts
     }
+
+
+def mind_files_in(folder: Path) -> dict[str, bytes]:
+    """The files of a kept mind, by their paths in it; where an editor draws it is none of it."""
+    from socialmind.mind.files.layout import LAYOUT  # where there are minds it is loaded
+
+    found = files_in(folder).items()
+    return {name: content for name, content in found if "/" in name or not name.endswith(LAYOUT)}
 
 
 def hash_of(files: Mapping[str, bytes]) -> str:

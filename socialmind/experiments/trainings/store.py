@@ -21,7 +21,7 @@ from socialmind.learning.training.result import Training
 from socialmind.mind.files.packing import files_of
 from socialmind.runs.arrays_file import save_arrays
 from socialmind.runs.folders import FINISHED, INTERRUPTED, MANIFEST
-from socialmind.runs.sources import files_in
+from socialmind.runs.sources import mind_files_in
 from socialmind.sources.folders import model_folder, source_hash
 from socialmind.work.files import replace_file
 
@@ -144,7 +144,7 @@ def differences(training: Training, plan: TrainingPlan) -> list[str]:
     same = {
         SOURCE: manifest.model["source_sha256"] == source_hash(model_folder(plan.model)),
         LESSONS: manifest.lessons == as_json(plan.curriculum().record()),
-        "the mind to begin from": files_in(training.folder / "mind") == files_of(plan.mind()),
+        "the mind to begin from": mind_files_in(training.folder / "mind") == files_of(plan.mind()),
         "the seed": manifest.seed == plan.seed,
     }
     return [what for what, agrees in same.items() if not agrees]

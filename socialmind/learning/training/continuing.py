@@ -17,7 +17,7 @@ from socialmind.learning.training.capsule import TrainingCapsule, TrainingManife
 from socialmind.learning.training.course import TrainingCourse, curriculum_of
 from socialmind.mind.description import MindDescription
 from socialmind.runs.folders import refuse_other_version
-from socialmind.runs.sources import files_in, what_was_edited
+from socialmind.runs.sources import mind_files_in, what_was_edited
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, require
@@ -31,7 +31,7 @@ def check_folder(capsule: TrainingCapsule, curriculum: Curriculum) -> None:
         SocialmindError: a file is missing, cut off or changed.
     """
     manifest = capsule.manifest
-    if hash_of(files_in(capsule.mind)) != manifest.mind["sha256"]:
+    if hash_of(mind_files_in(capsule.mind)) != manifest.mind["sha256"]:
         raise SocialmindError(
             f"{capsule.mind}: the training's copy of the mind that it began from is missing or was "
             "changed; take it from a copy of the folder"

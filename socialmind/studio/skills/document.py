@@ -3,6 +3,7 @@
 A document is JSON: ``name``, ``sensors``, ``actuators``, ``variables`` (each with ``id``, ``name``,
 ``kind`` and the ``fields`` that follow in its line) and ``skills`` (``id``, ``name``, ``was``: the
 name under which its files lie, ``inputs``, ``outputs``, ``function``: its keyword, and ``lines``).
+Each part has a ``position``: x and y where somebody put it, or None.
 Identities are a page's own; an opened document has those of its order.
 """
 
@@ -15,6 +16,7 @@ from typing import Any
 from socialmind.errors import SocialmindError
 from socialmind.mind.files.evoagents.botdesc import ACTUATORS, SENSORS
 from socialmind.mind.files.evoagents.text_file import Lines, one_line
+from socialmind.mind.files.layout import LARGEST, SECTIONS, Places
 
 Document = dict[str, Any]
 EMPTY: Document = {
@@ -65,6 +67,7 @@ def assembled(
     actuators: Iterable[list[str]],
     variables: Iterable[list[str]],
     skills: Iterable[Mapping[str, Any]],
+    places: Places,
 ) -> Document:
     """Return the document of lines that were read.
 
@@ -74,7 +77,13 @@ def assembled(
         actuators: likewise.
         variables: likewise.
         skills: as `skill_lines` gives them.
+        places: where parts were put.
     """
+
+    def position(what: str, name: str) -> list[int] | None:
+        place = places.get(what, {}).get(name)
+        return None if place is None else list(place)
+
     lines = {"sensors": sensors, "actuators": actuators, "variables": variables}
     modules = {
         what: [
@@ -83,13 +92,34 @@ def assembled(
                 "name": one[0],
                 "kind": one[1] if len(one) > 1 else "",
                 "fields": one[2:],
+                "position": position(what, one[0]),
             }
             for place, one in enumerate(some)
         ]
         for what, some in lines.items()
     }
-    own = [{"id": f"k{place}", "was": one["name"], **one} for place, one in enumerate(skills)]
+    own = [
+        {
+            "id": f"k{place}",
+            "was": one["name"],
+            **one,
+            "position": position("skills", one["name"]),
+        }
+        for place, one in enumerate(skills)
+    ]
     return {"name": name, **modules, "skills": own}
+
+
+def places_of(document: Document) -> Places:
+    """Return where the parts of a document were put."""
+    return {
+        what: {
+            one["name"]: (one["position"][0], one["position"][1])
+            for one in document[what]
+            if one["position"] is not None
+        }
+        for what in SECTIONS
+    }
 
 
 def module_line(one: Mapping[str, Any]) -> str:
@@ -119,7 +149,7 @@ def checked_shape(document: Any) -> Document:
     found: Document = {"name": document["name"]}
     for what in ("sensors", "actuators", "variables"):
         found[what] = [
-            {**_texts(one, "id", "name", "kind"), **_lists(one, "fields")}
+            {**_texts(one, "id", "name", "kind"), **_lists(one, "fields"), **_position(one)}
             for one in _parts(document, what)
         ]
     found["skills"] = [
@@ -127,6 +157,7 @@ def checked_shape(document: Any) -> Document:
             **_texts(one, "id", "name", "function"),
             **_lists(one, "inputs", "outputs", "lines"),
             "was": one["was"] if isinstance(one.get("was"), str) else None,
+            **_position(one),
         }
         for one in _parts(document, "skills")
     ]
@@ -146,6 +177,17 @@ def _texts(one: Mapping[str, Any], *names: str) -> dict[str, str]:
     if not all(isinstance(one.get(name), str) for name in names):
         raise SocialmindError(f"expected texts: {', '.join(names)}")
     return {name: one[name] for name in names}
+
+
+def _position(one: Mapping[str, Any]) -> dict[str, list[int] | None]:
+    place = one.get("position")
+    if place is not None and not (
+        isinstance(place, list)
+        and len(place) == 2
+        and all(type(x) is int and -LARGEST <= x < LARGEST for x in place)
+    ):
+        raise SocialmindError("expected two whole numbers of 32 bits as a position")
+    return {"position": place}
 
 
 def _lists(one: Mapping[str, Any], *names: str) -> dict[str, list[str]]:

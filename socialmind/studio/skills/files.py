@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from difflib import SequenceMatcher
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -25,8 +25,9 @@ from socialmind.mind.files.evoagents.folder_reader import (
     files_in,
     read_folder,
 )
-from socialmind.mind.files.evoagents.text_file import Line, Lines, text_of
+from socialmind.mind.files.evoagents.text_file import Line, Lines, inside, text_of
 from socialmind.mind.files.folder import load_description
+from socialmind.mind.files.layout import LAYOUT, Places, layout_file, lines_of, parse
 from socialmind.mind.files.python_file import programs_unrun
 from socialmind.studio.skills.checking import Checked, checked, renamed_weights
 from socialmind.studio.skills.document import (
@@ -34,12 +35,15 @@ from socialmind.studio.skills.document import (
     assembled,
     module_line,
     module_lines,
+    places_of,
     skill_lines,
     skill_text,
 )
 from socialmind.work.files import replace_file
 
 YAML = (".yaml", ".yml")
+UNWRITTEN = ("id", "was", "position")
+"""What of a part its mind's own files do not say."""
 Tree = dict[str, bytes]
 """The content of the files of a mind's folder, by their paths in it."""
 
@@ -79,7 +83,8 @@ def opened(path: Path) -> Document:
     """
     with programs_unrun():
         mind = load_description(path, MindDescription)  # which says what is wrong
-    with folder_form(home_of(path)) as folder:
+    home = home_of(path)
+    with folder_form(home) as folder:
         agent = agent_file(folder)
         modules = module_lines(text_of(agent), agent)
         own = agent.with_suffix(VARDESC)
@@ -94,7 +99,16 @@ def opened(path: Path) -> Document:
         modules[ACTUATORS],
         [list(one.fields) for one in variables],
         skills,
+        _places(home),
     )
+
+
+def _places(home: Path) -> Places:
+    """Return where the modules of a mind were put."""
+    file = layout_file(home)
+    if not file.is_file():
+        return {}
+    return parse(text_of(inside(file.parent, file.name, "the file", file)), file)
 
 
 def home_of(path: Path) -> Path:
@@ -114,9 +128,10 @@ def tree_of(path: Path) -> Tree:
     """Return the files of a mind; those of its folder that are none of it are left out."""
     if is_yaml(path):
         beside = sorted(path.parent.glob(f"{path.stem}.*/**/*"))
-        some = [path, *(one for one in beside if "__pycache__" not in one.parts)]
+        own = [path, path.with_suffix(LAYOUT)]
+        some = [*own, *(one for one in beside if "__pycache__" not in one.parts)]
         return {str(o.relative_to(path.parent)): o.read_bytes() for o in some if o.is_file()}
-    some = [one for suffix in (BOTDESC, VARDESC, ".py") for one in files_in(path, suffix)]
+    some = [one for suffix in (BOTDESC, VARDESC, LAYOUT, ".py") for one in files_in(path, suffix)]
     for inner in (SKILLS, TASKS):
         some += sorted((path / inner).rglob("*"))
     return {
@@ -140,17 +155,35 @@ def saved(document: Document, target: Path, home: Path | None) -> list[str]:
     Raises:
         SocialmindError: the document is no mind; or it cannot be written.
     """
-    if home is None:
-        return _save(document, target, None, None)
-    before = opened(home)
-    if is_yaml(target) and target == home and _same(document, before):
-        return []
-    with folder_form(home) as folder:
-        return _save(document, target, folder, before)
+    before = None if home is None else opened(home)
+    layout = _layout(document, before, home)
+    notes: list[str] = []
+    if before is None or not (is_yaml(target) and target == home and _same(document, before)):
+        with nullcontext() if home is None else folder_form(home) as folder:
+            notes = _save(document, target, folder, before, layout)
+    if is_yaml(target):
+        file = target.with_suffix(LAYOUT)
+        there = {file.name: file.read_bytes()} if file.is_file() else {}
+        _write(_named(layout, target.stem), target.parent, there)
+    return notes
+
+
+def _layout(document: Document, before: Document | None, home: Path | None) -> bytes:
+    """Return the content of the file that says where parts were put; nothing where none was."""
+    file = None if home is None else layout_file(home)
+    old = file.read_bytes() if file is not None and file.is_file() else b""
+    places = places_of(document)
+    if before is not None and places == places_of(before):
+        return old
+    return patched(old, lines_of(places))
+
+
+def _named(layout: bytes, stem: str) -> Tree:
+    return {f"{stem}{LAYOUT}": layout} if layout.strip() else {}
 
 
 def _save(
-    document: Document, target: Path, home: Path | None, before: Document | None
+    document: Document, target: Path, home: Path | None, before: Document | None, layout: bytes
 ) -> list[str]:
     """Save into a folder; or by way of one into a YAML file, which is written anew."""
     found = checked(document, home, before)
@@ -158,6 +191,7 @@ def _save(
     old = {} if home is None else tree_of(home)
     new, notes = _tree(document, before, old, found)
     if not is_yaml(target):
+        new |= _named(layout, document["name"])
         _write(new, target, tree_of(target) if target.is_dir() else {})
         return notes
     if target.is_file() and "#" in text_of(target).removeprefix(yaml_writer.HEADER):
@@ -215,7 +249,7 @@ def _without_identities(document: Document) -> dict[str, Any]:
     return {
         what: some
         if isinstance(some, str)
-        else [{name: one[name] for name in one if name not in ("id", "was")} for one in some]
+        else [{name: one[name] for name in one if name not in UNWRITTEN} for one in some]
         for what, some in document.items()
     }
 
@@ -225,7 +259,8 @@ def _tree(
 ) -> tuple[Tree, list[str]]:
     """Return the files of a document's folder, and what is to be known about them."""
     name, was = document["name"], document["name"] if before is None else before["name"]
-    new = {_renamed(path, was, name): content for path, content in old.items() if "/" not in path}
+    outer = [path for path in old if "/" not in path and not path.endswith(LAYOUT)]
+    new = {_renamed(path, was, name): old[path] for path in outer}
     new |= {path: content for path, content in old.items() if path.startswith(f"{TASKS}/")}
     modules = [SENSORS, *map(module_line, document["sensors"]), ACTUATORS]
     modules += map(module_line, document["actuators"])

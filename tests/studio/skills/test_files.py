@@ -117,7 +117,7 @@ def test_yaml_is_opened_saved_and_left_alone_where_nothing_changed(collect, tmp_
     assert saved(document, tmp_path / "robot.yaml", tmp_path / "robot.yaml") == []
     assert (tmp_path / "robot.yaml").read_text() == text
     document["variables"].append(
-        {"id": "x", "name": "MOOD", "kind": "VariableModule", "fields": ["0.5"]}
+        {"id": "x", "name": "MOOD", "kind": "VariableModule", "fields": ["0.5"], "position": None}
     )
     saved(document, tmp_path / "robot.yaml", tmp_path / "robot.yaml")
     again = MindDescription.load(tmp_path / "robot.yaml")
@@ -155,7 +155,8 @@ def test_what_is_wrong_is_said_where_it_is_and_not_saved(collect, change, said):
 
 def test_the_linter_speaks_where_its_findings_belong(collect):
     document = opened(collect)
-    document["sensors"].append({"id": "new", "name": "EXTRA", "kind": "prox", "fields": []})
+    extra = {"id": "new", "name": "EXTRA", "kind": "prox", "fields": [], "position": None}
+    document["sensors"].append(extra)
     found = checked(document, collect, opened(collect))
     assert {
         "at": "new",

@@ -3,11 +3,11 @@
 
 import type { Finding } from "./Findings.svelte";
 import { History } from "./history.svelte";
-import type { Places } from "./layout";
+import { positionOf, type Places, type Position } from "./layout";
 
 interface State<Document> {
   document: Document;
-  /** Where boxes stand that have no place of their own in the document. */
+  /** Where boxes stand that nobody has put anywhere: they stay there while others come and go. */
   put: Places;
 }
 
@@ -40,11 +40,12 @@ export abstract class Desk<Document, Base extends { file: string }> {
 
   /** Where all boxes of a document stand; those that are nowhere yet are laid out. */
   abstract placed(document: Document, put: Places): Places;
+  /** A document with a box elsewhere; one at null is laid out. */
+  protected abstract put(document: Document, id: string, position: Position): Document;
   /** Whether there is such a box, or could be such a link. */
   abstract has(id: string): boolean;
   /** Ask what is odd. */
   protected abstract check(): Promise<void>;
-  abstract layOut(): void;
   /** Save; throws `Refused` if another file stands there. */
   abstract save(file: string, replace?: boolean): Promise<void>;
 
@@ -80,11 +81,19 @@ export abstract class Desk<Document, Base extends { file: string }> {
   }
 
   /** Take another document; changes under the same key, one after another, are one step. */
-  change(document: Document, key = "", put: Places = this.history.now.put): void {
-    const all = new Map(put);
-    for (const [id, place] of this.places) if (!all.has(id)) all.set(id, place);
-    this.history.change({ document, put: all }, key);
+  change(document: Document, key = ""): void {
+    this.history.change({ document, put: new Map([...this.places, ...this.history.now.put]) }, key);
     this.checkSoon();
+  }
+  /** Put boxes elsewhere. */
+  move(places: Places): void {
+    this.change([...places].reduce((document, [id, place]) => this.put(document, id, positionOf(place)), this.document));
+  }
+  /** Lay everything out anew. */
+  layOut(): void {
+    const bare = [...this.places.keys()].reduce((document, id) => this.put(document, id, null), this.document);
+    this.move(this.placed(bare, new Map()));
+    this.opened += 1;
   }
   undo(): void {
     this.history.undo();

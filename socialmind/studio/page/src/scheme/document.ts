@@ -1,12 +1,14 @@
 // A scheme as the editor has it, the same data as `socialmind/studio/schemes/document.py`; and its edits. No document is
 // changed in place: each edit returns another one, which undo and redo rest on.
 
+import type { Position } from "../graph/layout";
+
 export type Weights = [string, number][];
 
 export interface Plan {
   id: string;
   name: string;
-  position: [number, number] | null;
+  position: Position;
   /** Whether the written order of plans names it. */
   listed: boolean;
 }
@@ -15,7 +17,7 @@ export interface Holder {
   name: string;
   start: number;
   colour: string;
-  position: [number, number] | null;
+  position: Position;
   influence: Weights;
   reinforcement: Weights;
   conditional: string[];
@@ -32,11 +34,13 @@ export interface Cogniton extends Holder {
 export interface Role {
   id: string;
   name: string;
+  position: Position;
   culturons: string[];
 }
 export interface Group {
   id: string;
   name: string;
+  position: Position;
   attributes: [string, number][];
   within: [string, string] | null;
   roles: Role[];
@@ -103,11 +107,10 @@ function free(name: string, parts: { name: string }[]): string {
   return found;
 }
 
-type At = [number, number] | null;
 type Made = [Scheme, string];
 const nothing = { start: 0, colour: "#808080", influence: [] as Weights, reinforcement: [] as Weights, conditional: [] as string[] };
 
-export function withCogniton(scheme: Scheme, position: At): Made {
+export function withCogniton(scheme: Scheme, position: Position): Made {
   const id = newId();
   const one: Cogniton = {
     id, name: free("cogniton", scheme.cognitons), ...nothing, position, starting: true, active_while: [], activated_when: [],
@@ -115,23 +118,24 @@ export function withCogniton(scheme: Scheme, position: At): Made {
   };
   return [{ ...scheme, cognitons: [...scheme.cognitons, one] }, id];
 }
-export function withPlan(scheme: Scheme, position: At, name = "plan"): Made {
+export function withPlan(scheme: Scheme, position: Position, name = "plan"): Made {
   const id = newId();
   const one: Plan = { id, name: free(name, scheme.plans), position, listed: true };
   return [{ ...scheme, plans: [...scheme.plans, one] }, id];
 }
-export function withGroup(scheme: Scheme): Made {
+export function withGroup(scheme: Scheme, position: Position): Made {
   const id = newId();
-  const role: Role = { id: newId(), name: "member", culturons: [] };
-  const one: Group = { id, name: free("group", scheme.groups), attributes: [], within: null, roles: [role], culturons: [] };
+  const beside: Position = position && [position[0] + 190, position[1]];
+  const role: Role = { id: newId(), name: "member", position: beside, culturons: [] };
+  const one: Group = { id, name: free("group", scheme.groups), position, attributes: [], within: null, roles: [role], culturons: [] };
   return [{ ...scheme, groups: [...scheme.groups, one] }, id];
 }
-export function withRole(scheme: Scheme, group: string): Made {
+export function withRole(scheme: Scheme, group: string, position: Position): Made {
   const id = newId();
-  const change = (one: Group): Group => ({ ...one, roles: [...one.roles, { id, name: free("role", one.roles), culturons: [] }] });
+  const change = (one: Group): Group => ({ ...one, roles: [...one.roles, { id, name: free("role", one.roles), position, culturons: [] }] });
   return [withGroupChanged(scheme, group, change), id];
 }
-export function withCulturon(scheme: Scheme, role: string, position: At): Made {
+export function withCulturon(scheme: Scheme, role: string, position: Position): Made {
   const id = newId();
   const change = (group: Group): Group => ({
     ...group,

@@ -1,7 +1,7 @@
 // A scheme as boxes and links on the canvas.
 
 import type { Box, Link, LinkData } from "../graph/kinds";
-import { laidOut, type Places } from "../graph/layout";
+import { clear, known, laidOut, type Place, type Places } from "../graph/layout";
 import type { Finding } from "../graph/Findings.svelte";
 import { holdersOf, linkId, type Holder, type Scheme } from "./document";
 
@@ -9,17 +9,8 @@ const SIZE = { width: 150, height: 48 };
 
 /** Where all boxes stand: where the file says, or the user has put them, or the layout. */
 export function placed(scheme: Scheme, put: Places): Places {
-  const parts = [
-    ...scheme.groups.map((one) => ({ id: one.id, position: null })),
-    ...scheme.groups.flatMap((one) => one.roles.map((role) => ({ id: role.id, position: null }))),
-    ...holdersOf(scheme),
-    ...scheme.plans,
-  ];
-  const found: Places = new Map();
-  for (const { id, position } of parts) {
-    if (position) found.set(id, { x: position[0], y: position[1] });
-    else if (put.has(id)) found.set(id, put.get(id)!);
-  }
+  const parts = [...scheme.groups, ...scheme.groups.flatMap((one) => one.roles), ...holdersOf(scheme), ...scheme.plans];
+  const found = known(parts, put);
   const left = parts.filter(({ id }) => !found.has(id));
   if (!left.length) return found;
   const links: [string, string][] = [
@@ -32,13 +23,21 @@ export function placed(scheme: Scheme, put: Places): Places {
     ),
   ];
   const layout = laidOut(parts.map(({ id }) => ({ id, ...SIZE })), links);
-  if (!found.size) return layout;
-  // Beside what has its place: what the layout says, moved below it.
-  const bottom = Math.max(...[...found.values()].map((one) => one.y)) + 90;
-  const start = Math.min(...[...found.values()].map((one) => one.x));
-  const top = Math.min(...left.map(({ id }) => layout.get(id)!.y));
-  for (const { id } of left) found.set(id, { x: start + layout.get(id)!.x, y: bottom + layout.get(id)!.y - top });
+  const { x, y } = shifted(scheme, found, left.map(({ id }) => layout.get(id)!));
+  for (const { id } of left) {
+    const at = layout.get(id)!;
+    found.set(id, clear({ x: at.x + x, y: at.y + y }, [...found.values()], { width: SIZE.width / 2, height: SIZE.height / 2 }));
+  }
   return found;
+}
+
+/** How far what is laid out is moved: below cognitons and plans where all these have their places, else not at all. */
+function shifted(scheme: Scheme, found: Places, laid: Place[]): Place {
+  const middle = [...scheme.cognitons, ...scheme.plans].map((one) => found.get(one.id));
+  const there = middle.filter((one) => one !== undefined);
+  if (!there.length || there.length < middle.length) return { x: 0, y: 0 };
+  const bottom = Math.max(...there.map((one) => one.y)) + 90;
+  return { x: Math.min(...there.map((one) => one.x)), y: bottom - Math.min(...laid.map((one) => one.y)) };
 }
 
 function said(findings: Finding[], id: string): { odd: string[]; wrong: string[] } {

@@ -4,7 +4,7 @@
 import { asking } from "../ask";
 import { Desk } from "../graph/desk.svelte";
 import type { Finding } from "../graph/Findings.svelte";
-import type { Place, Places } from "../graph/layout";
+import { clear, positionOf, type Place, type Places, type Position } from "../graph/layout";
 import { hearers, type Live } from "../run/live.svelte";
 import { studio } from "../run/studio.svelte";
 import {
@@ -64,6 +64,9 @@ class Editor extends Desk<Scheme, Base> {
 
   placed(scheme: Scheme, put: Places): Places {
     return placed(scheme, put);
+  }
+  protected put(scheme: Scheme, id: string, position: Position): Scheme {
+    return set(scheme, id, { position });
   }
   has(id: string): boolean {
     return !!(partOf(this.scheme, id) || linkOf(id));
@@ -140,22 +143,22 @@ class Editor extends Desk<Scheme, Base> {
   }
   add(kind: "cogniton" | "plan" | "group", at: Place | null = null): void {
     const place = at ?? this.#freePlace(kind);
-    const position: [number, number] = [Math.round(place.x), Math.round(place.y)];
     const making = { cogniton: withCogniton, plan: withPlan, group: withGroup }[kind];
-    const [scheme, id] = making(this.scheme, position);
+    const [scheme, id] = making(this.scheme, positionOf(place));
     this.change(scheme);
-    if (kind === "group") this.move(new Map([[id, place], [scheme.groups.at(-1)!.roles[0].id, { x: place.x + 190, y: place.y }]]), "");
     this.selected = [id];
   }
   addRole(group: string): void {
-    const [scheme, id] = withRole(this.scheme, group);
+    const at = this.places.get(group)!;
+    const place = this.#clear({ x: at.x + 190, y: at.y });
+    const [scheme, id] = withRole(this.scheme, group, positionOf(place));
     this.change(scheme);
     this.selected = [id];
   }
   addCulturon(role: string): void {
     const at = this.places.get(role)!;
     const place = this.#clear({ x: at.x + 190, y: at.y });
-    const [scheme, id] = withCulturon(this.scheme, role, [place.x, place.y]);
+    const [scheme, id] = withCulturon(this.scheme, role, positionOf(place));
     this.change(scheme);
     this.selected = [id];
   }
@@ -174,7 +177,7 @@ class Editor extends Desk<Scheme, Base> {
     if (known) return known.id;
     const at = this.places.get(beside);
     const place = this.#clear(at ? { x: at.x + 300, y: at.y } : this.#freePlace("plan"));
-    const [scheme, id] = withPlan(this.scheme, [place.x, place.y], name);
+    const [scheme, id] = withPlan(this.scheme, positionOf(place), name);
     this.change(scheme);
     return id;
   }
@@ -184,29 +187,6 @@ class Editor extends Desk<Scheme, Base> {
     this.change(without(this.scheme, known));
     this.selected = [];
   }
-  /** Put boxes elsewhere: in the document where it holds places, else beside it. */
-  move(places: Places, key = ""): void {
-    let scheme = this.scheme;
-    const put = new Map(this.history.now.put);
-    for (const [id, { x, y }] of places) {
-      const part = partOf(scheme, id);
-      if (part && part.kind !== "group" && part.kind !== "role") scheme = set(scheme, id, { position: [Math.round(x), Math.round(y)] });
-      else put.set(id, { x, y });
-    }
-    this.change(scheme, key, put);
-  }
-  /** Lay everything out anew. */
-  layOut(): void {
-    const bare: Scheme = {
-      ...this.scheme,
-      plans: this.scheme.plans.map((one) => ({ ...one, position: null })),
-      cognitons: this.scheme.cognitons.map((one) => ({ ...one, position: null })),
-      groups: this.scheme.groups.map((one) => ({ ...one, culturons: one.culturons.map((each) => ({ ...each, position: null })) })),
-    };
-    this.move(placed(bare, new Map()));
-    this.opened += 1;
-  }
-
   #freePlace(kind: "cogniton" | "plan" | "group"): Place {
     const same = { group: this.scheme.groups, cogniton: this.scheme.cognitons, plan: this.scheme.plans }[kind];
     const places = same.map((one) => this.places.get(one.id)!);
@@ -215,10 +195,7 @@ class Editor extends Desk<Scheme, Base> {
   }
   /** The next place below one that no box covers. */
   #clear(at: Place): Place {
-    const taken = [...this.places.values()];
-    const free = { ...at };
-    while (taken.some((one) => Math.abs(one.x - free.x) < 160 && Math.abs(one.y - free.y) < 72)) free.y += 92;
-    return free;
+    return clear(at, [...this.places.values()], { width: 160, height: 72 });
   }
 
   // Checking, and the society that runs ----------------------------------------------------------

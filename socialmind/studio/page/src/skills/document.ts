@@ -1,5 +1,7 @@
 // A mind of skills as a document, in the words of its files, and what can be done to it. Nothing is changed in place.
 
+import type { Position } from "../graph/layout";
+
 export interface Module {
   id: string;
   name: string;
@@ -7,6 +9,7 @@ export interface Module {
   kind: string;
   /** What follows in its line. */
   fields: string[];
+  position: Position;
 }
 export interface Skill {
   id: string;
@@ -17,6 +20,7 @@ export interface Skill {
   outputs: string[];
   function: string;
   lines: string[];
+  position: Position;
 }
 export interface Mind {
   name: string;
@@ -102,13 +106,13 @@ function free(mind: Mind, part: Kind, begin: string): string {
   while (named(mind, part, `${begin}${number}`)) number += 1;
   return `${begin}${number}`;
 }
-export function added(mind: Mind, part: Kind, id: string): Mind {
+export function added(mind: Mind, part: Kind, id: string, position: Position): Mind {
   if (part === "skill") {
-    const one: Skill = { id, name: free(mind, part, "Skill"), inputs: [], outputs: [], function: "neural", lines: ["TYPE:BASIC", "LAYERS:2"] };
+    const one: Skill = { id, name: free(mind, part, "Skill"), inputs: [], outputs: [], function: "neural", lines: ["TYPE:BASIC", "LAYERS:2"], position };
     return { ...mind, skills: [...mind.skills, one] };
   }
   const [begin, kind] = { sensor: ["S", "sensor"], actuator: ["Mot", "actuator"], variable: ["VAR", "VariableModule"] }[part];
-  const one: Module = { id, name: free(mind, part, begin), kind, fields: [] };
+  const one: Module = { id, name: free(mind, part, begin), kind, fields: [], position };
   return { ...mind, [LISTS[part]]: [...mind[LISTS[part]], one] };
 }
 

@@ -2,7 +2,7 @@
 
 import type { Finding } from "../graph/Findings.svelte";
 import type { Box, Link } from "../graph/kinds";
-import { laidOut, type Places } from "../graph/layout";
+import { known, laidOut, type Places } from "../graph/layout";
 import { functionOf, linkId, target, type Mind } from "./document";
 
 const HEIGHT = 44;
@@ -22,11 +22,12 @@ function pairs(mind: Mind): [string, string][] {
   );
 }
 
-/** Where boxes stand: where they were put; else sensors and variables at the left, skills in layers, motors at the right. */
+/** Where boxes stand: where the file says, or the user has put them; else sensors and variables at the left, skills in layers, motors at the right. */
 export function placed(mind: Mind, put: Places): Places {
   const read = [...mind.sensors, ...mind.variables];
   const others = [...mind.skills, ...mind.actuators];
-  if ([...read, ...others].every((one) => put.has(one.id))) return put;
+  const there = known([...read, ...others], put);
+  if (there.size === read.length + others.length) return there;
   const sized = others.map((one) => ({ id: one.id, width: Math.max(WIDE, width(one.name)), height: HEIGHT }));
   const found: Places = new Map();
   for (const [id, at] of laidOut(sized, pairs(mind))) found.set(id, { x: Math.round(0.78 * at.x), y: Math.round(1.15 * at.y) });
@@ -39,7 +40,7 @@ export function placed(mind: Mind, put: Places): Places {
     const column = Math.floor(place / rows);
     found.set(one.id, { x: 130 * (column - columns) - 60, y: Math.round(middle + PITCH * ((place % rows) - (rows - 1) / 2)) });
   });
-  return new Map([...read, ...others].map((one) => [one.id, put.get(one.id) ?? found.get(one.id)!]));
+  return new Map([...read, ...others].map((one) => [one.id, there.get(one.id) ?? found.get(one.id)!]));
 }
 
 export interface Weights {

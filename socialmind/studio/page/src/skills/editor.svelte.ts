@@ -3,7 +3,7 @@
 import { asking } from "../ask";
 import { Desk } from "../graph/desk.svelte";
 import type { Finding } from "../graph/Findings.svelte";
-import type { Place, Places } from "../graph/layout";
+import { positionOf, type Place, type Places, type Position } from "../graph/layout";
 import { added, EMPTY, fresh, linkBetween, linked, LISTS, parsedLink, partOf, set, without, type Kind, type Mind, type Module, type Skill } from "./document";
 import { placed, type Weights } from "./drawing";
 
@@ -34,6 +34,9 @@ class Editor extends Desk<Mind, Base> {
 
   placed(mind: Mind, put: Places): Places {
     return placed(mind, put);
+  }
+  protected put(mind: Mind, id: string, position: Position): Mind {
+    return set(mind, id, { position });
   }
   has(id: string): boolean {
     return !!(partOf(this.mind, id) || parsedLink(id));
@@ -87,11 +90,7 @@ class Editor extends Desk<Mind, Base> {
   }
   add(part: Kind, at?: Place): void {
     const id = fresh();
-    const mind = added(this.mind, part, id);
-    const put = new Map(this.places);
-    const among = this.mind[LISTS[part]].map((one) => put.get(one.id)!);
-    put.set(id, at ?? (among.length ? { x: among[0].x, y: Math.max(...among.map((one) => one.y)) + 70 } : { x: part === "actuator" ? 460 : part === "skill" ? 230 : 0, y: 0 }));
-    this.change(mind, "", put);
+    this.change(added(this.mind, part, id, positionOf(at ?? this.#freePlace(part))));
     this.selected = [id];
   }
   linkable(from: string, to: string): boolean {
@@ -104,12 +103,11 @@ class Editor extends Desk<Mind, Base> {
     this.change(without(this.mind, ids));
     this.selected = [];
   }
-  move(places: Places): void {
-    this.history.change({ document: this.mind, put: new Map([...this.places, ...places]) });
-  }
-  layOut(): void {
-    this.history.change({ document: this.mind, put: placed(this.mind, new Map()) });
-    this.opened += 1;
+
+  #freePlace(part: Kind): Place {
+    const among = this.mind[LISTS[part]].map((one) => this.places.get(one.id)!);
+    if (among.length) return { x: among[0].x, y: Math.max(...among.map((one) => one.y)) + 70 };
+    return { x: { sensor: 0, variable: 0, skill: 230, actuator: 460 }[part], y: 0 };
   }
 
   #sent(mind: Mind): Sent {
