@@ -15,7 +15,10 @@ import pytest
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, replay, resume, run
 from socialmind.mind import Hierarchy, MindDescription
+from socialmind.mind.files.layout import layout_file
 from socialmind.mind.kernel.layout import LIVES
+from socialmind.runs.capsule import Capsule
+from socialmind.runs.sources import changes_since
 
 CHECKOUT = Path(__file__).parents[2]
 SHOWN = ("id", "x", "y", "plan", "mother", "ml", "mr", "herd", "followed")
@@ -414,6 +417,12 @@ def test_a_copy_that_was_changed_is_refused(herd, whole, tmp_path, deed):
         found = replay(tmp_path / "run")
         assert any("copy of its mind was changed" in note for note in found.notes)
         assert found.equal == (deed != "weight")
+
+
+def test_a_copy_whose_boxes_were_put_elsewhere_is_the_same(herd, whole, tmp_path):
+    shutil.copytree(whole, tmp_path / "run")
+    layout_file(tmp_path / "run" / "minds" / "walkers").write_text("SKILLS\nTune:1:2\n")
+    assert changes_since(Capsule(tmp_path / "run"), herd.Herd) is None
 
 
 def test_the_command_line_takes_and_refuses_minds(tmp_path, other_mind, herd_folder, whole):

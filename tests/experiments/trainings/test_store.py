@@ -1,5 +1,6 @@
 """Keeping trainings small, and going on from what is kept."""
 
+import shutil
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +10,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning import Training, resume
 from socialmind.learning.training import archive
+from socialmind.mind.files.layout import layout_file
 
 
 @pytest.fixture
@@ -84,8 +86,10 @@ def test_another_training_of_the_name_is_not_kept_over_it(whole, tiny_plans, tmp
         keep(other, tmp_path / "kept")
 
 
-def test_it_is_said_in_what_a_training_differs_from_its_plan(whole, tiny_plans):
-    training = Training(whole)
+def test_it_is_said_in_what_a_training_differs_from_its_plan(whole, tiny_plans, tmp_path):
+    training = Training(shutil.copytree(whole, tmp_path / "tiny"))
+    assert differences(training, tiny_plans.PLAN) == []
+    layout_file(training.folder / "mind").write_text("SKILLS\nGoToDropZone:1:2\n")
     assert differences(training, tiny_plans.PLAN) == []
     assert differences(training, tiny_plans.tiny("GoToObject")) == ["the lessons"]
     other = replace(tiny_plans.PLAN, mind=tiny_plans.monolith)

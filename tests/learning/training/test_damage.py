@@ -13,6 +13,9 @@ import pytest
 from coglogo_py.border.errors import CogLogoError
 from socialmind.errors import SocialmindError
 from socialmind.learning import Curriculum, Training, learn, resume
+from socialmind.learning.training.capsule import TrainingCapsule
+from socialmind.learning.training.continuing import check_folder
+from socialmind.mind.files.layout import layout_file
 from socialmind.sources.loading import load_file
 
 damage = load_file(Path(__file__).parents[2] / "runs/damage.py")
@@ -99,6 +102,8 @@ def test_a_damaged_folder_is_refused_in_one_line_or_comes_out_right(
 def test_another_mind_than_it_began_from_is_seen(folders, curriculum, tmp_path):
     shutil.copytree(folders / "half", tmp_path / "run")
     path = next(one for one in sorted((tmp_path / "run/mind").rglob("*")) if one.is_file())
+    layout_file(tmp_path / "run/mind").write_text("SKILLS\nGo:1:2\n")
+    check_folder(TrainingCapsule(tmp_path / "run"), curriculum)  # boxes elsewhere: the same mind
     path.write_bytes(path.read_bytes() + b"\n")
     before = damage.digest(tmp_path / "run")
     with pytest.raises(SocialmindError, match="copy of the mind that it began from"):

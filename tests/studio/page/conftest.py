@@ -56,6 +56,25 @@ def where(page, selector):
     return page.locator(selector).first.evaluate(AT_REST)
 
 
+def stands(page, selector):
+    """Return where a box of a canvas stands in the drawing, as its file has it."""
+    x, y = page.locator(selector).evaluate("one => one.style.transform.match(/-?[\\d.]+(?=px)/g)")
+    return [int(x), int(y)]
+
+
+def drag(page, selector, right, down):
+    """Drag a box of a canvas by so many pixels of the screen; return where it stands then."""
+    at, was = where(page, selector), stands(page, selector)
+    x, y = at["x"] + at["width"] / 2, at["y"] + at["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + right, y + down, steps=8)
+    page.mouse.up()
+    where(page, selector)
+    assert stands(page, selector) != was
+    return stands(page, selector)
+
+
 class Program:
     """`socialmind studio` in a process of its own."""
 
@@ -79,6 +98,7 @@ class Program:
         page.set_default_timeout(SECONDS)
         page.failures = []
         page.where = partial(where, page)
+        page.stands, page.drag = partial(stands, page), partial(drag, page)
         page.on("pageerror", lambda error: page.failures.append(str(error)))
         begin(page)
         page.goto(f"http://127.0.0.1:{self.port}/{place}")

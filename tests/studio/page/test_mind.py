@@ -163,6 +163,55 @@ def test_the_turtle_of_the_tutorial_is_built_from_an_empty_page(browser, studio)
     page.close()
 
 
+HERD = """\
+name: cows
+cognitons:
+  hunger: {influence: {eat: 1}, conditional: [eat]}
+groups:  # one alone
+  herd:
+    leader:
+      trust: {influence: {lead: 1}, conditional: [lead]}
+    follower:
+"""
+
+
+def test_a_group_a_role_and_a_culturon_that_are_dragged_stand_there_again(browser, studio):
+    file = studio.folder / "herd.yaml"
+    file.write_text(HERD)
+    page = mind(studio, browser, "#/mind?file=herd.yaml")
+    rest = {name: page.stands(box(name)) for name in ("follower", "hunger", "lead")}
+    places = {name: page.drag(box(name), 40, 35) for name in ("herd", "leader", "trust")}
+    page.keyboard.press("Control+z")
+    page.where(box("trust"))
+    assert page.stands(box("trust")) != places["trust"]
+    page.keyboard.press("Control+Shift+z")
+    page.where(box("trust"))
+    page.click("[data-test=save-scheme]")
+    page.wait_for_selector("text=Saved in herd.yaml")
+    page.close()
+    culturon = "trust: {influence: {lead: 1}, conditional: [lead]"
+    assert file.read_text() == HERD.replace(
+        culturon, f"{culturon}, position: {places['trust']}"
+    ) + (
+        f"group_positions:\n  herd: {places['herd']}\n"
+        f"role_positions:\n  herd: {{leader: {places['leader']}}}\n"
+    )
+    page = mind(studio, browser, "#/mind?file=herd.yaml")
+    assert {name: page.stands(box(name)) for name in places} == places
+    # What nobody dragged stands where it stood.
+    assert {name: page.stands(box(name)) for name in rest} == rest
+    # The other form holds a culturon's place alone, and that is said.
+    page.click("[data-test=save-as]")
+    page.fill("[data-test=save-file]", "herd.cogscheme")
+    page.press("[data-test=save-file]", "Enter")
+    page.wait_for_selector("header [role=status]:has-text('holds no places of groups and roles')")
+    page.close()
+    page = mind(studio, browser, "#/mind?file=herd.cogscheme")
+    assert page.stands(box("trust")) == places["trust"]
+    assert page.failures == []
+    page.close()
+
+
 def test_a_link_edited_while_a_society_runs_stands_in_its_capsule(browser, studio):
     page = studio.page(browser, ready="[data-test=model]")
     page.select_option("[data-test=model]", "farmer_artisan")

@@ -111,6 +111,36 @@ def test_a_hierarchy_is_opened_changed_saved_and_run(browser, studio):
     assert "KeepClear" in MindDescription.load(kept).skills
 
 
+def test_boxes_that_are_dragged_stand_there_again(browser, studio):
+    robot = shutil.copytree(model_folder("collect") / "mind", studio.folder / "dragged")
+    before = tree_of(robot)
+    boxes = ("skill Avoid", "sensor RADOBJ", "actuator MotL")
+    page = studio.page(browser, "#/skills?file=dragged", NODE.format(boxes[0]))
+    rest = page.stands(NODE.format("skill Collect"))
+    places = [page.drag(NODE.format(one), 30, -25) for one in boxes]
+    # Undo takes a drag back, and redo makes it again.
+    key(page, "Control+z")
+    page.where(NODE.format(boxes[2]))
+    assert page.stands(NODE.format(boxes[2])) != places[2]
+    key(page, "Control+Shift+z")
+    page.click("[data-test=save-mind]")
+    page.wait_for_function(SAVED)
+    page.close()
+    # Nothing but the places was written.
+    after = tree_of(robot)
+    assert after.pop("Collect.layout").decode().split() == [
+        "SENSORS", "RADOBJ:{}:{}".format(*places[1]),
+        "ACTUATORS", "MotL:{}:{}".format(*places[2]),
+        "SKILLS", "Avoid:{}:{}".format(*places[0]),
+    ]  # fmt: skip
+    assert after == before
+    page = studio.page(browser, "#/skills?file=dragged", NODE.format(boxes[0]))
+    assert [page.stands(NODE.format(one)) for one in boxes] == places
+    assert page.stands(NODE.format("skill Collect")) == rest
+    assert page.failures == []
+    page.close()
+
+
 def test_a_hierarchy_is_drawn_from_nothing(browser, studio):
     page = studio.page(browser, "#/skills", "[data-test=open]")
     page.click("[data-test=open]")

@@ -1,14 +1,18 @@
 """Minds are opened as documents, and saved so that only what was changed is another."""
 
+import copy
 import shutil
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from socialmind.errors import SocialmindError
 from socialmind.mind import MindDescription
 from socialmind.mind.files.evoagents.text_file import Lines
+from socialmind.mind.files.layout import SECTIONS, layout_file
 from socialmind.sources.folders import catalogue
 from socialmind.studio.skills.checking import checked
 from socialmind.studio.skills.document import EMPTY, checked_shape
@@ -21,6 +25,24 @@ FOLDERS = [one for model in MODELS.values() for one in sorted(model.glob("mind*"
 @pytest.fixture
 def collect(tmp_path):
     return shutil.copytree(MODELS["collect"] / "mind", tmp_path / "mind")
+
+
+ROVER = {
+    "name": "rover",
+    "sensors": [{"id": "1", "name": "EYE", "kind": "proxSensor", "fields": []}],
+    "actuators": [{"id": "2", "name": "MotL", "kind": "wheel", "fields": ["0.25"]}],
+    "variables": [
+        {"id": "3", "name": "N", "kind": "CounterVariableModule", "fields": ["", "5"]},
+        {"id": "4", "name": "MOOD", "kind": "VariableModule", "fields": [""]},
+    ],
+    "skills": [
+        {
+            "id": "5", "was": None, "name": "Go", "inputs": ["SE:EYE", "VD:N"],
+            "outputs": ["MO:MotL", "VA:MOOD", "VA:N"], "function": "neural",
+            "lines": ["TYPE:BASIC", "LAYERS:1"],
+        }
+    ],
+}  # fmt: skip
 
 
 def skill(document, name):
@@ -84,23 +106,7 @@ def test_weights_that_do_not_fit_any_more_are_said_before_they_go(collect):
 
 
 def test_a_mind_is_made_from_nothing(tmp_path):
-    document = {
-        "name": "rover",
-        "sensors": [{"id": "1", "name": "EYE", "kind": "proxSensor", "fields": []}],
-        "actuators": [{"id": "2", "name": "MotL", "kind": "wheel", "fields": ["0.25"]}],
-        "variables": [
-            {"id": "3", "name": "N", "kind": "CounterVariableModule", "fields": ["", "5"]},
-            {"id": "4", "name": "MOOD", "kind": "VariableModule", "fields": [""]},
-        ],
-        "skills": [
-            {
-                "id": "5", "was": None, "name": "Go", "inputs": ["SE:EYE", "VD:N"],
-                "outputs": ["MO:MotL", "VA:MOOD", "VA:N"], "function": "neural",
-                "lines": ["TYPE:BASIC", "LAYERS:1"],
-            }
-        ],
-    }  # fmt: skip
-    assert saved(checked_shape(document), tmp_path / "rover", None) == []
+    assert saved(checked_shape(ROVER), tmp_path / "rover", None) == []
     mind = MindDescription.load(tmp_path / "rover")
     assert mind.actuators["MotL"].neutral == 0.25
     assert mind.variables["N"].regulation.maximum == 5
@@ -123,6 +129,78 @@ def test_yaml_is_opened_saved_and_left_alone_where_nothing_changed(collect, tmp_
     again = MindDescription.load(tmp_path / "robot.yaml")
     assert again.variables["MOOD"].default == 0.5
     assert again.skills["Avoid"].genome.tolist() == mind.skills["Avoid"].genome.tolist()
+
+
+def moved(document, places):
+    """A document with parts elsewhere, by their identities."""
+    found = copy.deepcopy(document)
+    for what in SECTIONS:
+        for one in found[what]:
+            one["position"] = places.get(one["id"], one["position"])
+    return found
+
+
+COORDINATES = st.integers(-(2**31), 2**31 - 1)
+PLACES = st.dictionaries(
+    st.sampled_from(["s0", "a0", "v0", "v1", "k0"]),
+    st.tuples(COORDINATES, COORDINATES).map(list),
+    min_size=1,
+    max_size=5,
+)
+
+
+@pytest.mark.parametrize("form", ["mind", "mind.yaml"])
+@settings(max_examples=6)
+@given(places=PLACES, further=PLACES)
+def test_what_is_dragged_stands_there_and_the_mind_is_as_it_was(form, places, further):
+    with TemporaryDirectory() as home:
+        folder = Path(home) / form
+        saved(checked_shape(ROVER), folder, None)
+        mind, before, untouched = MindDescription.load(folder), opened(folder), tree_of(folder)
+        for wanted in (moved(before, places), moved(moved(before, places), further)):
+            assert saved(checked_shape(wanted), folder, folder) == []
+            assert opened(folder) == wanted
+            files = tree_of(folder)
+            layout = files.pop(layout_file(folder).name)
+            assert files == untouched
+            assert MindDescription.load(folder) == mind
+        # Saved as it stands, and elsewhere, it is the same file; dragged back, there is none.
+        assert saved(wanted, folder, folder) == []
+        assert tree_of(folder)[layout_file(folder).name] == layout
+        saved(wanted, Path(home) / "copy", folder)
+        assert opened(Path(home) / "copy") == wanted
+        assert saved(before, folder, folder) == []
+        assert tree_of(folder) == untouched
+
+
+def test_places_go_with_names_and_comments_stay(collect):
+    layout = layout_file(collect)
+    layout.write_text("# by hand\nSKILLS\nAvoid : 1 : 2  # left\nGone:3:4\n")
+    document = opened(collect)
+    assert skill(document, "Avoid")["position"] == [1, 2]
+    assert saved(document, collect, collect) == []
+    assert layout.read_text() == "# by hand\nSKILLS\nAvoid : 1 : 2  # left\nGone:3:4\n"
+    # What is said of a module that is gone goes when places are written.
+    skill(document, "Collect")["position"] = [5, 6]
+    saved(document, collect, collect)
+    assert set(layout.read_text().splitlines()) == {
+        "# by hand", "SKILLS", "Avoid : 1 : 2  # left", "Collect:5:6"
+    }  # fmt: skip
+    # A mind of another name takes its file along.
+    document = opened(collect)
+    document["name"] = "Gather"
+    saved(document, collect, collect)
+    assert not layout.exists()
+    assert opened(collect) == {**document, "name": "Gather"}
+
+
+def test_places_that_cannot_be_read_are_said_with_the_line(collect):
+    layout_file(collect).write_text("SKILLS\nAvoid:left\n")
+    with pytest.raises(SocialmindError, match=r"Collect\.layout:2: found 'Avoid:left'"):
+        opened(collect)
+    with pytest.raises(SocialmindError, match="two whole numbers"):
+        checked_shape({**EMPTY, "sensors": [{"id": "s", "name": "E", "kind": "prox", "fields": [],
+                                             "position": [1, 2.5]}]})  # fmt: skip
 
 
 @pytest.mark.parametrize(
