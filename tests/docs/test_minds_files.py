@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from socialmind.mind import MindDescription, Skill
+from socialmind.mind.files import layout
 from socialmind.mind.files.evoagents import (
     ades,
     botdesc,
@@ -29,6 +30,12 @@ def test_sensors_and_variables():
     _, actuators = botdesc.parse(block("botdesc"), "page")
     assert [one.neutral for one in actuators] == [0.5, 0.0]
     assert len(vardesc.parse(block("vardesc"), "page")) == 4
+
+
+def test_where_modules_are_drawn():
+    assert layout.parse(block("layout"), "page") == {
+        "sensors": {"S1": (-190, 40)}, "skills": {"Avoid": (480, 120)}
+    }  # fmt: skip
 
 
 def test_skills_and_tasks():

@@ -1,5 +1,6 @@
 """Schemes in YAML: the form, the models' own files, YAML's pitfalls and the errors."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -287,8 +288,11 @@ def test_errors_name_the_field_of_a_cogniton(field, message):
 
 def test_the_example_in_the_documentation_loads_and_is_sound():
     page = (MODELS.parent / "docs" / "schemes.md").read_text(encoding="utf-8")
-    scheme = read(page.split("```yaml\n")[1].split("```")[0])
+    whole, *others = re.findall(r"```yaml\n(.*?)```", page, re.DOTALL)
+    scheme = read(whole + "".join(one for one in others if one.startswith("group_")))
     assert scheme.check() == []
+    assert scheme.groups[0].attributes == (("milk", 0.0), ("land", 2.5))
+    assert [role.position for role in scheme.groups[0].roles] == [(-290, 0), (-290, 92)]
     assert scheme.decision_maker == BiasedWeightedStochastic(2)
     trust = Culturon("trust", 1, influence={"lead": 10, "follow": 10}, conditional=("lead",))
     assert [role.culturons[0] for role in scheme.groups[0].roles] == [trust, trust]
