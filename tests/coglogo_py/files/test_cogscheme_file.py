@@ -348,6 +348,10 @@ def test_errors_say_the_line_what_is_there_and_what_should_be(text, line, messag
         (CognitiveScheme("s", groups=(Group("ROL"),)), "found the group name 'ROL'"),
         (CognitiveScheme("s", groups=(Group("g", (Role("\n"),)),)), "found the role name '\\n'"),
         (CognitiveScheme("s", plan_order=("p",)), "a CogLogo file holds no other"),
+        (
+            CognitiveScheme("s", groups=(Group("g", (Role("r", position=(1, 2)),)),)),
+            "positions of the group 'g' or of its roles; expected none",
+        ),
     ],
 )  # fmt: skip
 @pytest.mark.filterwarnings("ignore:.*has groups but no cogniton")

@@ -108,7 +108,7 @@ export abstract class Desk<Document, Base extends { file: string }> {
     this.checkSoon(0);
   }
 
-  protected checkSoon(after = CHECK_AFTER): void {
+  checkSoon(after = CHECK_AFTER): void {
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => void this.check(), after);
   }

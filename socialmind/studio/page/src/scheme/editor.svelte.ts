@@ -38,7 +38,8 @@ export const ask = asking("schemes");
 
 class Editor extends Desk<Scheme, Base> {
   unruled = $state.raw<string[]>([]);
-  makers = $state.raw<string[]>(["MaximumWeight", "WeightedStochastic", "BiasedWeightedStochastic"]);
+  /** The decision makers that a scheme may name, as the last check found them. */
+  makers = $state.raw<string[]>([]);
   model = $state("");
   population = $state("");
   /** What links are drawn as. */
@@ -200,7 +201,7 @@ class Editor extends Desk<Scheme, Base> {
 
   // Checking, and the society that runs ----------------------------------------------------------
 
-  protected checkSoon(after?: number): void {
+  checkSoon(after?: number): void {
     this.checking = true;
     super.checkSoon(after);
   }
