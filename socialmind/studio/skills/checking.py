@@ -18,6 +18,7 @@ from socialmind.mind.modules import Skill
 from socialmind.studio.skills.document import (
     Document,
     module_line,
+    refuse_file_name,
     refuse_line_breaks,
     skill_text,
 )
@@ -60,6 +61,10 @@ def checked(document: Document, home: Path | None, before: Document | None = Non
         before: the document as it was opened, to tell what weights will stand for.
     """
     found = Checked()
+    try:
+        refuse_file_name(document["name"], "the name of the mind")
+    except ModelError as error:
+        found.say(None, _said(error), True)
     with programs_unrun():
         sensors, actuators, variables = _modules(document, home, found)
         skills = [_skill(one, home, found) for one in document["skills"]]
@@ -93,7 +98,7 @@ def skill_of(one: dict[str, Any], home: Path | None) -> Skill:
     Raises:
         ModelError: something about it is wrong.
     """
-    refuse_line_breaks([one["name"]], "the name of a skill", ":#/\\")
+    refuse_file_name(one["name"], "the name of a skill")
     refuse_line_breaks([*one["inputs"], *one["outputs"], *one["lines"]], "a line of a skill", "#")
     then = {**one, "name": one["was"] or one["name"]}
     file = skill_folder(one, home or Path("mind")) / f"{then['name']}.ades"

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from socialmind.errors import SocialmindError
+from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.files.evoagents.botdesc import ACTUATORS, SENSORS
 from socialmind.mind.files.evoagents.text_file import Lines, one_line
 from socialmind.mind.files.layout import LARGEST, SECTIONS, Places
@@ -198,6 +198,17 @@ def _lists(one: Mapping[str, Any], *names: str) -> dict[str, list[str]]:
         if not all(isinstance(text, str) for text in some):
             raise SocialmindError(f"expected texts as {name}")
     return {name: one[name] for name in names}
+
+
+def refuse_file_name(name: str, what: str) -> None:
+    """Refuse a name that files and folders cannot have: one with / leads elsewhere.
+
+    Raises:
+        ModelError: it is such a name.
+    """
+    one_line(name, what, ":#/\\")
+    if not name or name.startswith("."):
+        raise ModelError(f"{name!r} as {what}", "a name that does not begin with '.'", "change it")
 
 
 def refuse_line_breaks(texts: Iterable[str], what: str, barred: str) -> None:

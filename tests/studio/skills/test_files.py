@@ -231,6 +231,17 @@ def test_what_is_wrong_is_said_where_it_is_and_not_saved(collect, change, said):
     assert tree_of(collect) == before
 
 
+@pytest.mark.parametrize("name", ["../evil", "/tmp/evil", "a\\b", "..", "", "a:b", " a", "a\nb"])
+def test_no_name_leads_out_of_the_folder(name, collect, tmp_path):
+    with pytest.raises(SocialmindError, match=r"not saved: .* as the name of the mind"):
+        saved({**EMPTY, "name": name}, tmp_path / "new", None)
+    document = opened(collect)
+    skill(document, "Collect")["name"] = name
+    with pytest.raises(SocialmindError, match=r"not saved: .* as the name of a skill"):
+        saved(document, collect, collect)
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["mind"]
+
+
 def test_the_linter_speaks_where_its_findings_belong(collect):
     document = opened(collect)
     extra = {"id": "new", "name": "EXTRA", "kind": "prox", "fields": [], "position": None}
