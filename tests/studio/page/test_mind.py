@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from coglogo_py import CognitiveScheme
+from coglogo_py.decision import BUILT_IN
 from socialmind.catalogue import load_model
 from socialmind.experiments import Run, replay, run
 
@@ -56,6 +57,8 @@ def weigh(page, weight):
 
 def test_the_turtle_of_the_tutorial_is_built_from_an_empty_page(browser, studio):
     page = mind(studio, browser)
+    for maker in BUILT_IN:
+        page.wait_for_selector(f"option:text-is('{maker.name}')", state="attached")
     page.fill("[data-test=scheme-name]", "turtles")
     # By keys: the plans in their order, then the cognitons.
     page.focus("[data-test=canvas] .svelte-flow__pane, [data-test=open]")
