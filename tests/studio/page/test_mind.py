@@ -262,6 +262,36 @@ def test_a_link_edited_while_a_society_runs_stands_in_its_capsule(browser, studi
     page.close()
 
 
+def test_a_society_that_goes_back_leaves_boxes_where_they_were_dragged(browser, studio):
+    sockets = []
+    page = studio.page(
+        browser,
+        ready="[data-test=model]",
+        begin=lambda page: page.on("websocket", lambda one: sockets.append(one)),
+    )
+    page.select_option("[data-test=model]", "civil_norms")
+    page.click("[data-test=step]:not([disabled])")
+    page.wait_for_function(f"{TICK} === 1")
+    page.click("[data-test=room-mind]")
+    page.wait_for_selector("[data-part=Pity]")
+    page.check("[data-test=live]")
+    boxes = ("Pity", "Civilisation", "Member")
+    places = [page.drag(box(name), -30, 40) for name in boxes]
+    page.click(box("Pity"))
+    with sockets[-1].expect_event("framesent", lambda sent: '"start":5' in sent):
+        page.fill("[data-test=start]", "5")
+    page.click("[data-test=room-run]")
+    page.click("[data-test=step]")
+    page.wait_for_function(f"{TICK} === 2")
+    page.fill("[data-test=scrub]", "0")
+    page.wait_for_function(f"{TICK} === 0")
+    page.click("[data-test=room-mind]")
+    page.wait_for_selector(f"{box('Pity')}:has-text('1')")
+    assert [page.stands(box(name)) for name in boxes] == places
+    assert page.failures == []
+    page.close()
+
+
 def test_all_edits_taken_back_leave_the_file_as_it_was_and_done_again_are_the_same(browser, studio):
     original = Path("models/civil_norms/scheme.yaml").read_bytes()
     (studio.folder / "norms.yaml").write_bytes(original)

@@ -48,7 +48,6 @@ class Editor extends Desk<Scheme, Base> {
   live = $state(false);
   /** Why the running society did not take the last change. */
   unfit = $state("");
-  checking = $state(false);
 
   #checks = 0;
   #sent = "";
@@ -201,10 +200,6 @@ class Editor extends Desk<Scheme, Base> {
 
   // Checking, and the society that runs ----------------------------------------------------------
 
-  checkSoon(after?: number): void {
-    this.checking = true;
-    super.checkSoon(after);
-  }
   protected async check(): Promise<void> {
     const number = (this.#checks += 1);
     const scheme = this.scheme;
@@ -215,7 +210,6 @@ class Editor extends Desk<Scheme, Base> {
       found = { findings: [{ at: null, wrong: true, text: (error as Error).message }], unruled: [], makers: this.makers };
     }
     if (number !== this.#checks) return;
-    this.checking = false;
     ({ findings: this.findings, unruled: this.unruled, makers: this.makers } = found);
     if (this.live && !this.wrong) this.#reach(scheme);
   }
@@ -263,10 +257,18 @@ class Editor extends Desk<Scheme, Base> {
   async #takeOver(): Promise<void> {
     const running = this.#world?.society?.schemes[this.population];
     const found = await ask<Opened>("open", { model: this.model, population: this.population, running });
-    this.#sent = JSON.stringify(found.document);
+    const scheme = this.#drawnAlike(found.document);
+    this.#sent = JSON.stringify(scheme);
     this.history.settle();
-    this.change(found.document);
+    this.change(scheme);
     this.selected = [];
+  }
+  /** A running scheme drawn as the one here: its society is not told of places and colours alone. */
+  #drawnAlike(scheme: Scheme): Scheme {
+    return [...this.places.keys()].reduce((drawn, id) => {
+      const { one } = partOf(this.scheme, id)!;
+      return set(drawn, id, "colour" in one ? { position: one.position, colour: one.colour } : { position: one.position });
+    }, scheme);
   }
 }
 
