@@ -6,8 +6,7 @@ docs/schemes.md describes the form.
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -17,7 +16,14 @@ import yaml
 from coglogo_py.border.errors import SchemeError
 from coglogo_py.conditions.condition import Condition, Conditions
 from coglogo_py.decision import DecisionMaker, MaximumWeight, decision_maker_called
-from coglogo_py.files.yaml_nodes import NOTHING, TRUTH, Nodes, composed
+from coglogo_py.files.yaml_nodes import NOTHING, Nodes, composed
+from coglogo_py.files.yaml_text import (
+    list_lines,
+    mapping_lines,
+    name_text,
+    number_text,
+    position_text,
+)
 from coglogo_py.parts import GREY, AScheme, Cogniton, Culturon, Group, Role, Scheme
 
 TOP_FIELDS = (
@@ -35,10 +41,6 @@ COGNITON_FIELDS = (
 Attributes = tuple[tuple[str, float], ...]
 Around = tuple[str, str]
 Position = tuple[int, int]
-WIDTH = 100
-PLAIN = re.compile(r"[^\W\d][\w-]*( [\w-]+)*")
-"""Names that need no quotes, but for the words that YAML takes for something else."""
-TAKEN_WORDS = frozenset((*TRUTH, "y", "n", "null"))
 
 
 def parse(
@@ -288,11 +290,11 @@ def written(scheme: Scheme) -> str:
         f"decision_maker: {{name: {name_text(maker.name)}, bias: {number_text(maker.bias)}}}",
     ]
     if scheme.breeds:
-        lines += _list("breeds", scheme.breeds, "")
+        lines += list_lines("breeds", scheme.breeds, "")
     order = scheme.linked_plans if scheme.plan_order is None else scheme.plan_order
-    lines += _list("plans", order, "")
+    lines += list_lines("plans", order, "")
     positions = {plan: position_text(place) for plan, place in scheme.plan_positions.items()}
-    lines += _mapping("plan_positions", positions, "")
+    lines += mapping_lines("plan_positions", positions, "")
     if scheme.cognitons:
         lines.append("cognitons:")
     for cogniton in scheme.cognitons:
@@ -317,18 +319,18 @@ def written(scheme: Scheme) -> str:
         lines.append("group_attributes:")
     for group in scheme.groups:
         values = {name: number_text(value) for name, value in group.attributes}
-        lines += _mapping(name_text(group.name), values, "  ")
+        lines += mapping_lines(name_text(group.name), values, "  ")
     if any(group.within for group in scheme.groups):
         lines.append("nested_groups:")
     for group in scheme.groups:
         if group.within is not None:
             around, part = group.within
-            lines += _mapping(name_text(group.name), {around: name_text(part)}, "  ")
-    lines += _mapping("group_positions", _places(scheme.groups), "")
+            lines += mapping_lines(name_text(group.name), {around: name_text(part)}, "  ")
+    lines += mapping_lines("group_positions", _places(scheme.groups), "")
     if any(role.position for group in scheme.groups for role in group.roles):
         lines.append("role_positions:")
     for group in scheme.groups:
-        lines += _mapping(name_text(group.name), _places(group.roles), "  ")
+        lines += mapping_lines(name_text(group.name), _places(group.roles), "  ")
     return HEADER + "\n".join(lines) + "\n"
 
 
@@ -341,10 +343,10 @@ def _rest(holder: Cogniton | Culturon, indent: str) -> list[str]:
         lines.append(f"{indent}position: {position_text(holder.position)}")
     influence = {plan: number_text(weight) for plan, weight in holder.influence.items()}
     reinforcement = {plan: number_text(weight) for plan, weight in holder.reinforcement.items()}
-    lines += _mapping("influence", influence, indent)
+    lines += mapping_lines("influence", influence, indent)
     if holder.conditional:
-        lines += _list("conditional", holder.conditional, indent)
-    return lines + _mapping("reinforcement", reinforcement, indent)
+        lines += list_lines("conditional", holder.conditional, indent)
+    return lines + mapping_lines("reinforcement", reinforcement, indent)
 
 
 def _becoming(cogniton: Cogniton, indent: str) -> list[str]:
@@ -368,50 +370,3 @@ def _places(parts: Iterable[Group | Role]) -> dict[str, str]:
 
 def _flow(texts: list[str]) -> str:
     return f"[{', '.join(texts)}]"
-
-
-def _mapping(field: str, values: dict[str, str], indent: str) -> list[str]:
-    """Return a field of name: value pairs, on one line if they fit; nothing if there are none."""
-    pairs = [f"{name_text(name)}: {value}" for name, value in values.items()]
-    if not pairs:
-        return []
-    line = f"{indent}{field}: {{{', '.join(pairs)}}}"
-    return (
-        [line] if len(line) <= WIDTH else [f"{indent}{field}:", *(f"{indent}  {p}" for p in pairs)]
-    )
-
-
-def _list(field: str, names: Iterable[str], indent: str) -> list[str]:
-    """Return a field of several names, on one line if they fit."""
-    texts = [name_text(name) for name in names]
-    line = f"{indent}{field}: [{', '.join(texts)}]"
-    return (
-        [line]
-        if len(line) <= WIDTH
-        else [f"{indent}{field}:", *(f"{indent}  - {t}" for t in texts)]
-    )
-
-
-def position_text(position: Sequence[int]) -> str:
-    """Return a place in the drawing as the file has it."""
-    return f"[{position[0]}, {position[1]}]"
-
-
-def number_text(value: float) -> str:
-    """Return a number as the file has it."""
-    mantissa, e, exponent = repr(value).partition("e")
-    if not e:
-        return mantissa.removesuffix(".0")
-    # With a point, other readers of YAML know it for a number too.
-    return mantissa + ("" if "." in mantissa else ".0") + e + exponent
-
-
-def name_text(name: str) -> str:
-    """Return a name as YAML, in quotes where it needs them."""
-    if PLAIN.fullmatch(name) and name.lower() not in TAKEN_WORDS:
-        return name
-    escaped = (
-        f"\\{char}" if char in '"\\' else char if char.isprintable() else f"\\U{ord(char):08x}"
-        for char in name
-    )
-    return f'"{"".join(escaped)}"'

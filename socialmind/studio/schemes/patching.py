@@ -13,8 +13,8 @@ from typing import Union
 
 import yaml
 
-from coglogo_py.files.yaml_file import name_text
 from coglogo_py.files.yaml_nodes import composed
+from coglogo_py.files.yaml_text import name_text
 from socialmind.errors import SocialmindError
 
 Value = Union[str, "dict[str, Value]"]

@@ -7,15 +7,11 @@ from typing import Any
 
 import yaml
 
-from coglogo_py.files.yaml_file import (
-    COGNITON_FIELDS,
-    TOP_FIELDS,
-    name_text,
-    number_text,
-    position_text,
-)
+from coglogo_py.files.yaml_file import COGNITON_FIELDS, TOP_FIELDS
 from coglogo_py.files.yaml_nodes import composed
+from coglogo_py.files.yaml_text import name_text, number_text, position_text
 from socialmind.studio.schemes.document import CONDITIONS, SHARES, WEIGHTS, Document
+from socialmind.studio.schemes.mappings import changed_by_group, values_changed
 from socialmind.studio.schemes.patching import Items, Patch, Value, entries, patched
 
 Part = Mapping[str, Any]
@@ -79,7 +75,7 @@ class _Difference:
             "before": {self.was[one["id"]]: one["position"] for one in before["plans"]},
             "after": {self.now[one["id"]]: one["position"] for one in after["plans"]},
         }
-        places = _values(**positions, text=position_text, renamed=self.renamed)
+        places = values_changed(**positions, text=position_text, renamed=self.renamed)
         self._within(patch, "plan_positions", places)
         self._within(patch, "cognitons", self._cognitons())
         self._within(patch, "groups", self._groups())
@@ -103,14 +99,18 @@ class _Difference:
                 for word, each in (("before", before), ("after", after))
             }
 
-        numbers = _by_group(**said(lambda one: dict(one["attributes"])), text=_number, names=names)
+        numbers = changed_by_group(
+            **said(lambda one: dict(one["attributes"])), text=_number, names=names
+        )
         self._within(patch, "group_attributes", numbers)
         around: dict[str, Any] = {"before": _nesting(self.before), "after": _nesting(self.after)}
-        self._within(patch, "nested_groups", _values(**around, text=str, renamed=names))
-        places = _values(**said(lambda one: one["position"]), text=position_text, renamed=names)
+        self._within(patch, "nested_groups", values_changed(**around, text=str, renamed=names))
+        places = values_changed(
+            **said(lambda one: one["position"]), text=position_text, renamed=names
+        )
         self._within(patch, "group_positions", places)
         inner = said(lambda one: {role["name"]: role["position"] for role in one["roles"]})
-        places = _by_group(**inner, text=position_text, names=names, inner_names=roles)
+        places = changed_by_group(**inner, text=position_text, names=names, inner_names=roles)
         self._within(patch, "role_positions", places)
 
     def _within(self, patch: Patch, name: str, inner: Patch) -> None:
@@ -185,7 +185,7 @@ class _Difference:
                 "before": {self.was[plan]: weight for plan, weight in before[name]},
                 "after": {self.now[plan]: weight for plan, weight in after[name]},
             }
-            inner = _values(**links, text=_number, renamed=self.renamed)
+            inner = values_changed(**links, text=_number, renamed=self.renamed)
             if not inner:
                 continue
             if name not in stands:
@@ -354,67 +354,6 @@ def _nesting(document: Document) -> dict[str, str]:
         for one in document["groups"]
         if one["within"] is not None
     }
-
-
-def _values(
-    before: Mapping[str, Any], after: Mapping[str, Any], text: Any, renamed: Mapping[str, str]
-) -> Patch:
-    """Return the patch of a mapping of values on one line; None stands for no entry."""
-    patch = Patch()
-    was, now = _there(before), _there(after)
-    for name, value in was.items():
-        new = renamed.get(name, name)
-        if new not in now:
-            patch.removed.add(name)
-            continue
-        if new != name:
-            patch.renamed[name] = new
-        if now[new] != value:
-            patch.inner[name] = text(now[new])
-    stays = {renamed.get(name, name) for name in was}
-    patch.added = {name: text(value) for name, value in now.items() if name not in stays}
-    return patch
-
-
-def _by_group(
-    before: Mapping[str, Mapping[str, Any]],
-    after: Mapping[str, Mapping[str, Any]],
-    text: Any,
-    names: Mapping[str, str],
-    inner_names: Mapping[str, Mapping[str, str]] | None = None,
-) -> Patch:
-    """Return the patch of a mapping from groups to mappings of values; of none there is no entry.
-
-    Args:
-        before: by the names of groups.
-        after: likewise.
-        text: makes a text of a value.
-        names: new names of groups by old ones.
-        inner_names: new names within a group by old ones, by the group's old name.
-    """
-    patch = Patch()
-    was = {group: there for group, values in before.items() if (there := _there(values))}
-    now = {group: there for group, values in after.items() if (there := _there(values))}
-    for group, values in was.items():
-        new = names.get(group, group)
-        if new not in now:
-            patch.removed.add(group)
-            continue
-        if new != group:
-            patch.renamed[group] = new
-        inner = _values(values, now[new], text, (inner_names or {}).get(group, {}))
-        if inner:
-            patch.inner[group] = inner
-    stays = {names.get(group, group) for group in was}
-    for group, values in now.items():
-        if group not in stays:
-            pairs = (f"{name_text(name)}: {text(value)}" for name, value in values.items())
-            patch.added[group] = f"{{{', '.join(pairs)}}}"
-    return patch
-
-
-def _there(values: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in values.items() if value is not None}
 
 
 def _number(value: Any) -> str:
