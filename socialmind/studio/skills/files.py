@@ -155,6 +155,8 @@ def saved(document: Document, target: Path, home: Path | None) -> list[str]:
     Raises:
         SocialmindError: the document is no mind; or it cannot be written.
     """
+    if is_yaml(target):
+        _places(target)  # a file that is called so, and is none of ours, is refused, not lost
     before = None if home is None else opened(home)
     layout = _layout(document, before, home)
     notes: list[str] = []

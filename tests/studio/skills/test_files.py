@@ -194,6 +194,13 @@ def test_places_go_with_names_and_comments_stay(collect):
     assert opened(collect) == {**document, "name": "Gather"}
 
 
+def test_a_file_of_the_name_that_is_something_else_is_not_lost(tmp_path):
+    (tmp_path / "rover.layout").write_text("width: 80\n")
+    with pytest.raises(SocialmindError, match=r"rover\.layout:1: found 'width: 80'"):
+        saved(checked_shape(ROVER), tmp_path / "rover.yaml", None)
+    assert [one.name for one in tmp_path.iterdir()] == ["rover.layout"]
+
+
 def test_places_that_cannot_be_read_are_said_with_the_line(collect):
     layout_file(collect).write_text("SKILLS\nAvoid:left\n")
     with pytest.raises(SocialmindError, match=r"Collect\.layout:2: found 'Avoid:left'"):
