@@ -16,7 +16,9 @@ from coglogo_py.parts import Cogniton, Culturon, Group, Role
 from socialmind.errors import SocialmindError
 from socialmind.mind import MindDescription, Perceptron, Skill, Variable
 from socialmind.mind.files.evoagents.simbatch import Task
+from socialmind.mind.files.evoagents.text_file import text_of
 from socialmind.mind.files.folder import load_tasks, save_tasks
+from socialmind.mind.files.layout import layout_file, parse
 from socialmind.mind.regulation import Counter
 
 SEED = int(os.environ.get("SOCIALMIND_FUZZ_SEED", datetime.now(UTC).strftime("%Y%m%d")))
@@ -28,7 +30,8 @@ HOSTILE = [
     b"#",
 ]  # fmt: skip
 FORMATS = (
-    ".cogscheme", ".yaml", ".botdesc", ".vardesc", ".ades", ".genome", ".simbatch", "mind",
+    ".cogscheme", ".yaml", ".botdesc", ".vardesc", ".ades", ".genome", ".simbatch", ".layout",
+    "mind",
 )  # fmt: skip
 
 
@@ -59,7 +62,9 @@ def sample(ending, folder):
     """A sound file of a format, and what loads it."""
     if ending in (".cogscheme", ".yaml"):
         links = {"influence": {"eat": 2.5}, "conditional": ("eat",), "reinforcement": {"eat": 1}}
-        group = Group("herd", (Role("cow", (Culturon("Peace", 1, **links),)),))
+        placed = (3, -40) if ending == ".yaml" else None
+        role = Role("cow", (Culturon("Peace", 1, **links),), placed)
+        group = Group("herd", (role,), position=placed)
         path = folder / f"cows{ending}"
         CognitiveScheme("cows", (Cogniton("Hunger", **links),), (group,)).save(path)
         return path, lambda: CognitiveScheme.load(path).check()
@@ -70,6 +75,10 @@ def sample(ending, folder):
         mind.save(path)
         return path, lambda: MindDescription.load(path)
     mind.save(folder / "m")
+    if ending == ".layout":
+        path = layout_file(folder / "m")
+        path.write_text("SENSORS\nEye:-190:40\nSKILLS\nGo:230:0\n")
+        return path, lambda: parse(text_of(path), path)
     save_tasks({"Go": Task("LEARN2DSIM", master_skill="Go", generations=5)}, folder / "m")
     (path,) = (folder / "m").rglob(f"*{ending}")
     return path, lambda: (MindDescription.load(folder / "m"), load_tasks(folder / "m"))

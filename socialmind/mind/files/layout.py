@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from coglogo_py.border.errors import shown
 from socialmind.mind.files.evoagents.botdesc import ACTUATORS, SENSORS
 from socialmind.mind.files.evoagents.folder_reader import agent_file
 from socialmind.mind.files.evoagents.text_file import Line, Lines
@@ -65,14 +66,14 @@ def parse(text: str, file: str | Path) -> Places:
             continue
         if kind is None:
             raise lines.error(
-                repr(line.text), f"one of {', '.join(kinds)}", "write a section above it",
+                shown(line.text), f"one of {', '.join(kinds)}", "write a section above it",
                 line.number,
             )  # fmt: skip
         name, place = _placed(lines, line)
         there = found.setdefault(kind, {})
         if name in there:
             raise lines.error(
-                f"a second place of {name!r}", "each module once", "take one out", line.number
+                f"a second place of {shown(name)}", "each module once", "take one out", line.number
             )
         there[name] = place
     return found
@@ -87,7 +88,7 @@ def _placed(lines: Lines, line: Line) -> tuple[str, Place]:
     ):
         return name, (int(numbers[0]), int(numbers[1]))
     raise lines.error(
-        repr(line.text),
+        shown(line.text),
         "name:x:y, with whole numbers of 32 bits",
         "write it as EYE:-190:40, or delete the file: the modules are laid out then",
         line.number,
