@@ -3,8 +3,8 @@
 A document is JSON: ``name``, ``sensors``, ``actuators``, ``variables`` (each with ``id``, ``name``,
 ``kind`` and the ``fields`` that follow in its line) and ``skills`` (``id``, ``name``, ``was``: the
 name under which its files lie, ``inputs``, ``outputs``, ``function``: its keyword, and ``lines``).
-Each part has a ``position``: x and y where somebody put it, or None.
-Identities are a page's own; an opened document has those of its order.
+Identities are a page's own; an opened document has those of its order. Each part has a
+``position`` too: x and y where somebody put it, or None.
 """
 
 from __future__ import annotations
@@ -149,15 +149,15 @@ def checked_shape(document: Any) -> Document:
     found: Document = {"name": document["name"]}
     for what in ("sensors", "actuators", "variables"):
         found[what] = [
-            {**_texts(one, "id", "name", "kind"), **_lists(one, "fields"), **_position(one)}
+            {**_position(one), **_texts(one, "id", "name", "kind"), **_lists(one, "fields")}
             for one in _parts(document, what)
         ]
     found["skills"] = [
         {
+            **_position(one),
             **_texts(one, "id", "name", "function"),
             **_lists(one, "inputs", "outputs", "lines"),
             "was": one["was"] if isinstance(one.get("was"), str) else None,
-            **_position(one),
         }
         for one in _parts(document, "skills")
     ]

@@ -5,22 +5,22 @@ import type { Position } from "../graph/layout";
 export interface Module {
   id: string;
   name: string;
+  position: Position;
   /** Its type, as the files say it. */
   kind: string;
   /** What follows in its line. */
   fields: string[];
-  position: Position;
 }
 export interface Skill {
   id: string;
   name: string;
+  position: Position;
   /** In order: "SE:S1", "SH:S1:5", "VA:ROLE". */
   inputs: string[];
   /** In order: "MO:MotL", "SK:Avoid", "VA:ROLE". */
   outputs: string[];
   function: string;
   lines: string[];
-  position: Position;
 }
 export interface Mind {
   name: string;
@@ -108,11 +108,11 @@ function free(mind: Mind, part: Kind, begin: string): string {
 }
 export function added(mind: Mind, part: Kind, id: string, position: Position): Mind {
   if (part === "skill") {
-    const one: Skill = { id, name: free(mind, part, "Skill"), inputs: [], outputs: [], function: "neural", lines: ["TYPE:BASIC", "LAYERS:2"], position };
+    const one: Skill = { id, name: free(mind, part, "Skill"), position, inputs: [], outputs: [], function: "neural", lines: ["TYPE:BASIC", "LAYERS:2"] };
     return { ...mind, skills: [...mind.skills, one] };
   }
   const [begin, kind] = { sensor: ["S", "sensor"], actuator: ["Mot", "actuator"], variable: ["VAR", "VariableModule"] }[part];
-  const one: Module = { id, name: free(mind, part, begin), kind, fields: [], position };
+  const one: Module = { id, name: free(mind, part, begin), position, kind, fields: [] };
   return { ...mind, [LISTS[part]]: [...mind[LISTS[part]], one] };
 }
 
