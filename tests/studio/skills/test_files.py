@@ -150,7 +150,7 @@ PLACES = st.dictionaries(
 
 
 @pytest.mark.parametrize("form", ["mind", "mind.yaml"])
-@settings(max_examples=6)
+@settings(max_examples=4)
 @given(places=PLACES, further=PLACES)
 def test_what_is_dragged_stands_there_and_the_mind_is_as_it_was(form, places, further):
     with TemporaryDirectory() as home:
