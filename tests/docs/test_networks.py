@@ -8,7 +8,7 @@ import pytest
 
 from socialmind.drawing import style as paper
 from socialmind.experiments import Run, run
-from socialmind.language.networks import ALL, ONE_WAY, PAIRS
+from socialmind.language.typing.calls.networks import ALL, ONE_WAY, PAIRS
 from socialmind.networks.table import NetworkTable
 from socialmind.sources.loading import load_file
 

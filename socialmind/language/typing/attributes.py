@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import nearest
 from socialmind.fields import Field
-from socialmind.language import hints, types
-from socialmind.language.networks import link_attribute
+from socialmind.language import types
 from socialmind.language.nodes import Typed, marked
 from socialmind.language.refusals import MODULES
+from socialmind.language.typing import hints
 from socialmind.language.typing.calls import neighbours
+from socialmind.language.typing.calls.networks import link_attribute
 from socialmind.language.typing.signatures import MATH_CONSTANTS
 
 if TYPE_CHECKING:

@@ -10,12 +10,12 @@ from typing import Any, NoReturn
 import numpy as np
 
 from socialmind.errors import ModelError, nearest
-from socialmind.language import hints, types
+from socialmind.language import types
 from socialmind.language.nodes import Typed, call, constant, marked, written_number
 from socialmind.language.refusals import MODULES, NAMES, REFUSED
 from socialmind.language.shape import ModelShape
 from socialmind.language.source import RuleSource
-from socialmind.language.typing import operators, tables
+from socialmind.language.typing import hints, operators, tables
 from socialmind.language.typing.attributes import typed_attribute
 from socialmind.language.typing.calls import neighbours
 from socialmind.language.typing.calls.built_in import BUILT_IN

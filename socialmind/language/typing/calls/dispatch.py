@@ -8,11 +8,11 @@ import types as python_types
 from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import close, nearest
-from socialmind.language import hints, types
+from socialmind.language import types
 from socialmind.language.aggregates import AGGREGATES
-from socialmind.language.networks import link_call, network_call, one_linked
 from socialmind.language.nodes import Typed, call, constant, marked
 from socialmind.language.refusals import METHODS, MODULES, NAMES
+from socialmind.language.typing import hints
 from socialmind.language.typing.calls import groups, neighbours
 from socialmind.language.typing.calls.built_in import (
     BUILT_IN,
@@ -24,6 +24,7 @@ from socialmind.language.typing.calls.built_in import (
 from socialmind.language.typing.calls.draws import typed_draw
 from socialmind.language.typing.calls.interactions import interaction_call
 from socialmind.language.typing.calls.minds import hierarchy_call, method_call, mind_call
+from socialmind.language.typing.calls.networks import link_call, network_call, one_linked
 from socialmind.language.typing.calls.world_calls import population_aggregate, world_call
 from socialmind.language.typing.comprehensions import reduced
 from socialmind.language.typing.signatures import Signature
