@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from shlex import quote
 from typing import Annotated, Any, ClassVar
 
 from socialmind.runs import folders
@@ -25,8 +26,18 @@ _CHOSEN = kinds.Kind(
     lambda value: value is None or (isinstance(value, list) and all(map(kinds.TEXT.holds, value))),
 )
 _PROCESS = kinds.Fields({}, {"host": kinds.TEXT, "pid": kinds.whole()})
-_PLAN = kinds.Fields({}, {"module": kinds.TEXT, "name": kinds.TEXT})
 _TIMINGS = kinds.Fields({}, {"created": kinds.TEXT, "seconds": kinds.NUMBER})
+
+
+def _is_plan(value: Any) -> bool:
+    if not isinstance(value, dict) or not value:
+        return value == {}
+    module, name = value.get("module"), value.get("name")
+    named = isinstance(name, str) and name.isprintable()
+    return named and isinstance(module, str) and all(map(str.isidentifier, module.split(".")))
+
+
+_PLAN = kinds.Kind("a module and the name of its plan, or nothing", _is_plan)
 
 
 @dataclass(frozen=True)
@@ -84,6 +95,13 @@ class TrainingManifest(folders.FolderManifest):
     format: int = folders.FORMAT
 
     WHAT: ClassVar[str] = KIND
+
+    @property
+    def command(self) -> str | None:
+        """The command of the study's plan that goes on with it; None where it is of none."""
+        if not self.plan:
+            return None
+        return f"python -m {self.plan['module']} {quote(self.plan['name'])}"
 
 
 class TrainingCapsule(folders.ManifestFolder[TrainingManifest]):

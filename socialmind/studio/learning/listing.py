@@ -69,6 +69,7 @@ def summary(folder: Path) -> dict[str, Any]:
         "process": manifest.process or None,
         "pausing": held and status == folders.RUNNING and is_asked(folder),
         "resumable": resuming(folder, manifest) is not None,
+        "command": manifest.command,
         "error": manifest.error,
         "model": manifest.model["name"],
         "lessons": [one["name"] for one in lessons_in(manifest.lessons)],

@@ -5,11 +5,12 @@ from dataclasses import replace
 
 import pytest
 
+from socialmind.errors import SocialmindError
 from socialmind.experiments.studies import Way
 from socialmind.experiments.trainings import plans as of_plans
 from socialmind.experiments.trainings.plans import TrainingPlans, attempts_of, most_ticks
 from socialmind.experiments.trainings.store import keep
-from socialmind.learning import Training, pause
+from socialmind.learning import Training, pause, resume
 
 
 @pytest.fixture
@@ -107,7 +108,10 @@ def test_paused_from_elsewhere_the_command_says_so_and_goes_on(plans, whole, cap
         "paused by the studio in attempt 1, GoToDropZone, after generation 0; the same command "
         "goes on"
     )
-    assert Training(folder).manifest.plan["name"] == "tiny"
+    manifest = Training(folder).manifest
+    assert manifest.command == f"python -m {manifest.plan['module']} tiny"
+    with pytest.raises(SocialmindError, match=f"go on with `{manifest.command}`"):
+        resume(folder)
     monkeypatch.undo()
     plans.main(["tiny"])
     assert Training(folder).lessons.equals(Training(whole).lessons)

@@ -170,3 +170,15 @@ def test_whatever_lies_in_the_place_of_a_request_is_harmless(whole, tmp_path, le
             learn(None, whole, out=out, on_generation=ask)
         assert not (out / REQUEST).exists()
     assert other.read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    "plan",
+    [{"module": "os; rm", "name": "x"}, {"module": "a.b"}, {"module": "a", "name": "\n"}, []],
+)
+def test_a_manifest_that_names_no_plan_is_refused(whole, tmp_path, plan):
+    folder = learn(None, whole, out=tmp_path / "out", generations=1)
+    manifest = json.loads((folder / "manifest.json").read_text())
+    (folder / "manifest.json").write_text(json.dumps({**manifest, "plan": plan}))
+    with pytest.raises(SocialmindError, match="plan: found"):
+        Training(folder)

@@ -19,6 +19,8 @@ export interface Summary {
   pausing?: boolean;
   /** Whether the studio knows a command that goes on with it. */
   resumable?: boolean;
+  /** The command of a study's plan that goes on with it in a terminal. */
+  command?: string | null;
   /** Why its last process here ended before its time. */
   failure: string | null;
   attempts?: number;
