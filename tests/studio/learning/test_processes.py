@@ -62,12 +62,16 @@ def test_lessons_of_a_model_are_gone_on_with_by_learn(folder):
 @pytest.mark.parametrize(
     ("plan", "place", "known"),
     [
-        ({"module": "analysis.collect.level", "name": "x"}, COLLECT / "trainings" / "x", True),
-        ({"module": "analysis.collect.level", "name": "x"}, Path("trainings/x"), False),
-        ({"module": "analysis.collect.level", "name": "y"}, COLLECT / "trainings" / "x", False),
+        ({"module": "analysis.collect.trainings", "name": "x"}, COLLECT / "trainings" / "x", True),
+        ({"module": "analysis.collect.trainings", "name": "x"}, Path("trainings/x"), False),
+        ({"module": "analysis.collect.trainings", "name": "y"}, COLLECT / "trainings" / "x", False),
         ({"module": "analysis.collect.none", "name": "x"}, COLLECT / "trainings" / "x", False),
         ({"module": "os", "name": "x"}, COLLECT / "trainings" / "x", False),
-        ({"module": "analysis.mine.level", "name": "x"}, Path("analysis/mine/trainings/x"), False),
+        (
+            {"module": "analysis.mine.trainings", "name": "x"},
+            Path("analysis/mine/trainings/x"),
+            False,
+        ),
         ({}, COLLECT / "trainings" / "x", False),
     ],
 )
@@ -75,7 +79,7 @@ def test_a_manifest_chooses_among_the_commands_of_shipped_studies_alone(folder, 
     command = resuming(place, replace(TrainingCapsule(folder).manifest, plan=plan))
     assert (command is not None) == known
     if known:
-        assert command.words == ["analysis.collect.level", "x"]
+        assert command.words == ["analysis.collect.trainings", "x"]
         assert command.folder == COLLECT.parents[1]
 
 
