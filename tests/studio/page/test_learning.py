@@ -20,6 +20,7 @@ ROVERS = TESTS / "interventions" / "rovers"
 TICK = "Number((document.querySelector('[data-test=tick]')?.innerText ?? '').replace(/\\D/g, ''))"
 GENERATION = TICK.replace("tick", "generation")
 ACTS = "/tick [1-9]/.test(document.querySelector('[data-test=act-tick]')?.innerText)"
+LINE = TICK.replace("[data-test=tick]", "[data-test=attempt-1-of-Long] td:last-child")
 PAST = "Number(document.querySelector('[data-test=past]').dataset.ticks)"
 
 
@@ -45,12 +46,13 @@ def test_a_training_is_watched_paused_and_resumed(browser, studio):
         page.wait_for_selector("[data-test=generation]")
         page.wait_for_function(f"{GENERATION} > 20")
         assert page.inner_text("[data-test=standing]") == "goes on"
-        assert page.is_visible("text=It was begun in another program")
+        assert page.is_visible("text=Begun elsewhere, as process")
         page.wait_for_selector("[data-test=curve-Long] canvas")
         assert "ticks/s" in page.inner_text("[data-test=speed]")
         assert "about" in page.inner_text("[data-test=left]")
         before = page.evaluate(GENERATION)
         page.wait_for_function(f"{GENERATION} > {before}")
+        page.wait_for_function(f"{LINE} > {before}")
         # Paused from the page it ends where it was begun, which is told there.
         page.click("[data-test=pause]")
         _, said = elsewhere.communicate(timeout=120)
