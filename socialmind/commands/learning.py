@@ -122,11 +122,9 @@ def _told(quiet: bool, kind: str = "learn") -> Iterator[dict[str, Any]]:
     try:
         yield {"progress": options.seen(quiet), "on_lesson": None if quiet else _say_result}
     except TrainingInterrupted as stop:
-        typer.echo(
-            f"socialmind: stopped in attempt {stop.attempt}, {stop.lesson}, after generation "
-            f"{stop.generation:,}; go on with `socialmind learn --resume {quoted(stop.folder)}`",
-            err=True,
-        )
+        there = "" if stop.asker is None else ", or from where it was paused"
+        command = f"socialmind learn --resume {quoted(stop.folder)}"
+        typer.echo(f"socialmind: {stop.where}; go on with `{command}`{there}", err=True)
         raise typer.Exit(128 + stop.signal_number) from None
 
 

@@ -2,6 +2,7 @@
 
 - `Lesson`, `Curriculum`, `Cycle`: what is learned, in which order;
 - `learn`, `resume`: teach a mind, into a folder that can be gone on with;
+- `pause`: ask a training to stop for now, wherever it goes on;
 - `Training`: read such a folder.
 """
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from socialmind.learning.training.execution import TrainingInterrupted as TrainingInterrupted
     from socialmind.learning.training.execution import learn as learn
     from socialmind.learning.training.execution import resume as resume
+    from socialmind.learning.training.pausing import pause as pause
     from socialmind.learning.training.result import Training as Training
 else:
     from coglogo_py.on_demand import on_demand
@@ -24,6 +26,7 @@ else:
             "socialmind.learning.lessons.curriculum": "Curriculum Cycle",
             "socialmind.learning.lessons.lesson": "Lesson",
             "socialmind.learning.training.execution": "TrainingInterrupted learn resume",
+            "socialmind.learning.training.pausing": "pause",
             "socialmind.learning.training.result": "Training",
         },
     )

@@ -29,7 +29,8 @@ def launch(
 
     Args:
         first: the command by which the first page has something to show.
-        host: where it listens; anything but this machine's own address asks for a token.
+        host: where it listens; anything but this machine's own address asks for the token, which
+            there only saving programs needs.
         port: to listen at; by default 8765, or a free one if that is taken.
         browser: whether to open the page.
 
@@ -39,17 +40,15 @@ def launch(
     listening = _listening(host, port)
     found = listening.getsockname()[1]
     local = host in LOOPBACK
-    token = None if local else new_token()
+    token = new_token()
     hosts = LOOPBACK if local else (*LOOPBACK, host, socket.gethostname())
-    shown = f"http://{'127.0.0.1' if local else host}:{found}/" + (
-        f"?token={token}" if token else ""
-    )
+    shown = f"http://{'127.0.0.1' if local else host}:{found}/?token={token}"
     print(f"socialmind studio: {shown}   (Ctrl-C ends it)", flush=True)
     if browser:
         threading.Timer(0.5, webbrowser.open, (shown,)).start()
     studio = Studio(first, Folders(Path.cwd(), readable=tuple(catalogue().values())))
     config = uvicorn.Config(
-        studio.application(hosts, token),
+        studio.application(hosts, token, local),
         log_level="error",
         ws="websockets-sansio",
         ws_per_message_deflate=False,  # packing a large frame takes longer than drawing it

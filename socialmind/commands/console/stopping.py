@@ -10,6 +10,7 @@ import typer
 from socialmind.commands.console.terminal import quoted
 
 if TYPE_CHECKING:
+    from socialmind.learning.training.execution import TrainingInterrupted
     from socialmind.runs.execution import Interrupted
 
 CTRL_C = 130
@@ -18,18 +19,25 @@ CTRL_C = 130
 def exit_code_of_stop(stop: KeyboardInterrupt) -> int:
     """Say how to go on with a stopped run, and give the exit code of a program stopped so."""
     # Nothing is imported here: what was stopped may be an import, which cannot be done again.
-    runs: Any = sys.modules.get("socialmind.runs.execution")
-    interrupted = getattr(runs, "Interrupted", None)
-    if interrupted is None or not isinstance(stop, interrupted):
+    if _is(stop, "socialmind.learning.training.execution", "TrainingInterrupted"):
+        training: TrainingInterrupted = stop  # type: ignore[assignment]
+        typer.echo(f"socialmind: {training.where}; the same command goes on", err=True)
+        return 128 + training.signal_number
+    if not _is(stop, "socialmind.runs.execution", "Interrupted"):
         typer.echo("socialmind: stopped", err=True)
         return CTRL_C
-    run: Interrupted = stop
+    run: Interrupted = stop  # type: ignore[assignment]
     typer.echo(
         f"socialmind: stopped at tick {run.tick:,}; go on with "
         f"`socialmind run --resume {quoted(run.folder)}`",
         err=True,
     )
     return 128 + run.signal_number
+
+
+def _is(stop: KeyboardInterrupt, module: str, name: str) -> bool:
+    kind: Any = getattr(sys.modules.get(module), name, None)
+    return kind is not None and isinstance(stop, kind)
 
 
 def what_memory_lacked(error: MemoryError) -> str:

@@ -19,7 +19,7 @@ from socialmind.experiments.trainings.rechecking import recheck, rescore
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
-from socialmind.learning.training.execution import learn, resume
+from socialmind.learning.training.execution import TrainingInterrupted, learn, resume
 from socialmind.learning.training.result import Training
 from socialmind.mind import MindDescription
 from socialmind.runs.folders import MANIFEST
@@ -163,7 +163,9 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
         plan, folder = self[name], self.home / name
         if not folder.is_dir():
             take_out(self.kept / name, folder)
-        return plan.train(folder, on_lesson=print_lesson)
+        spec = getattr(sys.modules["__main__"], "__spec__", None)
+        told = None if spec is None else {"module": spec.name, "name": name}
+        return plan.train(folder, on_lesson=print_lesson, plan=told)
 
     def training(self, name: str, way: Way, out: Path) -> tuple[Training | None, str]:
         """Return a training for a study, and a line on where it comes from.
@@ -223,6 +225,9 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
                 print(self._done(act, name), flush=True)
         except SocialmindError as error:
             raise SystemExit(f"error: {error}") from error
+        except TrainingInterrupted as stop:
+            print(f"{stop.where}; the same command goes on", file=sys.stderr, flush=True)
+            raise SystemExit(128 + stop.signal_number) from None
 
     def _chosen(self, names: list[str]) -> list[str]:
         if names == ["all"]:

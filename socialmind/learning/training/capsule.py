@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from shlex import quote
 from typing import Annotated, Any, ClassVar
 
 from socialmind.runs import folders
@@ -24,7 +25,19 @@ _CHOSEN = kinds.Kind(
     "a list of names, or null",
     lambda value: value is None or (isinstance(value, list) and all(map(kinds.TEXT.holds, value))),
 )
+_PROCESS = kinds.Fields({}, {"host": kinds.TEXT, "pid": kinds.whole()})
 _TIMINGS = kinds.Fields({}, {"created": kinds.TEXT, "seconds": kinds.NUMBER})
+
+
+def _is_plan(value: Any) -> bool:
+    if not isinstance(value, dict) or not value:
+        return value == {}
+    module, name = value.get("module"), value.get("name")
+    named = isinstance(name, str) and name.isprintable()
+    return named and isinstance(module, str) and all(map(str.isidentifier, module.split(".")))
+
+
+_PLAN = kinds.Kind("a module and the name of its plan, or nothing", _is_plan)
 
 
 @dataclass(frozen=True)
@@ -39,6 +52,8 @@ class TrainingManifest(folders.FolderManifest):
             curriculum; the empty list for lessons that were given in Python.
         changes: what was asked for in place of the lessons' own: ``optimiser``, ``settings``,
             ``generations``, ``budget``, ``cycles``.
+        plan: ``module`` and ``name`` of the study's plan that gives its lessons, as `python -m`
+            takes them (`TrainingPlans.main`); empty for others.
         mind: the ``name`` of the mind that learning began from, and the ``sha256`` of the copy.
         seed: of the training.
         engine: `compiled` or `pymunk`.
@@ -46,6 +61,8 @@ class TrainingManifest(folders.FolderManifest):
         finished: how many are finished.
         status: ``running``, ``interrupted``, ``failed`` or ``finished``.
         error: what stopped a failed training.
+        process: ``host`` and ``pid`` of the process that goes on with it; empty while none does,
+            left as it was by one that was killed.
         curve: ``rows``, ``columns`` and ``sha256`` of the content of ``curve.parquet``, without
             the seconds.
         timings: ``created`` (UTC) and ``seconds`` in all.
@@ -66,6 +83,8 @@ class TrainingManifest(folders.FolderManifest):
     finished: Annotated[int, kinds.whole()] = 0
     status: Annotated[str, folders.STATUS] = folders.RUNNING
     error: Annotated[str | None, kinds.optional(kinds.TEXT)] = None
+    plan: Annotated[dict[str, str], _PLAN] = field(default_factory=dict)
+    process: Annotated[dict[str, Any], _PROCESS] = field(default_factory=dict)
     curve: dict[str, Any] = field(default_factory=dict)
     timings: Annotated[dict[str, Any], _TIMINGS] = field(default_factory=dict)
     versions: Annotated[dict[str, str], kinds.TEXTS] = field(default_factory=dict)
@@ -76,6 +95,13 @@ class TrainingManifest(folders.FolderManifest):
     format: int = folders.FORMAT
 
     WHAT: ClassVar[str] = KIND
+
+    @property
+    def command(self) -> str | None:
+        """The command of the study's plan that goes on with it; None where it is of none."""
+        if not self.plan:
+            return None
+        return f"python -m {self.plan['module']} {quote(self.plan['name'])}"
 
 
 class TrainingCapsule(folders.ManifestFolder[TrainingManifest]):

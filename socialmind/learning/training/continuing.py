@@ -76,9 +76,11 @@ def recorded_curriculum(capsule: TrainingCapsule, lessons: Any, trust: bool) -> 
     manifest = capsule.manifest
     refuse_other_version(capsule.folder, "training", manifest.versions)
     if manifest.chosen == [] and lessons is None:
+        way = "socialmind.learning.resume(folder, lessons=...)"
+        if manifest.command is not None:
+            way = f"`{manifest.command}`"
         raise SocialmindError(
-            f"{capsule.folder}: its lessons were given in Python; "
-            "go on with socialmind.learning.resume(folder, lessons=...)"
+            f"{capsule.folder}: its lessons were given in Python; go on with {way}"
         )
     model = None if manifest.model["path"] is None else _recorded_model(capsule)
     if model is not None:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import platform
+import signal
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -21,6 +24,7 @@ from socialmind.learning.training.capsule import MIND, TrainingCapsule, Training
 from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curriculum_of, mind_of
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
+from socialmind.learning.training.pausing import Asked, requests
 from socialmind.learning.training.teaching import Result
 from socialmind.learning.training.telling import OnGeneration, told_of_generations
 from socialmind.mind.description import MindDescription
@@ -39,28 +43,38 @@ OnLesson = Callable[[int, Lesson, Result], None]
 
 
 class TrainingInterrupted(KeyboardInterrupt):
-    """The user stopped a training; its folder stands and can be gone on with.
+    """A training was stopped or paused; its folder stands and can be gone on with.
 
     Args:
         folder: the training's.
         attempt: the attempt in hand.
         lesson: the lesson in hand.
         generation: how many of its generations are safe.
-        signal_number: what stopped it.
+        signal_number: what stopped it; that of Ctrl-C where somebody asked for a pause.
+        asker: who asked for a pause (`socialmind.learning.pause`); None for a signal.
+
+    Attributes:
+        where: what happened in which generation, without how to go on.
     """
 
     def __init__(
-        self, folder: Path, attempt: int, lesson: str, generation: int, signal_number: int
+        self,
+        folder: Path,
+        attempt: int,
+        lesson: str,
+        generation: int,
+        signal_number: int,
+        asker: str | None = None,
     ) -> None:
-        super().__init__(
-            f"stopped in attempt {attempt}, {lesson}, generation {generation:,}; "
-            f"resume({str(folder)!r}) goes on"
-        )
+        stopped = "stopped" if asker is None else f"paused by {asker}"
+        self.where = f"{stopped} in attempt {attempt}, {lesson}, after generation {generation:,}"
+        super().__init__(f"{self.where}; resume({str(folder)!r}) goes on")
         self.folder = folder
         self.attempt = attempt
         self.lesson = lesson
         self.generation = generation
         self.signal_number = signal_number
+        self.asker = asker
 
 
 def learn(
@@ -81,6 +95,7 @@ def learn(
     on_generation: OnGeneration | None = None,
     on_lesson: OnLesson | None = None,
     progress: bool | None = None,
+    plan: Mapping[str, str] | None = None,
 ) -> Path:
     """Teach a mind a curriculum, into a folder of its own.
 
@@ -106,13 +121,15 @@ def learn(
         on_lesson: called after each lesson with the attempt, the lesson and its `Result`.
         progress: whether a line tells of each generation; by default in notebooks and on
             terminals, unless `on_generation` is given.
+        plan: ``module`` and ``name`` of the study's plan that it is of, if it is of one.
 
     Returns:
         The training's folder.
 
     Raises:
         SocialmindError: lessons and mind do not fit together, a folder in use, …
-        TrainingInterrupted: Ctrl-C; all but the generation in hand is safe, `resume` goes on.
+        TrainingInterrupted: Ctrl-C, or a `pause`; all but the generation in hand is safe, `resume`
+            goes on.
     """
     attempts = whole("attempts", attempts, 1)
     generations, budget, cycles = (
@@ -140,6 +157,7 @@ def learn(
         lessons=continuing.as_json(curriculum.record()),
         chosen=_chosen(lessons),
         changes=changes,
+        plan=dict(plan or {}),
         mind={"name": begun.name, "sha256": continuing.hash_of(files)},
         seed=seed,
         engine=engine,
@@ -151,8 +169,12 @@ def learn(
     copy = {f"{MIND}/{path}": content for path, content in files.items()}
     capsule = TrainingCapsule.create(target, manifest, copy)
     kind = f"learn {manifest.model['name']}"
-    with capsule.locked(), told_of_generations(progress, kind, on_generation) as tell:
-        _go(capsule, curriculum, workers, cluster, tell, on_lesson)
+    with (
+        capsule.locked(),
+        requests(capsule.folder) as asked,
+        told_of_generations(progress, kind, on_generation) as tell,
+    ):
+        _go(capsule, curriculum, workers, cluster, asked, tell, on_lesson)
     return capsule.folder
 
 
@@ -167,6 +189,7 @@ def resume(
     on_lesson: OnLesson | None = None,
     trust: bool = False,
     progress: bool | None = None,
+    plan: Mapping[str, str] | None = None,
 ) -> Path:
     """Go on with a training that was stopped, or add attempts or cycles to it.
 
@@ -183,18 +206,23 @@ def resume(
         on_lesson: likewise.
         trust: run programs that this user has neither named nor run before.
         progress: as for `learn`.
+        plan: likewise; as it was by default.
 
     Returns:
         The training's folder.
 
     Raises:
         SocialmindError: no training's folder, in use, or its model or lessons were changed since.
-        TrainingInterrupted: Ctrl-C; all but the generation in hand is safe.
+        TrainingInterrupted: Ctrl-C, or a `pause`; all but the generation in hand is safe.
     """
     attempts = None if attempts is None else whole("attempts", attempts, 1)
     cycles = None if cycles is None else whole("cycles", cycles, 1)
     capsule = TrainingCapsule(folder)
-    with capsule.locked(), told_of_generations(progress, "learn", on_generation) as tell:
+    with (
+        capsule.locked(),
+        requests(capsule.folder) as asked,
+        told_of_generations(progress, "learn", on_generation) as tell,
+    ):
         manifest = capsule.manifest
         if attempts is not None and attempts < manifest.attempts:
             raise SocialmindError(
@@ -212,9 +240,10 @@ def resume(
             attempts=attempts or manifest.attempts,
             lessons=continuing.as_json(curriculum.record()),
             changes=changes,
+            plan=manifest.plan if plan is None else dict(plan),
             platforms=folders.with_this_machine(manifest.platforms),
         )
-        _go(capsule, curriculum, workers, cluster, tell, on_lesson)
+        _go(capsule, curriculum, workers, cluster, asked, tell, on_lesson)
     return capsule.folder
 
 
@@ -223,6 +252,7 @@ def _go(
     curriculum: Curriculum,
     workers: int | None,
     cluster: str | None,
+    asked: Asked,
     on_generation: OnGeneration | None,
     on_lesson: OnLesson | None,
 ) -> None:
@@ -233,7 +263,8 @@ def _go(
     course = TrainingCourse(curriculum, mind, manifest.seed, manifest.engine)
     forecast = Forecast(course, manifest.attempts)
     begun = time.perf_counter() - float(manifest.timings.get("seconds", 0.0))
-    capsule.update(status=folders.RUNNING, error=None)
+    process = {"host": platform.node(), "pid": os.getpid()}
+    capsule.update(status=folders.RUNNING, error=None, process=process)
 
     def so_far(status: str, error: str | None = None) -> None:
         numbers = range(1, capsule.manifest.attempts + 1)
@@ -247,21 +278,30 @@ def _go(
         capsule.update(
             status=status,
             error=error,
+            process=process if status == folders.RUNNING else {},
             finished=finished,
             curve=content,
             timings={**manifest.timings, "seconds": seconds},
         )
 
+    def pause_if_asked() -> None:
+        """At a checkpoint: stop as by Ctrl-C, with nothing in hand."""
+        if asked() is not None:
+            raise Stopped
+
     def report(news: News) -> None:
         left = forecast.seconds_left(news)
         if on_generation is not None:
             on_generation(news, left)
+        pause_if_asked()
 
     def conclude(attempt: Attempt, lesson: Lesson, result: Result) -> None:
         _save_mind(capsule, attempt)
         so_far(folders.RUNNING)
         if on_lesson is not None:
             on_lesson(attempt.number, lesson, result)
+        if not attempt.finished:
+            pause_if_asked()
 
     finished = 0
     attempt: Attempt | None = None
@@ -271,15 +311,23 @@ def _go(
             for number in range(1, manifest.attempts + 1):
                 attempt = Attempt(capsule.attempt(number), number, course)
                 _save_mind(capsule, attempt)
+                if not attempt.finished:
+                    pause_if_asked()
                 attempt.go(Evaluators(team), lambda: bool(arrived), report, conclude)
                 finished += 1
         except Stopped:
+            asker = None if arrived else asked()
             so_far(folders.INTERRUPTED)
             if attempt is None or attempt.position is None:
                 raise KeyboardInterrupt from None
             lesson = curriculum.at(attempt.position).name
             raise TrainingInterrupted(
-                capsule.folder, attempt.number, lesson, attempt.generation, arrived[0]
+                capsule.folder,
+                attempt.number,
+                lesson,
+                attempt.generation,
+                arrived[0] if arrived else signal.SIGINT,
+                asker,
             ) from None
         except Exception as error:
             with suppress(OSError):  # there may be no room to say so

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import os
+import platform
 from pathlib import Path
 from typing import Any
 
 from socialmind.errors import SocialmindError
 from socialmind.learning.training.capsule import KIND, TrainingCapsule, TrainingManifest
+from socialmind.learning.training.pausing import is_asked
 from socialmind.runs import folders
+from socialmind.studio.learning.resuming import resuming
 
 DEPTH = 4
 """Folders below one another that are looked into."""
-STOPPED = "stopped"
-"""A training that its folder says is running, while no process holds it: it was killed."""
+STOPPED, ELSEWHERE = "stopped", "elsewhere"
+"""A training that its folder says is running, while no process holds it as far as this machine
+sees: it was killed; or its process was another machine's, and may be going on there."""
 _NEVER = frozenset(("node_modules", "__pycache__", "site-packages"))
 
 
@@ -57,8 +61,15 @@ def summary(folder: Path) -> dict[str, Any]:
         manifest = TrainingCapsule(folder).manifest
     except (SocialmindError, OSError) as error:
         return {"status": "broken", "error": str(error)}
+    held = folders.is_held(folder)
+    status = status_of(manifest, held)
     return {
-        "status": status_of(folder, manifest),
+        "status": status,
+        "held": held,
+        "process": manifest.process or None,
+        "pausing": held and status == folders.RUNNING and is_asked(folder),
+        "resumable": resuming(folder, manifest) is not None,
+        "command": manifest.command,
         "error": manifest.error,
         "model": manifest.model["name"],
         "lessons": [one["name"] for one in lessons_in(manifest.lessons)],
@@ -70,19 +81,20 @@ def summary(folder: Path) -> dict[str, Any]:
     }
 
 
-def status_of(folder: Path, manifest: TrainingManifest) -> str:
+def status_of(manifest: TrainingManifest, held: bool) -> str:
     """Return how a training stands: its manifest's word, unless it was killed.
 
     Args:
-        folder: the training's.
         manifest: as it is on disk.
+        held: whether a process holds the training's folder.
 
     Returns:
-        ``running``, ``stopped``, ``interrupted``, ``failed`` or ``finished``.
+        ``running``, ``stopped``, ``elsewhere``, ``interrupted``, ``failed`` or ``finished``.
     """
-    if manifest.status == folders.RUNNING and not folders.is_held(folder):
-        return STOPPED
-    return manifest.status
+    if manifest.status != folders.RUNNING or held:
+        return manifest.status
+    here = platform.node()
+    return STOPPED if manifest.process.get("host", here) == here else ELSEWHERE
 
 
 def lessons_in(items: list[dict[str, Any]]) -> list[dict[str, Any]]:

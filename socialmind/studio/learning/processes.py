@@ -1,4 +1,4 @@
-"""The trainings that the studio lets go on: each in a process, which the command line could be."""
+"""Trainings begun, paused and resumed: by processes that somebody at a terminal could begin."""
 
 from __future__ import annotations
 
@@ -7,30 +7,34 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
 
 from socialmind.errors import SocialmindError
 from socialmind.learning.training.capsule import TrainingCapsule
+from socialmind.learning.training.pausing import pause
 from socialmind.runs.folders import is_held
+from socialmind.studio.learning.resuming import Command, resuming
 
 OPTIONS = ("attempts", "seed", "generations", "lesson")
 """What of `socialmind learn` a page may set."""
+ASKER = "the studio"
+STOPPED = (128 + signal.SIGINT, 128 + signal.SIGTERM)
+"""Exit codes of a training that was paused, or stopped by somebody."""
 
 
 @dataclass
 class _Process:
-    """`socialmind learn`, as somebody at a terminal would have begun it."""
+    """A training, as somebody at a terminal would have begun it."""
 
     popen: subprocess.Popen[bytes]
     said: IO[bytes]
-    pausing: bool = False
 
 
 class LearningProcesses:
-    """Trainings that go on in processes of their own, and are paused as by Ctrl-C.
+    """Trainings that go on in processes of their own; any training can be paused, and resumed here.
 
     Args:
         home: the folder in which they are begun.
@@ -58,7 +62,7 @@ class LearningProcesses:
             value = options.get(name)
             if value not in (None, ""):
                 words += [f"--{name}={value}"]
-        self._begin(folder, [model, *words])
+        self._begin(folder, Command(["socialmind", "learn", model, *words, "--quiet"]))
         return folder
 
     def resume(self, folder: Path) -> None:
@@ -68,31 +72,30 @@ class LearningProcesses:
             folder: the training's.
 
         Raises:
-            SocialmindError: it goes on already, here or in another program.
+            SocialmindError: it goes on already, here or in another program; or nobody here knows
+                its lessons.
         """
-        if self._running(folder) is not None:
+        if self._is_running(folder):
             raise SocialmindError(f"{folder.name} goes on already")
         if is_held(folder):
             raise SocialmindError(f"{folder.name} goes on in another program")
-        self._begin(folder, ["--resume", str(folder)])
+        command = resuming(folder, TrainingCapsule(folder).manifest)
+        if command is None:
+            raise SocialmindError(
+                f"{folder.name}: its lessons were given in Python; go on with it where it was begun"
+            )
+        self._begin(folder, command)
 
     def pause(self, folder: Path) -> None:
-        """Stop a training as Ctrl-C does: all but the generation in hand is safe.
+        """Ask a training to pause at its next checkpoint, wherever it was begun on this machine.
 
         Args:
             folder: the training's.
 
         Raises:
-            SocialmindError: it does not go on here.
+            SocialmindError: it does not go on, or cannot be asked.
         """
-        one = self._running(folder)
-        if one is None:
-            raise SocialmindError(
-                f"{folder.name} was not begun here; press Ctrl-C in the terminal where it was"
-            )
-        if not one.pausing:
-            one.pausing = True
-            one.popen.send_signal(signal.SIGINT)
+        pause(folder, ASKER)
 
     def told(self, folder: Path) -> dict[str, Any]:
         """Return what is known here of a training.
@@ -101,18 +104,15 @@ class LearningProcesses:
             folder: the training's.
 
         Returns:
-            ``here``: whether its process is one of the studio's; ``pausing``; and ``failure``: why
-            its last process here ended by itself before its time, or None.
+            ``here``: whether its process is one of the studio's; and ``failure``: why its last
+            process here ended by itself before its time, or None.
         """
         one = self._processes.get(folder)
-        if one is None:
-            return {"here": False, "pausing": False, "failure": None}
-        code = one.popen.poll()
-        failed = code not in (None, 0) and not one.pausing
+        code = None if one is None else one.popen.poll()
+        failed = one is not None and code not in (None, 0, *STOPPED)
         return {
-            "here": code is None,
-            "pausing": one.pausing and code is None,
-            "failure": _last_line(one.said) if failed else None,
+            "here": one is not None and code is None,
+            "failure": _last_line(one.said) if one is not None and failed else None,
         }
 
     def begun(self) -> list[Path]:
@@ -120,22 +120,22 @@ class LearningProcesses:
         return list(self._processes)
 
     def end(self) -> None:
-        """Pause all."""
+        """Stop all as Ctrl-C does: all but the generation in hand is safe."""
         for one in self._processes.values():
-            if one.popen.poll() is None and not one.pausing:
+            if one.popen.poll() is None:
                 with contextlib.suppress(ProcessLookupError):
                     one.popen.send_signal(signal.SIGINT)
 
-    def _running(self, folder: Path) -> _Process | None:
+    def _is_running(self, folder: Path) -> bool:
         one = self._processes.get(folder)
-        return one if one is not None and one.popen.poll() is None else None
+        return one is not None and one.popen.poll() is None
 
-    def _begin(self, folder: Path, words: Sequence[str]) -> None:
+    def _begin(self, folder: Path, command: Command) -> None:
         # Closed with the process's record: a file without a name, read if the process fails.
         said = tempfile.TemporaryFile()  # noqa: SIM115
         popen = subprocess.Popen(
-            [sys.executable, "-m", "socialmind", "learn", *words, "--quiet"],
-            cwd=self._home,
+            [sys.executable, "-m", *command.words],
+            cwd=command.folder or self._home,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=said,
@@ -148,4 +148,8 @@ class LearningProcesses:
 def _last_line(said: IO[bytes]) -> str:
     said.seek(0)
     lines = said.read().decode("utf-8", "replace").strip().splitlines()
-    return lines[-1].removeprefix("socialmind: ") if lines else "it ended without a word"
+    return (
+        lines[-1].removeprefix("socialmind: ").removeprefix("error: ")
+        if lines
+        else "it ended without a word"
+    )

@@ -73,12 +73,15 @@ class Studio:
         self._tasks: set[asyncio.Task[None]] = set()
         self._copies = TemporaryDirectory(prefix="socialmind-studio-")
 
-    def application(self, hosts: tuple[str, ...], token: str | None = None) -> App:
+    def application(
+        self, hosts: tuple[str, ...], token: str | None = None, alone: bool = False
+    ) -> App:
         """Return the application, guarded.
 
         Args:
             hosts: names under which it may be asked.
             token: what must be shown, or None.
+            alone: whether this machine alone reaches it: then only to save programs.
         """
         routes = [
             Route("/api/models", self._models),
@@ -93,7 +96,8 @@ class Studio:
             WebSocketRoute("/live/{name}", self._live),
             Mount("/", StaticFiles(directory=PAGE, html=True)),
         ]
-        return Guarded(Starlette(routes=routes, lifespan=self._lifespan), hosts, token)
+        only = (skills.WITH_PROGRAMS,) if alone else None
+        return Guarded(Starlette(routes=routes, lifespan=self._lifespan), hosts, token, only)
 
     @asynccontextmanager
     async def _lifespan(self, app: Starlette) -> AsyncIterator[None]:

@@ -71,7 +71,7 @@ def routes(folders: Folders, learning: LearningProcesses) -> list[Route]:
         return {"folder": folders.shown(learning.begin(model, options))}
 
     def pause(asked: Asked) -> Asked:
-        learning.pause(folders.to_read(asked.get("folder")))
+        learning.pause(folders.to_write(asked.get("folder")))
         return {}
 
     def resume(asked: Asked) -> Asked:
@@ -91,7 +91,10 @@ def _waiting(folder: Path, learning: LearningProcesses) -> dict[str, Any]:
     """Return what is said of a training that was begun and has no folder yet."""
     told = learning.told(folder)
     status = "broken" if told["failure"] else "running"
-    return {"status": status, "error": told["failure"], "model": folder.name[:-4], **told}
+    return {
+        "status": status, "error": told["failure"], "model": folder.name[:-4],
+        "held": False, "process": None, "pausing": False, "resumable": False, **told,
+    }  # fmt: skip
 
 
 def _option(name: str, value: object) -> object:

@@ -14,6 +14,8 @@ from socialmind.studio.server.folders import Folders
 
 DEPTH = 3
 """How far below a folder it is looked."""
+HOMES = {"run": "runs", "sweep": "sweeps", "training": "trainings", "fit": "fits"}
+"""The folders in which what is not given a place is made, by kind."""
 MOST = 400
 """How many are told of, the youngest first."""
 
@@ -37,6 +39,8 @@ def folders_of(folders: Folders, kind: str) -> list[dict[str, Any]]:
                 continue
             said |= _told(record)
         except (SocialmindError, OSError, KeyError, TypeError) as error:
+            if manifest.parent.parent.name in set(HOMES.values()) - {HOMES[kind]}:
+                continue  # a broken one of another kind
             said["error"] = str(error)
         found.append(said)
     found.sort(key=lambda one: -one.get("changed", 0.0))

@@ -22,9 +22,12 @@ from socialmind.studio.skills.files import (
     home_of,
     is_yaml,
     opened,
+    programs_changed,
     saved,
 )
 
+WITH_PROGRAMS = "/api/skills/save-with-programs"
+"""Where documents are saved whose programs were changed."""
 MOST_FILES = 300
 MOST_LOOKED_AT = 20_000
 """Files and folders below the studio's own that are looked at for a list of minds."""
@@ -44,6 +47,7 @@ def routes(folders: Folders) -> list[Route]:
         Route("/api/skills/open", answering(room.open), methods=["POST"]),
         Route("/api/skills/check", answering(room.check), methods=["POST"]),
         Route("/api/skills/save", answering(room.save), methods=["POST"]),
+        Route(WITH_PROGRAMS, answering(room.save_with_programs), methods=["POST"]),
     ]
 
 
@@ -85,11 +89,29 @@ class _Skills:
             with folder_form(home) as folder:
                 found = checked(document, folder, opened(home))
         masters = () if found.mind is None else found.mind.masters
-        return {"findings": found.findings, "weights": found.weights, "masters": list(masters)}
+        return {
+            "findings": found.findings,
+            "weights": found.weights,
+            "programs": found.programs,
+            "masters": list(masters),
+        }
 
     def save(self, asked: Asked) -> Asked:
-        """Save a document, unless a mind stands there that is not the one that was opened."""
-        document: Document = checked_shape(asked.get("document"))
+        """Save a document, unless a mind stands there that is not the one that was opened.
+
+        One that has other programs than the files from which it was opened is not saved so: what
+        is a program now may be run later by somebody who trusts the folder.
+        """
+        document = checked_shape(asked.get("document"))
+        if programs_changed(document, self._home(asked)):
+            raise SocialmindError("programs were changed; they are saved with the studio's token")
+        return self._saved(document, asked)
+
+    def save_with_programs(self, asked: Asked) -> Asked:
+        """Save a document, its programs too: for pages that have shown the token."""
+        return self._saved(checked_shape(asked.get("document")), asked)
+
+    def _saved(self, document: Document, asked: Asked) -> Asked:
         target, home = self._folders.to_write(asked.get("file")), self._home(asked)
         if target == self._folders.home:
             raise SocialmindError("name a folder below the studio's, or a .yaml file")

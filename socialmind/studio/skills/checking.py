@@ -22,6 +22,15 @@ from socialmind.studio.skills.document import (
     refuse_line_breaks,
     skill_text,
 )
+from socialmind.studio.skills.programs import (
+    SUFFIX,
+    file_of,
+    findings_of_text,
+    is_program,
+    names_in,
+    said,
+    with_text,
+)
 
 KINDS = {"sensor": "sensors", "actuator": "actuators", "variable": "variables", "skill": "skills"}
 
@@ -32,18 +41,23 @@ class Checked:
 
     Attributes:
         mind: the mind; None where something is wrong.
-        findings: each with ``at`` (the identity of a part, or None), ``wrong`` and ``text``.
+        findings: each with ``at`` (the identity of a part, or None), ``wrong``, ``text`` and, of
+            what a skill's program says, the ``line``.
         weights: by a skill's identity: ``size``, how many weights its function has, and ``had``,
             how many are in its file, None for none; ``fits``, whether these still do.
+        programs: by a skill's identity, the name of the file of its program.
     """
 
     mind: MindDescription | None = None
     findings: list[dict[str, Any]] = field(default_factory=list)
     weights: dict[str, dict[str, Any]] = field(default_factory=dict)
+    programs: dict[str, str] = field(default_factory=dict)
 
-    def say(self, at: str | None, text: str, wrong: bool = False) -> None:
+    def say(self, at: str | None, text: str, wrong: bool = False, line: int | None = None) -> None:
         """Add a finding."""
-        self.findings.append({"at": at, "wrong": wrong, "text": text})
+        placed = {} if line is None else {"line": line}
+        told = text if line is None else f"line {line}: {text}"
+        self.findings.append({"at": at, "wrong": wrong, "text": told, **placed})
 
     @property
     def wrong(self) -> bool:
@@ -64,7 +78,7 @@ def checked(document: Document, home: Path | None, before: Document | None = Non
     try:
         refuse_file_name(document["name"], "the name of the mind")
     except ModelError as error:
-        found.say(None, _said(error), True)
+        found.say(None, said(error), True)
     with programs_unrun():
         sensors, actuators, variables = _modules(document, home, found)
         skills = [_skill(one, home, found) for one in document["skills"]]
@@ -77,7 +91,7 @@ def checked(document: Document, home: Path | None, before: Document | None = Non
             mind = MindDescription(document["name"], sensors, actuators, variables, whole)
         except ModelError as error:
             found.say(
-                error.file if error.file in _identities(document) else None, _said(error), True
+                error.file if error.file in _identities(document) else None, said(error), True
             )
             return found
     if found.wrong:
@@ -100,10 +114,11 @@ def skill_of(one: dict[str, Any], home: Path | None) -> Skill:
     """
     refuse_file_name(one["name"], "the name of a skill")
     refuse_line_breaks([*one["inputs"], *one["outputs"], *one["lines"]], "a line of a skill", "#")
-    then = {**one, "name": one["was"] or one["name"]}
-    file = skill_folder(one, home or Path("mind")) / f"{then['name']}.ades"
     # As what it was called when its files were written: a program may have that name.
-    return ades.parse("\n".join(skill_text(then)) + "\n", file).changed(name=one["name"])
+    then = {**one, "name": one["was"] or one["name"]}
+    with with_text(one, then["name"], skill_folder(one, home or Path("mind"))) as folder:
+        text = "\n".join(skill_text(then)) + "\n"
+        return ades.parse(text, folder / f"{then['name']}.ades").changed(name=one["name"])
 
 
 def skill_folder(one: dict[str, Any], home: Path) -> Path:
@@ -137,7 +152,7 @@ def _modules(document: Document, home: Path | None, found: Checked) -> list[list
                 text = "\n".join([SENSORS, *both])
                 made[what] += botdesc.parse(text, f"{agent}.botdesc")[what == "actuators"]
             except ModelError as error:
-                found.say(one["id"], _said(error), True)
+                found.say(one["id"], said(error), True)
         _refuse_twice(document[what], what.removesuffix("s"), found)
     _refuse_twice(document["skills"], "skill", found)
     return [_once(made[what]) for what in ("sensors", "actuators", "variables")]
@@ -156,11 +171,18 @@ def _once(some: list[Any]) -> list[Any]:
 
 
 def _skill(one: dict[str, Any], home: Path | None, found: Checked) -> Skill | None:
+    if is_program(one):
+        there = skill_folder(one, home or Path("mind"))
+        found.programs[one["id"]] = file_of(one, one["was"] or one["name"], names_in(there))
     try:
         skill = skill_of(one, home)
     except ModelError as error:
-        found.say(one["id"], _said(error), True)
+        in_program = is_program(one) and str(error.file).endswith(SUFFIX)
+        found.say(one["id"], said(error), True, error.line if in_program else None)
         return None
+    if is_program(one):
+        for odd in findings_of_text(one["program"], skill):
+            found.say(one["id"], odd.text, line=odd.line)
     found.weights[one["id"]] = {"size": skill.genome_size, "had": None, "fits": True}
     # What is wrong about it between others is to be found by its identity.
     return skill.changed(file=one["id"], line=None)
@@ -211,11 +233,3 @@ def _places(document: Document) -> dict[str, str]:
         for kind, what in KINDS.items()
         for one in document[what]
     }
-
-
-def _said(error: ModelError) -> str:
-    """Return an error without the file and line that a document does not have."""
-    text = error.found
-    if error.expected:
-        text += f"; expected {error.expected}"
-    return text + (f"; {error.remedy}" if error.remedy else "")

@@ -2,9 +2,9 @@
 
 A document is JSON: ``name``, ``sensors``, ``actuators``, ``variables`` (each with ``id``, ``name``,
 ``kind`` and the ``fields`` that follow in its line) and ``skills`` (``id``, ``name``, ``was``: the
-name under which its files lie, ``inputs``, ``outputs``, ``function``: its keyword, and ``lines``).
-Identities are a page's own; an opened document has those of its order. Each part has a
-``position`` too: x and y where somebody put it, or None.
+name under which its files lie, ``inputs``, ``outputs``, ``function``: its keyword, ``lines``, and
+``program``: the text of its own program, or None). Identities are a page's own; an opened document
+has those of its order. Each part has a ``position`` too: x and y where somebody put it, or None.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.mind.files.evoagents.botdesc import ACTUATORS, SENSORS
 from socialmind.mind.files.evoagents.text_file import Lines, one_line
 from socialmind.mind.files.layout import LARGEST, SECTIONS, Places
+from socialmind.studio.skills.programs import checked_text
 
 Document = dict[str, Any]
 EMPTY: Document = {
@@ -157,7 +158,8 @@ def checked_shape(document: Any) -> Document:
             **_position(one),
             **_texts(one, "id", "name", "function"),
             **_lists(one, "inputs", "outputs", "lines"),
-            "was": one["was"] if isinstance(one.get("was"), str) else None,
+            "was": _folder_name(one.get("was")),
+            "program": checked_text(one.get("program")),
         }
         for one in _parts(document, "skills")
     ]
@@ -171,6 +173,15 @@ def _parts(document: Mapping[str, Any], what: str) -> list[dict[str, Any]]:
     if not all(isinstance(one, dict) for one in parts):
         raise SocialmindError(f"expected {what} as objects")
     return parts
+
+
+def _folder_name(was: Any) -> str | None:
+    """Return the name of a skill's folder, which leads nowhere else."""
+    if was is None:
+        return None
+    if not isinstance(was, str) or was in ("", ".", "..") or {"/", "\\", "\0"} & {*was}:
+        raise SocialmindError("expected the name of a skill's folder, or nothing")
+    return was
 
 
 def _texts(one: Mapping[str, Any], *names: str) -> dict[str, str]:

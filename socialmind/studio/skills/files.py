@@ -39,6 +39,7 @@ from socialmind.studio.skills.document import (
     skill_lines,
     skill_text,
 )
+from socialmind.studio.skills.programs import file_of, is_program, program_text, put_program
 from socialmind.work.files import replace_file
 
 YAML = (".yaml", ".yml")
@@ -93,6 +94,8 @@ def opened(path: Path) -> Document:
             skill_lines(text_of(file := folder / SKILLS / name / f"{name}{ADES}"), file)
             for name in mind.skills
         ]
+        for one in skills:
+            one["program"] = program_text(folder / SKILLS / one["name"], one)
     return assembled(
         agent.stem,
         modules[SENSORS],
@@ -232,6 +235,20 @@ def _write(new: Tree, target: Path, there: Tree) -> None:
         raise SocialmindError(f"{target}: cannot be written ({error.strerror})") from None
 
 
+def programs_changed(document: Document, home: Path | None) -> bool:
+    """Return whether saving a document would write a program that is not there already.
+
+    Args:
+        document: of the shape of one.
+        home: where it was opened from; None for a mind that has no files yet.
+    """
+    before = [] if home is None else opened(home)["skills"]
+    there = {one["name"]: one["program"] for one in before}
+    return any(
+        is_program(one) and one["program"] != there.get(one["was"]) for one in document["skills"]
+    )
+
+
 def refuse_wrong(found: Checked) -> None:
     """Refuse to save what is no mind.
 
@@ -283,8 +300,16 @@ def _tree(
             notes.append(f"the weights of {one['name']} did not fit any more and are gone")
         elif weights in own and one["was"] != one["name"]:
             own[weights] = renamed_weights(own[weights].decode(), one["name"]).encode()
+        if is_program(one):
+            put_program(own, one, _program_file(one, before, own))
         new |= {f"{SKILLS}/{one['name']}/{path}": content for path, content in own.items()}
     return new, notes
+
+
+def _program_file(one: dict[str, Any], before: Document | None, own: Tree) -> str | None:
+    """Return the name of the file of the program that a skill had, if it had one."""
+    had = next((o for o in (before or {}).get("skills", ()) if o["name"] == one["was"]), None)
+    return None if had is None or not is_program(had) else file_of(had, one["name"], own)
 
 
 def _renamed(path: str, was: str, name: str) -> str:

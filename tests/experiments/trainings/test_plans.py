@@ -5,10 +5,12 @@ from dataclasses import replace
 
 import pytest
 
+from socialmind.errors import SocialmindError
 from socialmind.experiments.studies import Way
+from socialmind.experiments.trainings import plans as of_plans
 from socialmind.experiments.trainings.plans import TrainingPlans, attempts_of, most_ticks
 from socialmind.experiments.trainings.store import keep
-from socialmind.learning import Training
+from socialmind.learning import Training, pause, resume
 
 
 @pytest.fixture
@@ -94,6 +96,25 @@ def test_the_command_makes_keeps_and_judges_again(plans, capsys):
         str(plans.kept / "tiny"),
         "tiny: 4 lessons come to the same scores",
     ]
+
+
+def test_paused_from_elsewhere_the_command_says_so_and_goes_on(plans, whole, capsys, monkeypatch):
+    folder = plans.home / "tiny"
+    monkeypatch.setattr(of_plans, "print_lesson", lambda *told: pause(folder, "the studio"))
+    with pytest.raises(SystemExit) as stop:
+        plans.main(["tiny"])
+    assert stop.value.code == 130  # as after Ctrl-C
+    assert capsys.readouterr().err.splitlines()[-1] == (
+        "paused by the studio in attempt 1, GoToDropZone, after generation 0; the same command "
+        "goes on"
+    )
+    manifest = Training(folder).manifest
+    assert manifest.command == f"python -m {manifest.plan['module']} tiny"
+    with pytest.raises(SocialmindError, match=f"go on with `{manifest.command}`"):
+        resume(folder)
+    monkeypatch.undo()
+    plans.main(["tiny"])
+    assert Training(folder).lessons.equals(Training(whole).lessons)
 
 
 def test_attempts_that_are_not_finished_are_left_out(whole, tmp_path, tiny_plans):

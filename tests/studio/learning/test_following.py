@@ -2,6 +2,7 @@
 
 import json
 import os
+import platform
 import shutil
 
 import pytest
@@ -128,6 +129,12 @@ def test_a_killed_one_is_told_from_one_that_goes_on(paused, tmp_path):
     manifest = json.loads((folder / "manifest.json").read_text())
     (folder / "manifest.json").write_text(json.dumps({**manifest, "status": "running"}))
     assert Follower(folder).told()["status"] == "stopped"
+    # Of a process of another machine this one does not know whether it lives.
+    away = {"host": f"not {platform.node()}", "pid": 1}
+    changed = {**manifest, "status": "running", "process": away}
+    (folder / "manifest.json").write_text(json.dumps(changed))
+    told = Follower(folder).told()
+    assert (told["status"], told["held"], told["process"]) == ("elsewhere", False, away)
     with hold(folder):
         assert Follower(folder).told()["status"] == "running"
 

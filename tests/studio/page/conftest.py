@@ -82,7 +82,9 @@ class Program:
         self.port = free_port()
         command = [sys.executable, "-m", "socialmind", "studio", *words]
         command += ["--port", str(self.port), "--no-browser"]
-        self.process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL)
+        self.process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, text=True)
+        said = self.process.stdout.readline()
+        self.token = said.partition("?token=")[2].split()[0]
         for _ in range(600):
             try:
                 socket.create_connection(("127.0.0.1", self.port), 1).close()

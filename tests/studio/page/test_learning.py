@@ -1,6 +1,6 @@
 """The room of trainings, and robots steered by hand, in a real browser."""
 
-import signal
+import re
 import subprocess
 import sys
 import time
@@ -20,6 +20,7 @@ ROVERS = TESTS / "interventions" / "rovers"
 TICK = "Number((document.querySelector('[data-test=tick]')?.innerText ?? '').replace(/\\D/g, ''))"
 GENERATION = TICK.replace("tick", "generation")
 ACTS = "/tick [1-9]/.test(document.querySelector('[data-test=act-tick]')?.innerText)"
+LINE = TICK.replace("[data-test=tick]", "[data-test=attempt-1-of-Long] td:last-child")
 PAST = "Number(document.querySelector('[data-test=past]').dataset.ticks)"
 
 
@@ -31,7 +32,9 @@ def studio(program):
 def learning(folder, *words):
     """Begin a training as somebody at a terminal does."""
     command = [sys.executable, "-m", "socialmind", "learn", str(ROVER), *words, "--quiet"]
-    return subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL)
+    return subprocess.Popen(
+        command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+    )
 
 
 def test_a_training_is_watched_paused_and_resumed(browser, studio):
@@ -43,18 +46,28 @@ def test_a_training_is_watched_paused_and_resumed(browser, studio):
         page.wait_for_selector("[data-test=generation]")
         page.wait_for_function(f"{GENERATION} > 20")
         assert page.inner_text("[data-test=standing]") == "goes on"
-        assert page.is_visible("text=It was begun in another program")
+        assert page.is_visible("text=Begun elsewhere, as process")
         page.wait_for_selector("[data-test=curve-Long] canvas")
         assert "ticks/s" in page.inner_text("[data-test=speed]")
         assert "about" in page.inner_text("[data-test=left]")
         before = page.evaluate(GENERATION)
         page.wait_for_function(f"{GENERATION} > {before}")
+        page.wait_for_function(f"{LINE} > {before}")
+        # Paused from the page it ends where it was begun, which is told there.
+        page.click("[data-test=pause]")
+        _, said = elsewhere.communicate(timeout=120)
     finally:
-        elsewhere.send_signal(signal.SIGINT)
+        elsewhere.kill()
         elsewhere.wait()
+    assert elsewhere.returncode == 130
+    assert re.search(
+        r"socialmind: paused by the studio in attempt 1, Long, after generation [\d,]+; go on with "
+        r"`socialmind learn --resume .*tiny`, or from where it was paused\n$",
+        said,
+    )
     page.wait_for_selector("[data-test=standing]:text-is('paused')")
     safe = page.evaluate(GENERATION)
-    # On it goes from here, as the same training; and it is paused here.
+    # On it goes from here, as the same training; and it is paused in the same way.
     page.click("[data-test=resume]")
     page.wait_for_selector("[data-test=standing]:text-is('goes on')")
     page.wait_for_function(f"{GENERATION} > {safe}")

@@ -19,7 +19,7 @@ async def hello(scope, receive, send):
         await send({"type": "http.response.body", "body": b"hello"})
 
 
-def asked(kind, token=None, query="", **headers):
+def asked(kind, token=None, query="", path="/", only=None, **headers):
     """Ask a guarded application once; return what it sends."""
     sent = []
 
@@ -29,11 +29,11 @@ def asked(kind, token=None, query="", **headers):
     named = {"host": HOST, **headers}
     scope = {
         "type": kind,
-        "path": "/",
+        "path": path,
         "query_string": query.encode(),
         "headers": [(name.encode(), one.encode()) for name, one in named.items()],
     }
-    asyncio.run(Guarded(hello, LOOPBACK, token)(scope, None, send))
+    asyncio.run(Guarded(hello, LOOPBACK, token, only)(scope, None, send))
     return sent
 
 
@@ -78,9 +78,23 @@ def test_elsewhere_the_token_must_be_shown_once():
     assert not accepted(token="secret", origin=HERE)
     answer = asked("http", token="secret", query="token=secret")
     assert answer[0]["status"] == 200
-    cookie = SimpleCookie(dict(answer[0]["headers"])[b"set-cookie"].decode())[COOKIE]
+    # Browsers send the cookies of one port of a machine to all: each studio has its own.
+    named = f"{COOKIE}_8765"
+    cookie = SimpleCookie(dict(answer[0]["headers"])[b"set-cookie"].decode())[named]
     assert (cookie["httponly"], cookie["samesite"]) == (True, "Strict")
-    shown = f"{COOKIE}={cookie.value}"
+    shown = f"{named}={cookie.value}"
     assert status(token="secret", cookie=shown) == 200
     assert accepted(token="secret", cookie=shown, origin=HERE)
-    assert not accepted(token="secret", cookie=f"{COOKIE}=wrong", origin=HERE)
+    assert not accepted(token="secret", cookie=f"{named}=wrong", origin=HERE)
+
+
+def test_here_it_must_be_shown_for_what_lets_programs_be_written_alone():
+    asking = {"token": "secret", "only": ("/api/write",)}
+    answer = asked("http", **asking)
+    # Whoever has not shown it is not given it.
+    assert (answer[0]["status"], answer[0]["headers"]) == (200, [])
+    assert accepted(**asking, origin=HERE)
+    assert status(**asking, path="/api/write") == 403
+    assert status(**asking, path="/api/write", cookie=f"{COOKIE}_8765=wrong") == 403
+    assert status(**asking, path="/api/write", cookie=f"{COOKIE}_8765=secret") == 200
+    assert dict(asked("http", **asking, query="token=secret")[0]["headers"])[b"set-cookie"]

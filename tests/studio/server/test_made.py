@@ -34,6 +34,11 @@ def test_what_cannot_be_read_is_told_of_with_the_reason(tmp_path):
     found = folders_of(Folders(tmp_path), "run")
     assert {one["folder"] for one in found} == {"torn", "odd", "list"}
     assert all(one["error"] for one in found)
+    # A broken one where those of another kind lie is told of as one of these.
+    (tmp_path / "odd").rename(tmp_path / "trainings")
+    (tmp_path / "torn").rename(tmp_path / "trainings" / "torn")
+    (tmp_path / "trainings" / "manifest.json").unlink()
+    assert {one["folder"] for one in folders_of(Folders(tmp_path), "sweep")} == {"list"}
 
 
 def test_links_and_hidden_folders_lead_nowhere(tmp_path):

@@ -10,6 +10,7 @@ from starlette.applications import Starlette
 from socialmind.sources.folders import model_folder
 from socialmind.studio.server import skills
 from socialmind.studio.server.folders import Folders
+from socialmind.studio.server.skills import WITH_PROGRAMS
 from socialmind.studio.skills.files import tree_of
 
 
@@ -107,3 +108,31 @@ def test_what_cannot_be_is_refused_in_a_sentence(room, what, asked):
     status, said = room(what, asked)
     assert status == 400
     assert said["error"]
+
+
+def test_programs_are_saved_by_a_path_of_their_own_that_is_guarded(room, tmp_path):
+    _, found = room("open", {"file": "robot"})
+    skill = next(one for one in found["document"]["skills"] if one["program"] is not None)
+    assert "def claw_control" in skill["program"]
+    before = tree_of(tmp_path / "robot")
+    skill["program"] += "# a word\n"
+    asked = {"document": found["document"], "base": found["base"], "file": "robot"}
+    status, said = room("save", asked)
+    assert (status, said["error"]) == (
+        400, "programs were changed; they are saved with the studio's token"
+    )  # fmt: skip
+    assert tree_of(tmp_path / "robot") == before
+    status, said = room("save-with-programs", asked)
+    assert (status, said["notes"]) == (200, [])
+    assert tree_of(tmp_path / "robot") != before
+    assert WITH_PROGRAMS == "/api/skills/save-with-programs"
+
+
+@pytest.mark.parametrize("was", ["../other", "..", "", "a\\b", 7])
+def test_the_folder_of_a_skill_is_one_of_its_mind(room, tmp_path, was):
+    _, found = room("open", {"file": "robot"})
+    found["document"]["skills"][0]["was"] = was
+    for what in ("check", "save", "save-with-programs"):
+        asked = {"document": found["document"], "base": found["base"], "file": "robot"}
+        status, said = room(what, asked)
+        assert (status, "folder" in said["error"]) == (400, True)

@@ -220,7 +220,7 @@ def test_places_that_cannot_be_read_are_said_with_the_line(collect):
         (lambda d: skill(d, "Avoid").update(name="GoToObject"), "a second skill"),
         (lambda d: d["actuators"][0].update(fields=["2"]), "0 … 1"),
         (lambda d: d["variables"][0].update(kind="Variable"), "VariableModule"),
-        (lambda d: skill(d, "ClawControl").update(lines=["class:Nothing"]), "Nothing"),
+        (lambda d: skill(d, "ClawControl").update(program="x = 1"), "claw_control"),
         (lambda d: d["sensors"].append({**d["sensors"][0], "id": "x"}), "a second sensor"),
         (lambda d: d["sensors"][0].update(kind="a\nb"), "control"),
     ],

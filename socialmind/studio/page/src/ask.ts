@@ -19,6 +19,8 @@ export function asking(room: string) {
     } catch {
       throw new Unanswered("The program does not answer.", false);
     }
+    // What guards the program refuses in plain words.
+    if (answer.status === 403) throw new Refused((await answer.text()).trim(), false);
     const said = await answer.json().catch(() => ({ error: `The program failed (${answer.status}).` }));
     if (!answer.ok) throw new Refused(said.error, said.exists === true);
     return said as T;

@@ -3,7 +3,7 @@
 
 import { asking, Unanswered } from "../ask";
 
-export type Status = "running" | "stopped" | "interrupted" | "failed" | "finished" | "broken";
+export type Status = "running" | "stopped" | "elsewhere" | "interrupted" | "failed" | "finished" | "broken";
 
 export interface Summary {
   folder: string;
@@ -12,7 +12,15 @@ export interface Summary {
   model: string | null;
   /** Whether its process is one of the studio's. */
   here: boolean;
-  pausing: boolean;
+  /** Whether a process has it in hand, this program's or another. */
+  held?: boolean;
+  /** The process that goes on with it, or did when it was killed; null also of old versions. */
+  process?: { host: string; pid: number } | null;
+  pausing?: boolean;
+  /** Whether the studio knows a command that goes on with it. */
+  resumable?: boolean;
+  /** The command of a study's plan that goes on with it in a terminal. */
+  command?: string | null;
   /** Why its last process here ended before its time. */
   failure: string | null;
   attempts?: number;
@@ -169,7 +177,7 @@ export function clock(seconds: number): string {
 export function standing(one: Summary): string {
   if (one.pausing) return "pausing";
   if (one.here && one.status !== "running") return "starting";
-  const words: Record<Status, string> = { running: "goes on", stopped: "was killed", interrupted: "paused", failed: "failed",
+  const words: Record<Status, string> = { running: "goes on", stopped: "was killed", elsewhere: "elsewhere?", interrupted: "paused", failed: "failed",
     finished: "finished", broken: "broken" };
   return words[one.status];
 }

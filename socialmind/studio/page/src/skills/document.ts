@@ -21,6 +21,8 @@ export interface Skill {
   outputs: string[];
   function: string;
   lines: string[];
+  /** The text of its own program, if it has one. */
+  program: string | null;
 }
 export interface Mind {
   name: string;
@@ -108,7 +110,7 @@ function free(mind: Mind, part: Kind, begin: string): string {
 }
 export function added(mind: Mind, part: Kind, id: string, position: Position): Mind {
   if (part === "skill") {
-    const one: Skill = { id, name: free(mind, part, "Skill"), position, inputs: [], outputs: [], function: "neural", lines: ["TYPE:BASIC", "LAYERS:2"] };
+    const one: Skill = { id, name: free(mind, part, "Skill"), position, inputs: [], outputs: [], function: "neural", lines: ["TYPE:BASIC", "LAYERS:2"], program: null };
     return { ...mind, skills: [...mind.skills, one] };
   }
   const [begin, kind] = { sensor: ["S", "sensor"], actuator: ["Mot", "actuator"], variable: ["VAR", "VariableModule"] }[part];
@@ -167,6 +169,17 @@ export const linkId = (skill: string, other: string, input: boolean) => `${input
 export function parsedLink(id: string): { skill: string; other: string; input: boolean } | null {
   const [way, skill, other] = id.split(" ");
   return other && (way === "in" || way === "out") ? { skill, other, input: way === "in" } : null;
+}
+
+const RESERVED = new Set(("False None True and as assert async await break class continue def del elif else except finally for from global if import "
+  + "in is lambda nonlocal not or pass raise return try while with yield").split(" "));
+/** A program to begin with: it takes what the skill reads, and leaves every output in the middle. */
+export function begunProgram(skill: Skill): string {
+  const name = skill.name.replace(/([a-z0-9])(?=[A-Z])/g, "$1_").toLowerCase().replace(/\W+/g, "_").replace(/^(\d|$)/, "program_$1");
+  const read = skill.inputs.map((one) => one.split(":")[1] ?? "");
+  const plain = read.every((one, place) => /^[A-Za-z_]\w*$/.test(one) && !RESERVED.has(one) && read.indexOf(one) === place);
+  const halves = skill.outputs.map(() => "0.5").join(", ") || "0.5";
+  return `def ${RESERVED.has(name) ? `${name}_` : name}(${plain ? read.join(", ") : "inputs"}):\n    return ${halves}\n`;
 }
 
 /** The value of a keyword among the lines of a function. */

@@ -7,7 +7,7 @@ import { functionOf, linkId, target, type Mind } from "./document";
 
 const HEIGHT = 44;
 const WIDE = 170;
-const PITCH = 40;
+const PITCH = 48;
 const ROWS = 16;
 const COLOURS = { sensor: "#56a3dc", variable: "#d8b400", skill: "#8c8c8c", actuator: "#e0705c" };
 const width = (name: string) => Math.max(96, Math.min(210, 30 + 8 * name.length));

@@ -23,9 +23,15 @@ export const ask = asking("skills");
 class Editor extends Desk<Mind, Base> {
   weights = $state.raw<Record<string, Weights>>({});
   masters = $state.raw<string[]>([]);
+  /** The names of the files of programs, by the ids of their skills. */
+  programs = $state.raw<Record<string, string>>({});
+  /** Whether there is more room for a program. */
+  wide = $state(false);
 
   /** Under which names the files of skills lie, by their ids; no undo changes that. */
   #files = new Map<string, string>();
+  /** The programs as they are in files, by the ids of their skills. */
+  #texts = new Map<string, string | null>();
   #checks = 0;
 
   constructor() {
@@ -61,14 +67,17 @@ class Editor extends Desk<Mind, Base> {
     const { skills, ...rest } = found.document;
     const mind = { ...rest, skills: skills.map(({ was: _, ...one }) => one) };
     this.#files = new Map(skills.filter((one) => one.was).map((one) => [one.id, one.was!]));
+    this.#texts = new Map(mind.skills.map((one) => [one.id, one.program]));
     this.begin(mind, found.base, found.writable);
   }
 
   async save(file: string, replace = false): Promise<void> {
     this.error = this.note = "";
     const mind = this.mind;
-    const found = await ask<{ notes: string[]; base: Base; writable: boolean }>("save", { document: this.#sent(mind), base: this.base, file, replace });
+    const how = mind.skills.some((one) => (one.program ?? null) !== (this.#texts.get(one.id) ?? null)) ? "save-with-programs" : "save";
+    const found = await ask<{ notes: string[]; base: Base; writable: boolean }>(how, { document: this.#sent(mind), base: this.base, file, replace });
     this.#files = new Map(mind.skills.map((one) => [one.id, one.name]));
+    this.#texts = new Map(mind.skills.map((one) => [one.id, one.program]));
     this.saved(mind, found);
     this.checkSoon(0);
   }
@@ -116,12 +125,13 @@ class Editor extends Desk<Mind, Base> {
   protected async check(): Promise<void> {
     const number = (this.#checks += 1);
     try {
-      const found = await ask<{ findings: Finding[]; weights: Record<string, Weights>; masters: string[] }>("check", {
+      const found = await ask<{ findings: Finding[]; weights: Record<string, Weights>; programs: Record<string, string>; masters: string[] }>("check", {
         document: this.#sent(this.mind), base: this.base,
       });
       if (number !== this.#checks) return;
       this.findings = found.findings;
       this.weights = found.weights;
+      this.programs = found.programs;
       this.masters = found.masters;
     } catch (error) {
       this.error = (error as Error).message;
