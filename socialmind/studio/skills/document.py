@@ -176,11 +176,11 @@ def _parts(document: Mapping[str, Any], what: str) -> list[dict[str, Any]]:
 
 
 def _folder_name(was: Any) -> str | None:
-    """Return the name of a skill's folder, which leads nowhere else."""
-    if was is None:
-        return None
-    if not isinstance(was, str) or was in ("", ".", "..") or {"/", "\\", "\0"} & {*was}:
-        raise SocialmindError("expected the name of a skill's folder, or nothing")
+    if was is not None:
+        what = "the name of a skill's folder"
+        if not isinstance(was, str):
+            raise SocialmindError(f"expected {what}, or nothing")
+        refuse_file_name(was, what)
     return was
 
 
