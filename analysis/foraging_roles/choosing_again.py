@@ -1,0 +1,187 @@
+"""Which mind of each attempt at `like_bodies` counts, chosen again with twice as many worlds.
+
+python -m analysis.foraging_roles.choosing_again           # judges what is not judged yet
+python -m analysis.foraging_roles.choosing_again report    # then the attempts' minds in new worlds
+
+All of this was written before the first of its worlds was run, and knowing what the first choice
+comes to in worlds for reporting; it is the same for all attempts. Attempts and trainings are those
+of `choosing`.
+
+1. Minds that the first choosing left out, as another of their training had enough, are judged as
+   the others were, in the same `WORLDS` worlds for choosing.
+2. Of each attempt the `FINALISTS` best by these worlds, of those with a share in each condition,
+   are judged in as many further worlds for choosing, the best first. One is judged no further once
+   its share of all worlds in a condition is below the least share of one that was judged in all.
+3. The attempt's mind is the one with the greatest least share of all worlds, twice `WORLDS`; of
+   equals that with the greater sum, then the later one.
+
+A row of `results/chosen_again.csv` is a mind in the first or the second of these worlds: in how
+many of them it settles under each condition. A row of `results/chosen_again_reported.csv` is an
+attempt's mind in `FURTHER`, a hundred worlds for reporting in which nothing else was run: the share
+that settles.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from socialmind.learning import Training
+from socialmind.mind import MindDescription
+
+from . import choosing
+from .choosing import CONDITIONS, KEYS, PLANS, TOO_FEW, TRAINED, WORLDS, Candidate
+from .worlds import CHOOSING, REPORTED
+
+NAME = "chosen_again"
+OUT = choosing.OUT.with_name(f"{NAME}.csv")
+REPORT = OUT.with_name(f"{NAME}_reported.csv")
+FINALISTS = 4
+FIRST, SECOND = "first", "second"
+SEEDS = {FIRST: CHOOSING[:WORLDS], SECOND: CHOOSING[WORLDS : 2 * WORLDS]}
+FURTHER = REPORTED[100:200]
+"""Worlds of the report, behind all others."""
+NAMES = list(CONDITIONS)
+
+
+def judge(path: Path = OUT) -> pd.DataFrame:
+    """Judge all minds that are to be judged and are not yet, and keep what comes of it after each.
+
+    Returns:
+        A row for each mind and set of worlds: how many settle by condition, unknown where it was
+        judged no further.
+    """
+    trainings = Training(PLANS.kept / TRAINED)
+    for own in choosing.trainings_of(choosing.read()).values():
+        minds: dict[Candidate, MindDescription] = {}
+        for number in own:
+            minds |= choosing.candidates(trainings, number)
+        for one in sorted(set(minds) - set(judged(own, read(path), FIRST).index)):
+            keep(
+                path, one, FIRST, settled(minds[one], FIRST, dict.fromkeys(NAMES, TOO_FEW * WORLDS))
+            )
+        for one in finalists(judged(own, read(path), FIRST)):
+            table = read(path)
+            first, second = (judged(own, table, which) for which in (FIRST, SECOND))
+            if one not in second.index:
+                least = totals(first, second)[NAMES].min(axis=1).max()
+                enough = {name: least - first.loc[one, name] for name in NAMES}
+                keep(path, one, SECOND, settled(minds[one], SECOND, enough))
+    return read(path)
+
+
+def settled(mind: MindDescription, which: str, enough: Mapping[str, float]) -> dict[str, float]:
+    """Return how many worlds settle by condition, those behind one with too few being unknown.
+
+    Args:
+        mind: the robots'.
+        which: a key of `SEEDS`.
+        enough: by condition; an unknown number is enough.
+    """
+    found = dict.fromkeys(CONDITIONS, np.nan)
+    for name, given in CONDITIONS.items():
+        found[name] = round(choosing.settles(mind, given, SEEDS[which]) * len(SEEDS[which]))
+        if found[name] < enough[name]:
+            break
+    return found
+
+
+def keep(path: Path, one: Candidate, which: str, found: Mapping[str, float]) -> None:
+    """Add a row to what is kept."""
+    row = pd.DataFrame([{**dict(zip(KEYS, one, strict=True)), "worlds": which, **found}])
+    table = read(path)
+    table = pd.concat([table, row], ignore_index=True) if len(table) else row
+    table = table.sort_values(["worlds", *KEYS])
+    table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+    print(*one, which, *found.values(), file=sys.stderr, flush=True)
+
+
+def read(path: Path = OUT) -> pd.DataFrame:
+    """Return what is kept, or an empty table."""
+    if not path.is_file():
+        return pd.DataFrame(columns=[*KEYS, "worlds", *NAMES])
+    return pd.read_csv(path)
+
+
+def judged(own: Sequence[int], table: pd.DataFrame, which: str) -> pd.DataFrame:
+    """Return in how many worlds the minds of trainings settle, by mind.
+
+    Args:
+        own: the trainings.
+        table: as `read` gives it.
+        which: a key of `SEEDS`; to the first belong those of the first choosing.
+    """
+    rows = table[table["worlds"] == which]
+    if which == FIRST:
+        before = choosing.read()
+        before[NAMES] = (before[NAMES] * WORLDS).round()
+        rows = pd.concat([before, rows]) if len(rows) else before
+    return rows[rows["training"].isin(own)].set_index(KEYS)[NAMES]
+
+
+def finalists(first: pd.DataFrame) -> list[Candidate]:
+    """Return the best few of an attempt's minds in the first worlds, the best first.
+
+    Args:
+        first: in how many of them they settle.
+    """
+    order = choosing.ranked(first.dropna().reset_index())
+    return [choosing.named(row) for row in order.iloc[::-1][:FINALISTS].to_dict("records")]
+
+
+def totals(first: pd.DataFrame, second: pd.DataFrame) -> pd.DataFrame:
+    """Return in how many of all worlds they settle, of minds that were judged in all.
+
+    >>> first = pd.DataFrame({"removed": [30, 31], "turned": 36, "undisturbed": 36})
+    >>> totals(first, pd.DataFrame({"removed": [32], "turned": 30, "undisturbed": 36}))
+       removed  turned  undisturbed
+    0       62      66           72
+    """
+    return (first + second).dropna().astype(int)
+
+
+def chosen(path: Path = OUT) -> pd.DataFrame:
+    """Return which mind is each attempt's, by its number.
+
+    Returns:
+        A row for each attempt: the mind, and in how many of all worlds it settles by condition.
+    """
+    table, rows = read(path), []
+    for attempt, own in choosing.trainings_of(choosing.read()).items():
+        found = totals(judged(own, table, FIRST), judged(own, table, SECOND))
+        if len(found):
+            best = choosing.ranked(found.reset_index()).iloc[-1]
+            rows.append({"attempt": attempt, **best[[*KEYS, *NAMES]].to_dict()})
+    return pd.DataFrame(rows)
+
+
+def minds(path: Path = OUT) -> dict[int, MindDescription]:
+    """Return the attempts' minds by number; none where none is chosen."""
+    trainings = Training(PLANS.kept / TRAINED)
+    found = {}
+    for row in chosen(path).to_dict("records"):
+        one = choosing.named(row)
+        found[int(row["attempt"])] = choosing.candidates(trainings, one[0])[one]
+    return found
+
+
+def report(path: Path = REPORT) -> pd.DataFrame:
+    """Judge the attempts' minds that are not judged yet in worlds for reporting, and keep it."""
+    rows = pd.read_csv(path).to_dict("records") if path.is_file() else []
+    known = {row["attempt"] for row in rows}
+    for attempt, mind in minds().items():
+        if attempt in known:
+            continue
+        shares = {name: choosing.settles(mind, CONDITIONS[name], FURTHER) for name in NAMES}
+        rows.append({"attempt": attempt, **shares})
+        pd.DataFrame(rows).to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+        print(*rows[-1].values(), file=sys.stderr, flush=True)
+    return pd.DataFrame(rows)
+
+
+if __name__ == "__main__":
+    print((report() if sys.argv[1:] == ["report"] else judge()).to_string(index=False))
