@@ -188,7 +188,7 @@ def _across(axes: Axes, own: pd.DataFrame) -> None:
 def _dot(axes: Axes, row: float, found: Any, colour: str, marker: str = "o") -> None:
     """Draw a mean with its interval."""
     axes.plot([found["low"], found["high"]], [row, row], color=colour, linewidth=0.9)
-    axes.plot(found["mean"], row, marker=marker, color=colour, markersize=2.8, mew=0)
+    axes.plot(found["mean"], row, marker, color=colour, markersize=2.8, mew=0)
 
 
 def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:

@@ -133,17 +133,46 @@ def picture(figure: Figure, caption: str, alternative: str) -> str:
 def compact(drawing: str) -> str:
     r"""Return an SVG of Matplotlib's without what nobody sees, such as parts of 1/100 point.
 
+    Groups that say nothing are opened, names that parts are referred to by are short, those of
+    others left out.
+
     Args:
         drawing: the SVG, whose type is outlines.
 
     >>> compact('<svg>\n <!-- a --> <g id="patch_1">\n  <path d="M 0.12345 7 \nL 12.3456 8"/></g>')
-    '<svg><g><path d="M0.123 7L12.35 8"/></g>'
+    '<svg><path d="M0.123 7L12.35 8"/>'
     """
     without = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>|<[?!][^>]*>", "", drawing, flags=re.S)
     rounded = re.sub(r"-?\d+\.\d{3,}", lambda found: _rounded(found[0]), without)
-    named = re.sub(r' id="[a-z.A-Z\d]+_\d+"', "", rounded)
-    spaced = re.sub(r"\s+", " ", re.sub(r">\s+<", "><", named)).strip()
-    return re.sub(r' d="[^"]*"', lambda found: re.sub(" ?([MLQCz]) ?", r"\1", found[0]), spaced)
+    spaced = re.sub(r"\s+", " ", re.sub(r">\s+<", "><", _briefly_named(rounded))).strip()
+    paths = re.sub(r' d="[^"]*"', lambda found: re.sub(" ?([MLQCz]) ?", r"\1", found[0]), spaced)
+    styles = re.sub(r' style="[^"]*"', lambda found: re.sub("([:;]) ", r"\1", found[0]), paths)
+    return _without_empty_groups(styles)
+
+
+def _briefly_named(drawing: str) -> str:
+    """Return a drawing whose names are numbers, of those parts alone that are referred to."""
+    used = dict.fromkeys(re.findall(r'(?:href="#|url\(#)([^")]+)', drawing))
+    brief = {name: f"p{place}" for place, name in enumerate(used)}
+    own = re.sub(
+        r' id="([^"]*)"',
+        lambda found: f' id="{brief[found[1]]}"' if found[1] in brief else "",
+        drawing,
+    )
+    return re.sub(r'(href="#|url\(#)([^")]+)', lambda found: found[1] + brief[found[2]], own)
+
+
+def _without_empty_groups(drawing: str) -> str:
+    """Return a drawing without groups that have no attributes; what stands in them stays."""
+    open_groups: list[bool] = []
+
+    def kept(found: re.Match[str]) -> str:
+        if found[0] != "</g>":
+            open_groups.append(found[0] != "<g>")
+            return found[0] if open_groups[-1] else ""
+        return found[0] if open_groups.pop() else ""
+
+    return re.sub(r"<g(?: [^>]*)?(?<!/)>|</g>", kept, drawing)
 
 
 def _rounded(number: str) -> str:
