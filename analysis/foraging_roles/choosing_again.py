@@ -17,7 +17,7 @@ of `choosing`.
 
 A row of `results/chosen_again.csv` is a mind in the first or the second of these worlds: in how
 many of them it settles under each condition. A row of `results/chosen_again_reported.csv` is an
-attempt's mind in `FURTHER`, a hundred worlds for reporting in which nothing else was run: the share
+attempt's mind in `FURTHER`, fifty worlds for reporting in which nothing else was run: the share
 that settles.
 """
 
@@ -43,7 +43,7 @@ REPORT = OUT.with_name(f"{NAME}_reported.csv")
 FINALISTS = 4
 FIRST, SECOND = "first", "second"
 SEEDS = {FIRST: CHOOSING[:WORLDS], SECOND: CHOOSING[WORLDS : 2 * WORLDS]}
-FURTHER = REPORTED[100:200]
+FURTHER = REPORTED[100:150]
 """Worlds of the report, behind all others."""
 NAMES = list(CONDITIONS)
 
