@@ -136,8 +136,8 @@ def _attempts(
         html.table(
             rows,
             "Table 1. Every attempt; none is left out. Shares of worlds within one robot of the "
-            "wanted split; undisturbed, changes of roles for each robot and 10,000 ticks, and "
-            "objects brought home.",
+            "wanted split; in the last two columns, undisturbed, changes of roles for each robot "
+            "and 10,000 ticks, and objects brought home.",
             numbers=True,
         ),
     ]
@@ -150,9 +150,10 @@ def _calm(
         found("undisturbed", tables, size),
         html.picture(
             figures["course"],
-            "Figure 3. Distance to the wanted split, and the share of robots that are specialised, "
-            "over time: means over all attempts and worlds, the dashed line being the shock. A "
-            "robot counts as in A until it has brought a B.",
+            "Figure 3. Distance to the wanted split (a–d), and the share of robots that are "
+            "specialised (e–h), over time: means over all attempts and worlds, the dashed line "
+            "being the shock. i–l, the distance where roles are fixed, drawn, greedy, or judged "
+            "by the counts. A robot counts as in A until it has brought a B.",
             "Distance to the wanted split over time, for each society and condition.",
         ),
         _comparison(tables, "undisturbed", "Table 2. Undisturbed."),

@@ -117,6 +117,8 @@ SOCIETIES = {
     )
 }  # fmt: skip
 """By name. In all of them the same trained skills, Collect A and Collect B, carry out the role."""
+FALL_SHORT = ("counts", "fixed", "random", "greedy")
+"""The societies that are there to show what does not settle, or does not follow."""
 REFERENCE = "programmed"
 """The society that the others are compared with."""
 MIXED_WITH = "delivered"

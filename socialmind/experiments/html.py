@@ -33,10 +33,10 @@ nav { font: 14px/1.7 system-ui, sans-serif; margin: 1.2rem 0 0; }
 nav a { color: #2564ae; margin-right: 1.1em; text-decoration: none; white-space: nowrap; }
 figure { margin: 1.6rem 0; }
 figure img { display: block; height: auto; }
-figcaption, caption { font: 14px/1.45 system-ui, sans-serif; color: #444; text-align: left; }
-figcaption { margin-top: .5rem; max-width: 50rem; }
-caption { padding-bottom: .5rem; }
+figcaption { font: 14px/1.45 system-ui, sans-serif; color: #444; }
+figcaption { margin: .5rem 0; max-width: 50rem; }
 .wide { overflow-x: auto; margin: 1.4rem 0; }
+figure .wide { margin: 0; }
 table { border-collapse: collapse; font: 13px/1.4 system-ui, sans-serif; }
 th, td { padding: .28rem .7rem .28rem 0; text-align: left; vertical-align: top; }
 thead th { border-bottom: 1px solid #222; vertical-align: bottom; }
@@ -50,6 +50,7 @@ code { font: .88em ui-monospace, Menlo, Consolas, monospace; background: #f4f4f4
 pre { overflow-x: auto; background: #f4f4f4; padding: .8rem 1rem; }
 pre code { padding: 0; }
 @media print { main { max-width: none; padding: 0; } nav { display: none; }
+  .wide { overflow: visible; } .numbers { font-size: 7px; }
   figure, tr { break-inside: avoid; } }
 """.strip()
 
@@ -97,11 +98,14 @@ def table(rows: Sequence[Mapping[str, object]], caption: str = "", numbers: bool
         for row in rows
     )
     kind = ' class="numbers"' if numbers else ""
-    above = f"<caption>{_inline(caption)}</caption>\n" if caption else ""
-    return (
-        f'<div class="wide"><table{kind}>\n{above}<thead><tr>{head}</tr></thead>\n'
+    drawn = (
+        f'<div class="wide"><table{kind}>\n<thead><tr>{head}</tr></thead>\n'
         f"<tbody>\n{body}\n</tbody></table></div>"
     )
+    if not caption:
+        return drawn
+    # Beside the table, not in it: it is not moved aside with a broad one, nor as narrow as a small.
+    return f"<figure><figcaption>{_inline(caption)}</figcaption>\n{drawn}</figure>"
 
 
 def picture(figure: Figure, caption: str, alternative: str) -> str:
@@ -216,5 +220,18 @@ def page(title: str, top: Iterable[str], sections: Sequence[str]) -> str:
 
 
 def _inline(text: str) -> str:
-    marked = re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(text, quote=False))
-    return re.sub(r"(?<=\d) %", "&nbsp;%", marked).replace("\n", "<br>")
+    parts = re.split(r"`([^`]*)`", escape(text, quote=False))
+    parts[::2] = [_set(one) for one in parts[::2]]
+    parts[1::2] = [f"<code>{one}</code>" for one in parts[1::2]]
+    return "".join(parts).replace("\n", "<br>")
+
+
+def _set(text: str) -> str:
+    """Return prose as a printer sets it: apostrophes, and what is not to be parted by a line's end.
+
+    >>> _set("A : B is 1 : 2 in 90 % of an attempt's worlds")
+    'A&nbsp;:&nbsp;B is 1&nbsp;:&nbsp;2 in 90&nbsp;% of an attempt’s worlds'
+    """
+    whole = re.sub(r"(?<=\d) %", "&nbsp;%", text)
+    whole = re.sub(r"(?<=\w) : (?=\w)", "&nbsp;:&nbsp;", whole)
+    return re.sub(r"(?<=\w)'", "’", whole)

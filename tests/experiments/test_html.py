@@ -67,7 +67,7 @@ def test_what_stands_in_a_table_is_escaped_and_broken_into_lines():
     found = report.table([{"<a>": "1 < 2\n(3)"}], "`code`")
     assert "<th>&lt;a&gt;</th>" in found
     assert "<td>1 &lt; 2<br>(3)</td>" in found
-    assert "<caption><code>code</code></caption>" in found
+    assert "<figcaption><code>code</code></figcaption>" in found
 
 
 def test_matplotlib_is_left_as_it_was():
