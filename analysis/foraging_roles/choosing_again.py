@@ -3,22 +3,23 @@
 python -m analysis.foraging_roles.choosing_again           # judges what is not judged yet
 python -m analysis.foraging_roles.choosing_again report    # then the attempts' minds in new worlds
 
-All of this was written before the first of its worlds was run, and knowing what the first choice
+All of this was written before a mind was looked at in `FURTHER`, and knowing what the first choice
 comes to in worlds for reporting; it is the same for all attempts. Attempts and trainings are those
 of `choosing`.
 
-1. Minds that the first choosing left out, as another of their training had enough, are judged as
-   the others were, in the same `WORLDS` worlds for choosing.
-2. Of each attempt the `FINALISTS` best by these worlds, of those with a share in each condition,
-   are judged in as many further worlds for choosing, the best first. One is judged no further once
-   its share of all worlds in a condition is below the least share of one that was judged in all.
-3. The attempt's mind is the one with the greatest least share of all worlds, twice `WORLDS`; of
+1. Of each attempt the `FINALISTS` best by the first choosing, of those with a share in each
+   condition, are judged in as many further worlds for choosing, the best first. One is judged no
+   further once its share of all worlds in a condition is below the least share of one that was
+   judged in all.
+2. The attempt's mind is the one with the greatest least share of all worlds, twice `WORLDS`; of
    equals that with the greater sum, then the later one.
 
-A row of `results/chosen_again.csv` is a mind in the first or the second of these worlds: in how
-many of them it settles under each condition. A row of `results/chosen_again_reported.csv` is an
-attempt's mind in `FURTHER`, fifty worlds for reporting in which nothing else was run: the share
-that settles.
+To judge what the first choosing had left out as well, as another of the same training had enough,
+was begun with trainings 2 and 16 and given up, as time would not do for all; it counts for nothing.
+
+A row of `results/chosen_again.csv` is a mind in the further worlds: in how many of them it settles
+under each condition. A row of `results/chosen_again_reported.csv` is an attempt's mind in
+`FURTHER`, forty worlds for reporting in which nothing else was run: the share that settles.
 """
 
 from __future__ import annotations
@@ -34,100 +35,75 @@ from socialmind.learning import Training
 from socialmind.mind import MindDescription
 
 from . import choosing
-from .choosing import CONDITIONS, KEYS, PLANS, TOO_FEW, TRAINED, WORLDS, Candidate
+from .choosing import CONDITIONS, KEYS, PLANS, TRAINED, WORLDS, Candidate
 from .worlds import CHOOSING, REPORTED
 
 NAME = "chosen_again"
 OUT = choosing.OUT.with_name(f"{NAME}.csv")
 REPORT = OUT.with_name(f"{NAME}_reported.csv")
 FINALISTS = 4
-FIRST, SECOND = "first", "second"
-SEEDS = {FIRST: CHOOSING[:WORLDS], SECOND: CHOOSING[WORLDS : 2 * WORLDS]}
-FURTHER = REPORTED[100:150]
+SECOND = CHOOSING[WORLDS : 2 * WORLDS]
+FURTHER = REPORTED[100:140]
 """Worlds of the report, behind all others."""
 NAMES = list(CONDITIONS)
 
 
 def judge(path: Path = OUT) -> pd.DataFrame:
-    """Judge all minds that are to be judged and are not yet, and keep what comes of it after each.
+    """Judge all finalists that are not judged yet, and keep what comes of it after each.
 
     Returns:
-        A row for each mind and set of worlds: how many settle by condition, unknown where it was
-        judged no further.
+        A row for each: how many worlds settle by condition, unknown where it was judged no further.
     """
     trainings = Training(PLANS.kept / TRAINED)
     for own in choosing.trainings_of(choosing.read()).values():
-        minds: dict[Candidate, MindDescription] = {}
-        for number in own:
-            minds |= choosing.candidates(trainings, number)
-        for one in sorted(set(minds) - set(judged(own, read(path), FIRST).index)):
-            keep(
-                path, one, FIRST, settled(minds[one], FIRST, dict.fromkeys(NAMES, TOO_FEW * WORLDS))
-            )
-        for one in finalists(judged(own, read(path), FIRST)):
-            table = read(path)
-            first, second = (judged(own, table, which) for which in (FIRST, SECOND))
-            if one not in second.index:
-                least = totals(first, second)[NAMES].min(axis=1).max()
-                enough = {name: least - first.loc[one, name] for name in NAMES}
-                keep(path, one, SECOND, settled(minds[one], SECOND, enough))
+        first = first_of(own)
+        for one in finalists(first):
+            known = read(path).set_index(KEYS)[NAMES]
+            if one in known.index:
+                continue
+            least = totals(first, known)[NAMES].min(axis=1).max()
+            enough = {name: least - first.loc[one, name] for name in NAMES}
+            found = settled(choosing.candidates(trainings, one[0])[one], enough)
+            known.loc[one, NAMES] = [found[name] for name in NAMES]
+            table = known.rename_axis(KEYS).reset_index().sort_values(KEYS)
+            table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+            print(*one, *found.values(), file=sys.stderr, flush=True)
     return read(path)
 
 
-def settled(mind: MindDescription, which: str, enough: Mapping[str, float]) -> dict[str, float]:
+def settled(mind: MindDescription, enough: Mapping[str, float]) -> dict[str, float]:
     """Return how many worlds settle by condition, those behind one with too few being unknown.
 
     Args:
         mind: the robots'.
-        which: a key of `SEEDS`.
-        enough: by condition; an unknown number is enough.
+        enough: by condition; where it is unknown any number is enough.
     """
     found = dict.fromkeys(CONDITIONS, np.nan)
     for name, given in CONDITIONS.items():
-        found[name] = round(choosing.settles(mind, given, SEEDS[which]) * len(SEEDS[which]))
+        found[name] = round(choosing.settles(mind, given, SECOND) * len(SECOND))
         if found[name] < enough[name]:
             break
     return found
 
 
-def keep(path: Path, one: Candidate, which: str, found: Mapping[str, float]) -> None:
-    """Add a row to what is kept."""
-    row = pd.DataFrame([{**dict(zip(KEYS, one, strict=True)), "worlds": which, **found}])
-    table = read(path)
-    table = pd.concat([table, row], ignore_index=True) if len(table) else row
-    table = table.sort_values(["worlds", *KEYS])
-    table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
-    print(*one, which, *found.values(), file=sys.stderr, flush=True)
-
-
 def read(path: Path = OUT) -> pd.DataFrame:
     """Return what is kept, or an empty table."""
     if not path.is_file():
-        return pd.DataFrame(columns=[*KEYS, "worlds", *NAMES])
+        return pd.DataFrame(columns=[*KEYS, *NAMES])
     return pd.read_csv(path)
 
 
-def judged(own: Sequence[int], table: pd.DataFrame, which: str) -> pd.DataFrame:
-    """Return in how many worlds the minds of trainings settle, by mind.
-
-    Args:
-        own: the trainings.
-        table: as `read` gives it.
-        which: a key of `SEEDS`; to the first belong those of the first choosing.
-    """
-    rows = table[table["worlds"] == which]
-    if which == FIRST:
-        before = choosing.read()
-        before[NAMES] = (before[NAMES] * WORLDS).round()
-        rows = pd.concat([before, rows]) if len(rows) else before
-    return rows[rows["training"].isin(own)].set_index(KEYS)[NAMES]
+def first_of(own: Sequence[int]) -> pd.DataFrame:
+    """Return in how many of the first choosing's worlds the minds of trainings settle, by mind."""
+    table = choosing.minds_among(choosing.read(), own).set_index(KEYS)[NAMES]
+    return (table * WORLDS).round()
 
 
 def finalists(first: pd.DataFrame) -> list[Candidate]:
-    """Return the best few of an attempt's minds in the first worlds, the best first.
+    """Return the best few of an attempt's minds, the best first.
 
     Args:
-        first: in how many of them they settle.
+        first: in how many of the first worlds they settle.
     """
     order = choosing.ranked(first.dropna().reset_index())
     return [choosing.named(row) for row in order.iloc[::-1][:FINALISTS].to_dict("records")]
@@ -150,9 +126,9 @@ def chosen(path: Path = OUT) -> pd.DataFrame:
     Returns:
         A row for each attempt: the mind, and in how many of all worlds it settles by condition.
     """
-    table, rows = read(path), []
+    table, rows = read(path).set_index(KEYS)[NAMES], []
     for attempt, own in choosing.trainings_of(choosing.read()).items():
-        found = totals(judged(own, table, FIRST), judged(own, table, SECOND))
+        found = totals(first_of(own), table)
         if len(found):
             best = choosing.ranked(found.reset_index()).iloc[-1]
             rows.append({"attempt": attempt, **best[[*KEYS, *NAMES]].to_dict()})
