@@ -10,7 +10,7 @@ of `choosing`.
 1. Of each attempt the `FINALISTS` best by the first choosing, of those with a share in each
    condition, are judged in as many further worlds for choosing, the best first. One is judged no
    further once its share of all worlds in a condition is below the least share of one that was
-   judged in all.
+   judged in all. Where there is one alone nothing is to be chosen, and it is judged last.
 2. The attempt's mind is the one with the greatest least share of all worlds, twice `WORLDS`; of
    equals that with the greater sum, then the later one.
 
@@ -55,8 +55,8 @@ def judge(path: Path = OUT) -> pd.DataFrame:
         A row for each: how many worlds settle by condition, unknown where it was judged no further.
     """
     trainings = Training(PLANS.kept / TRAINED)
-    for own in choosing.trainings_of(choosing.read()).values():
-        first = first_of(own)
+    firsts = [first_of(own) for own in choosing.trainings_of(choosing.read()).values()]
+    for first in sorted(firsts, key=lambda own: len(finalists(own)) == 1):
         for one in finalists(first):
             known = read(path).set_index(KEYS)[NAMES]
             if one in known.index:
@@ -124,14 +124,19 @@ def chosen(path: Path = OUT) -> pd.DataFrame:
     """Return which mind is each attempt's, by its number.
 
     Returns:
-        A row for each attempt: the mind, and in how many of all worlds it settles by condition.
+        A row for each attempt: the mind, in how many `worlds` it was judged, and the share of them
+        that settles by condition.
     """
-    table, rows = read(path).set_index(KEYS)[NAMES], []
+    second, rows = read(path).set_index(KEYS)[NAMES], []
     for attempt, own in choosing.trainings_of(choosing.read()).items():
-        found = totals(first_of(own), table)
-        if len(found):
-            best = choosing.ranked(found.reset_index()).iloc[-1]
-            rows.append({"attempt": attempt, **best[[*KEYS, *NAMES]].to_dict()})
+        first = first_of(own)
+        known, worlds = totals(first, second), 2 * WORLDS
+        if len(known) == 0 and len(finalists(first)) == 1:
+            known, worlds = first.dropna(), WORLDS
+        if len(known):
+            best = choosing.ranked(known.reset_index()).iloc[-1]
+            mind, shares = best[KEYS].to_dict(), (best[NAMES] / worlds).to_dict()
+            rows.append({"attempt": attempt, **mind, "worlds": worlds, **shares})
     return pd.DataFrame(rows)
 
 
@@ -157,6 +162,37 @@ def report(path: Path = REPORT) -> pd.DataFrame:
         pd.DataFrame(rows).to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
         print(*rows[-1].values(), file=sys.stderr, flush=True)
     return pd.DataFrame(rows)
+
+
+def both(path: Path = OUT) -> pd.DataFrame:
+    """Return the first choice and this one beside each other.
+
+    Returns:
+        A row for each `choice`, first or again, and attempt: the mind, in how many worlds it was
+        judged for it, the share of them that settles by condition, and that of its `reported`
+        worlds.
+    """
+    first = choosing.read().set_index(KEYS)[NAMES]
+    before = pd.DataFrame(
+        [
+            {
+                "attempt": attempt,
+                **dict(zip(KEYS, one, strict=True)),
+                "worlds": WORLDS,
+                **first.loc[one],
+            }
+            for attempt, one in choosing.chosen(choosing.read()).items()
+        ]
+    )
+    parts = []
+    for choice, table, reported in (
+        ("first", before, choosing.REPORT),
+        ("again", chosen(path), REPORT),
+    ):
+        whole = table.merge(pd.read_csv(reported), on="attempt", suffixes=("", "_reported"))
+        whole.insert(0, "choice", choice)
+        parts.append(whole)
+    return pd.concat(parts, ignore_index=True)
 
 
 if __name__ == "__main__":
