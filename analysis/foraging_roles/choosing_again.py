@@ -141,10 +141,13 @@ def chosen(path: Path = OUT) -> pd.DataFrame:
 
 
 def minds(path: Path = OUT) -> dict[int, MindDescription]:
-    """Return the attempts' minds by number; none where none is chosen."""
+    """Return the attempts' minds by number; none as long as not all are chosen."""
+    choice = chosen(path)
+    if len(choice) < choosing.ATTEMPTS:
+        return {}
     trainings = Training(PLANS.kept / TRAINED)
     found = {}
-    for row in chosen(path).to_dict("records"):
+    for row in choice.to_dict("records"):
         one = choosing.named(row)
         found[int(row["attempt"])] = choosing.candidates(trainings, one[0])[one]
     return found
