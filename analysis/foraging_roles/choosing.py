@@ -49,6 +49,8 @@ KEYS = ["training", "lesson", "what"]
 TICKS, WORLDS = 60_000, 36
 FURTHER = REPORTED[50:90]
 """Worlds of the report, behind those of `analysis/specialisation`."""
+LANES = 8
+"""Worlds side by side: the minds of their nine robots each fit into a core's own cache."""
 HALF = TICKS // 2 - 1
 CONDITIONS: Mapping[str, Mapping[str, int]] = {
     "removed": {"remove_at": HALF},
@@ -95,8 +97,9 @@ def settles(
         ticks: of a run.
     """
     episodes = Episodes(
-        RULES.ForagingByDeliveries, parameters, hierarchy=mind, ticks=ticks, record=("last_beyond",)
-    )
+        RULES.ForagingByDeliveries, parameters, hierarchy=mind, ticks=ticks, lanes=LANES,
+        record=("last_beyond",),
+    )  # fmt: skip
     beyond = np.asarray(episodes.run(None, worlds).fields["last_beyond"])[0, :, 0]
     return float((beyond < 0.75 * ticks).mean())
 
