@@ -83,9 +83,9 @@ SOCIETIES = {
         Society(
             "chosen", "by deliveries, chosen",
             "the same skill, learned by deliveries in an economy whose trips and distances are as "
-            "in bodies; which of an attempt's minds counts was chosen in bodies, in worlds for "
+            "in bodies; which of an attempt's minds counts was chosen in bodies, in 72 worlds for "
             "choosing (lesson `like_bodies`)",
-            LEARNED, paper.BLUE, (0, (6, 1.5, 1, 1.5)), lesson="chosen_in_bodies",
+            LEARNED, paper.BLUE, (0, (6, 1.5, 1, 1.5)), lesson="chosen_again",
         ),
         Society(
             "picked", "supervised, picked",

@@ -149,12 +149,31 @@ def test_it_is_chosen_in_worlds_for_choosing_and_each_choice_is_reported_in_worl
     assert min(seeds_for(1000, *key)) > max(worlds.REPORTED)
 
 
-@pytest.mark.parametrize("choice", [choosing])
+@pytest.mark.parametrize("choice", [choosing, again])
 def test_what_is_reported_is_of_all_attempts(choice):
     table = pd.read_csv(choice.REPORT)
     assert table["attempt"].tolist() == list(range(1, choosing.ATTEMPTS + 1))
     shares = table[list(choosing.CONDITIONS)].to_numpy() * len(choice.FURTHER)
     assert shares == pytest.approx(shares.round())
+
+
+def test_the_second_choice_is_among_the_best_of_the_first():
+    table = again.read().set_index(choosing.KEYS)
+    chosen, asked = again.chosen().set_index("attempt"), set()
+    for attempt, own in choosing.trainings_of(choosing.read()).items():
+        first = again.first_of(own)
+        best = again.finalists(first)
+        assert best[0] == choosing.chosen(choosing.read())[attempt]
+        asked |= set(best)
+        if len(best) == 1:
+            continue  # nothing is to be chosen
+        # Whoever was judged no further had fallen behind the one that was chosen.
+        least = (chosen.loc[attempt, again.NAMES] * chosen.loc[attempt, "worlds"]).min()
+        for one in best:
+            total = first.loc[one] + table.loc[one, again.NAMES]
+            assert total.notna().all() or total.min() < least - 1e-6
+    assert set(table.index) <= asked
+    assert sorted(minds.minds_of("chosen_again")) == list(range(1, choosing.ATTEMPTS + 1))
 
 
 def test_a_mind_is_judged_no_further_once_it_has_fallen_behind(monkeypatch):
@@ -170,6 +189,15 @@ def test_a_mind_is_judged_no_further_once_it_has_fallen_behind(monkeypatch):
     found = again.settled(None, {"removed": 30, "turned": 31, "undisturbed": 0})
     assert list(found.values()) == pytest.approx([30, 30, np.nan], nan_ok=True)
     assert len(asked) == 3 + 2
+
+
+def test_both_choices_stand_beside_each_other():
+    table = again.both()
+    assert table.groupby("choice")["attempt"].apply(list).to_dict() == {
+        "first": list(range(1, 11)),
+        "again": list(range(1, 11)),
+    }
+    assert table[again.NAMES].min().min() >= choosing.TOO_FEW
 
 
 def test_who_cannot_be_chosen_any_more_is_judged_no_further():
