@@ -156,7 +156,7 @@ def _choices(table: pd.DataFrame) -> str:
         row: dict[str, object] = {"attempt": attempt}
         for choice, own in parts.items():
             one = own.loc[attempt]
-            row[f"{TIMES[choice]}:\nleast, chosen"] = percent(one[conditions].min())
+            row[f"{TIMES[choice]}:\nleast when chosen"] = percent(one[conditions].min())
             for name in conditions:
                 row[f"{TIMES[choice]}:\n{CONDITIONS[name].title}"] = percent(
                     one[f"{name}_reported"]
