@@ -323,6 +323,8 @@ def write_curves(
 ) -> list[Path]:
     """Write a figure, what it says (Markdown), its curves and a row for each attempt (CSV).
 
+    Only an attempt's own row says which training it is from, as curves are long.
+
     Args:
         figure: which.
         trainings: by plan.
@@ -349,13 +351,13 @@ def write_curves(
         "",
     ]
     page.write_text("\n".join(lines), encoding="utf-8")
-    columns = ["lesson", "attempt", "training", "generation", "ticks", "best", "mean"]
+    columns = ["lesson", "attempt", "generation", "ticks", "best", "mean"]
     columns += [one for one in ("validated",) if one in curves]
     shown: list[dict[str, Any]] = [
         dict(zip(columns, row, strict=True)) for row in curves[columns].itertuples(index=False)
     ]
     for row in shown:
-        row |= {name: f"{row[name]:.5g}" for name in columns[5:]}
+        row |= {name: f"{row[name]:.5g}" for name in columns[4:]}
     return [
         *written,
         page,

@@ -22,7 +22,7 @@ of `analysis/specialisation`, which tells of more, in ten worlds an attempt.
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -49,6 +49,8 @@ KEYS = ["training", "lesson", "what"]
 TICKS, WORLDS = 60_000, 36
 FURTHER = REPORTED[50:90]
 """Worlds of the report, behind those of `analysis/specialisation`."""
+LANES = 8
+"""Worlds side by side: the minds of their nine robots each fit into a core's own cache."""
 HALF = TICKS // 2 - 1
 CONDITIONS: Mapping[str, Mapping[str, int]] = {
     "removed": {"remove_at": HALF},
@@ -95,8 +97,9 @@ def settles(
         ticks: of a run.
     """
     episodes = Episodes(
-        RULES.ForagingByDeliveries, parameters, hierarchy=mind, ticks=ticks, record=("last_beyond",)
-    )
+        RULES.ForagingByDeliveries, parameters, hierarchy=mind, ticks=ticks, lanes=LANES,
+        record=("last_beyond",),
+    )  # fmt: skip
     beyond = np.asarray(episodes.run(None, worlds).fields["last_beyond"])[0, :, 0]
     return float((beyond < 0.75 * ticks).mean())
 
@@ -162,26 +165,44 @@ def chosen(
     >>> chosen(table, 2, 0.9)
     {1: (3, 3, 'winner'), 2: (2, 3, 'winner')}
     """
-    shares = table[list(CONDITIONS)]
-    order = table.assign(least=shares.min(axis=1), sum=shares.sum(axis=1))
-    order = order.sort_values(["least", "sum", *KEYS])
+    own = trainings_of(table, attempts, enough)
+    picked = {attempt: ranked(minds_among(table, of)).iloc[-1] for attempt, of in own.items()}
+    return {attempt: named(one) for attempt, one in picked.items()}
+
+
+def trainings_of(
+    table: pd.DataFrame, attempts: int = ATTEMPTS, enough: float = ENOUGH
+) -> dict[int, list[int]]:
+    """Return the trainings of each attempt, by its number; the arguments are those of `chosen`."""
     trained = set(table["training"])
     own = {attempt: [attempt] for attempt in range(1, attempts + 1) if attempt in trained}
-    further = sorted(trained - set(range(1, attempts + 1)))
 
-    def best(attempt: int) -> Any:
-        return order[order["training"].isin(own[attempt])].iloc[-1]
+    def least_of(attempt: int) -> float:
+        return float(ranked(minds_among(table, own[attempt])).iloc[-1]["least"])
 
-    for number in further:
-        short = min(own, key=lambda attempt: best(attempt)["least"])
-        if best(short)["least"] >= enough:
+    for number in sorted(trained - set(range(1, attempts + 1))):
+        short = min(own, key=least_of)
+        if least_of(short) >= enough:
             break
         own[short].append(number)
-    picked = {attempt: best(attempt) for attempt in own}
-    return {
-        attempt: (int(one["training"]), int(one["lesson"]), str(one["what"]))
-        for attempt, one in picked.items()
-    }
+    return own
+
+
+def minds_among(table: pd.DataFrame, trainings: Sequence[int]) -> pd.DataFrame:
+    """Return the rows of trainings."""
+    return table[table["training"].isin(trainings)]
+
+
+def ranked(table: pd.DataFrame) -> pd.DataFrame:
+    """Return minds from the worst to the best: by the least share, the sum, then the later one."""
+    shares = table[list(CONDITIONS)]
+    order = table.assign(least=shares.min(axis=1), sum=shares.sum(axis=1))
+    return order.sort_values(["least", "sum", *KEYS])
+
+
+def named(row: Any) -> Candidate:
+    """Return which mind a row tells of."""
+    return int(row["training"]), int(row["lesson"]), str(row["what"])
 
 
 def minds(path: Path = OUT) -> dict[int, MindDescription]:

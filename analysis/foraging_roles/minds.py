@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from socialmind.learning import Training
 from socialmind.mind import MindDescription
 
-from . import choosing
+from . import choosing, choosing_again
 from .role_trainings import PLANS
 from .trainings import kept, mind_of
+
+CHOICES: Mapping[str, Any] = {one.NAME: one for one in (choosing, choosing_again)}
 
 
 def minds_of(lesson: str) -> Mapping[int, MindDescription]:
@@ -17,10 +20,10 @@ def minds_of(lesson: str) -> Mapping[int, MindDescription]:
 
     Args:
         lesson: a plan of `role_trainings`; or of `trainings`, whose genomes are kept as a table; or
-            `chosen_in_bodies`, what was chosen of each attempt at `like_bodies`.
+            `chosen_in_bodies` and `chosen_again`, what was chosen of each attempt at `like_bodies`.
     """
-    if lesson == choosing.NAME:
-        return choosing.minds()
+    if lesson in CHOICES:
+        return CHOICES[lesson].minds()
     if lesson not in PLANS:
         genomes = kept().get(lesson, [])
         return {attempt: mind_of(lesson, genome) for attempt, genome in enumerate(genomes, 1)}
@@ -32,7 +35,7 @@ def minds_of(lesson: str) -> Mapping[int, MindDescription]:
 
 def command_for(lesson: str) -> str:
     """Return the command that makes a lesson's minds."""
-    if lesson == choosing.NAME:
-        return "python -m analysis.foraging_roles.choosing"
+    if lesson in CHOICES:
+        return f"python -m analysis.foraging_roles.{CHOICES[lesson].__name__.rpartition('.')[2]}"
     trained = "role_trainings" if lesson in PLANS else "trainings"
     return f"python -m analysis.foraging_roles.{trained} {lesson}"

@@ -10,8 +10,9 @@ TRAINING = 8
 """The seed of trainings."""
 CHOOSING = range(3001, 3101)
 """Worlds in bodies in which attempts and parameters are chosen."""
-REPORTED = range(6001, 6101)
-"""Worlds in bodies of which results tell; the first 50 are those of `analysis/specialisation`."""
+REPORTED = range(6001, 6141)
+"""Worlds in bodies of which results tell; the first 50 are those of `analysis/specialisation`, the
+last 40 those of what was chosen again."""
 CHOOSING_ECONOMY = range(10_000, 10_128)
 """Worlds of the economy in which parameters are chosen."""
 REPORTED_ECONOMY = range(256)

@@ -17,7 +17,7 @@ from socialmind.drawing import style as paper
 from socialmind.drawing.scheme import draw_scheme, key, lines_of
 
 from . import farmers
-from .societies import CONDITIONS, MIXED, REFERENCE, SOCIETIES, Condition, Size
+from .societies import CONDITIONS, FALL_SHORT, MIXED, REFERENCE, SOCIETIES, Condition, Size
 from .tables import MEASURED, OVER_SHARES
 
 if TYPE_CHECKING:
@@ -87,25 +87,30 @@ def _rows(axes: Axes, rows: Mapping[str, int]) -> None:
 
 
 def course(over_time: pd.DataFrame, size: Size) -> Figure:
-    """Draw distance and specialised robots over time.
+    """Draw distance and specialised robots over time; the distance of rules that fall short apart.
 
     Args:
         over_time: `society`, `condition`, `tick`, `distance`, `specialised`.
         size: of the study.
     """
-    figure = paper.figure(paper.PAGE, 104)
-    panels = figure.subplots(2, len(CONDITIONS), sharey="row", sharex=True)
+    settling = [one for one in SOCIETIES if one not in FALL_SHORT]
+    rows = (("distance", settling), ("specialised", settling), ("distance", FALL_SHORT))
+    figure = paper.figure(paper.PAGE, 148)
+    panels = figure.subplots(len(rows), len(CONDITIONS), sharey="row", sharex=True)
     letters = iter(LETTERS)
-    for row, measure in zip(panels, ("distance", "specialised"), strict=True):
+    for row, (measure, societies) in zip(panels, rows, strict=True):
+        own = over_time[over_time["society"].isin(societies)]
         for axes, condition in zip(row, CONDITIONS.values(), strict=True):
             paper.panel_title(axes, next(letters), condition.title)
-            _over_time(axes, over_time, measure, condition, size)
-    for axes in panels[0]:
+            _over_time(axes, own, measure, condition, size)
+        if measure == "distance":
+            row[0].set_ylim(*paper.limits_with_zero(own["distance"].tolist()))
+            row[0].set_ylabel("distance (robots)")
+        else:
+            row[0].set_ylim(-0.03, 1.04)
+            row[0].set_ylabel("specialised (share)")
+    for axes in panels[:-1].flat:
         axes.set_xlabel("")
-    panels[0, 0].set_ylim(*paper.limits_with_zero(over_time["distance"].tolist()))
-    panels[0, 0].set_ylabel("distance (robots)")
-    panels[1, 0].set_ylabel("specialised (share of robots)")
-    panels[1, 0].set_ylim(-0.03, 1.04)
     _legend(figure, [_line(one) for one in SOCIETIES], 5)
     return figure
 
@@ -188,7 +193,7 @@ def _across(axes: Axes, own: pd.DataFrame) -> None:
 def _dot(axes: Axes, row: float, found: Any, colour: str, marker: str = "o") -> None:
     """Draw a mean with its interval."""
     axes.plot([found["low"], found["high"]], [row, row], color=colour, linewidth=0.9)
-    axes.plot(found["mean"], row, marker=marker, color=colour, markersize=2.8, mew=0)
+    axes.plot(found["mean"], row, marker, color=colour, markersize=2.8, mew=0)
 
 
 def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
@@ -208,6 +213,7 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
         for role, colour in (("A", A), ("B", B)):
             axes.add_patch(PathPatch(_bars(part[part["role"] == role], unit), fc=colour, lw=0))
         for shock in CONDITIONS[condition].shocks(size.half):
+            axes.axvline(shock / unit, color="white", linewidth=1.5)
             axes.axvline(shock / unit, color=paper.INK, linewidth=0.7, linestyle=(0, (3, 2)))
         axes.set_ylim(0.4, part["agent"].max() + 1.6)
         axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
@@ -301,7 +307,8 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
 def _upwards(axes: Axes, own: pd.DataFrame) -> None:
     """Set the y axis so that all means with their intervals are seen, and 0."""
     low, high = paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]])
-    axes.set_ylim(low - 0.03 * (high - low), high)
+    air = 0.03 * (high - low)  # so that a mark at 0, and the longest interval, are whole
+    axes.set_ylim(low - air, high + air)
     axes.yaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
     axes.yaxis.set_major_formatter("{x:,g}")
 

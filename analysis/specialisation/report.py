@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
     from .runs import Records
 
-CHOOSING = load_file(TRAINED / "choosing.py")
+CHOOSING = load_file(TRAINED / "choosing_again.py")
 BOTH = ("society", "condition")
 SCHEME = "scheme.yaml"
 COMPARED = {
@@ -81,8 +81,8 @@ def made(
 def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str, pd.DataFrame]:
     """Return all tables by name.
 
-    Those of the whole study say too what the attempts that were chosen come to in further worlds,
-    as `analysis/foraging_roles` keeps it.
+    What the attempts that were chosen come to in further worlds is as `analysis/foraging_roles`
+    keeps it; means of the whole study have it too.
     """
     worlds = judged(with_changes(records.worlds, records.kinds))
     alone = worlds[worlds["society"] != "mixed"]
@@ -96,13 +96,13 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
     )
     of_villagers = [*farmers.MEASURED, "agents_to_tasks_by_chance", "beyond_chance"]
     against = comparisons(villagers.drop(columns="attempt"), "learned", measures=of_villagers)
-    of_robots = means(alone, BOTH, measures)
+    of_robots, choices = means(alone, BOTH, measures), CHOOSING.both()
     if size == FULL:
-        reported = pd.read_csv(CHOOSING.REPORT)
-        of_robots = pd.concat([of_robots, further(reported, len(CHOOSING.FURTHER))])
+        of_robots = pd.concat([of_robots, further(choices, len(CHOOSING.FURTHER))])
     return {
         "worlds": worlds,
         "attempts": attempts(alone),
+        "chosen": choices,
         "means": of_robots,
         "differences": differences(alone),
         "course": over_time(records.course[records.course["society"] != "mixed"], BOTH),

@@ -83,9 +83,9 @@ SOCIETIES = {
         Society(
             "chosen", "by deliveries, chosen",
             "the same skill, learned by deliveries in an economy whose trips and distances are as "
-            "in bodies; which of an attempt's minds counts was chosen in bodies, in worlds for "
+            "in bodies; which of an attempt's minds counts was chosen in bodies, in 72 worlds for "
             "choosing (lesson `like_bodies`)",
-            LEARNED, paper.BLUE, (0, (6, 1.5, 1, 1.5)), lesson="chosen_in_bodies",
+            LEARNED, paper.BLUE, (0, (6, 1.5, 1, 1.5)), lesson="chosen_again",
         ),
         Society(
             "picked", "supervised, picked",
@@ -117,6 +117,8 @@ SOCIETIES = {
     )
 }  # fmt: skip
 """By name. In all of them the same trained skills, Collect A and Collect B, carry out the role."""
+FALL_SHORT = ("counts", "fixed", "random", "greedy")
+"""The societies that are there to show what does not settle, or does not follow."""
 REFERENCE = "programmed"
 """The society that the others are compared with."""
 MIXED_WITH = "delivered"

@@ -87,8 +87,8 @@ MEASURED = {
 """By name, in the order of figures and tables."""
 OVER_SHARES = ("last_distance", "settled_after", "changes", "agents_to_tasks")
 """Those that are looked at over the share of programmed robots."""
-FURTHER = "chosen_further"
-"""The society of the attempts that were chosen in bodies, in further worlds."""
+FURTHER = "chosen_{}"
+"""The society of the attempts that were chosen in bodies, first or again, in further worlds."""
 RUN = ("society", "attempt", "share", "condition", "seed")
 
 
@@ -174,26 +174,30 @@ def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd
     return pd.DataFrame(rows)
 
 
-def further(table: pd.DataFrame, worlds: int) -> pd.DataFrame:
+def further(choices: pd.DataFrame, worlds: int) -> pd.DataFrame:
     """Return the rows of means for attempts of which only their shares of worlds are known.
 
     Args:
-        table: a row for each attempt: `attempt`, and the share within one robot by condition.
+        choices: a row for each `choice` and attempt: the share within one robot, by condition, in
+            columns that end in `_reported`.
         worlds: of each.
 
-    >>> further(pd.DataFrame({"attempt": [1, 2], "turned": [0.5, 1.0]}), 40)[["mean", "least"]]
-       mean  least
-    0  0.75    0.5
+    >>> table = pd.DataFrame({"choice": "again", "turned_reported": [0.5, 1.0]})
+    >>> further(table, 40)[["society", "condition", "mean", "least"]]
+            society condition  mean  least
+    0  chosen_again    turned  0.75    0.5
     """
-    shares = table.drop(columns="attempt")
     return pd.DataFrame(
         [
             {
-                "society": FURTHER, "condition": condition, "measure": "within",
-                "attempts": len(table), "worlds": worlds, "mean": own.mean(), "low": math.nan,
-                "high": math.nan, "least": own.min(), "most": own.max(),
+                "society": FURTHER.format(choice), "condition": name.removesuffix("_reported"),
+                "measure": "within", "attempts": len(table), "worlds": worlds,
+                "mean": table[name].mean(), "low": math.nan, "high": math.nan,
+                "least": table[name].min(), "most": table[name].max(),
             }
-            for condition, own in shares.items()
+            for choice, table in choices.groupby("choice")
+            for name in table.columns
+            if name.endswith("_reported")
         ]
     )  # fmt: skip
 

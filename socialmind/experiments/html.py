@@ -33,10 +33,10 @@ nav { font: 14px/1.7 system-ui, sans-serif; margin: 1.2rem 0 0; }
 nav a { color: #2564ae; margin-right: 1.1em; text-decoration: none; white-space: nowrap; }
 figure { margin: 1.6rem 0; }
 figure img { display: block; height: auto; }
-figcaption, caption { font: 14px/1.45 system-ui, sans-serif; color: #444; text-align: left; }
-figcaption { margin-top: .5rem; max-width: 50rem; }
-caption { padding-bottom: .5rem; }
+figcaption { font: 14px/1.45 system-ui, sans-serif; color: #444; }
+figcaption { margin: .5rem 0; max-width: 50rem; }
 .wide { overflow-x: auto; margin: 1.4rem 0; }
+figure .wide { margin: 0; }
 table { border-collapse: collapse; font: 13px/1.4 system-ui, sans-serif; }
 th, td { padding: .28rem .7rem .28rem 0; text-align: left; vertical-align: top; }
 thead th { border-bottom: 1px solid #222; vertical-align: bottom; }
@@ -50,6 +50,7 @@ code { font: .88em ui-monospace, Menlo, Consolas, monospace; background: #f4f4f4
 pre { overflow-x: auto; background: #f4f4f4; padding: .8rem 1rem; }
 pre code { padding: 0; }
 @media print { main { max-width: none; padding: 0; } nav { display: none; }
+  .wide { overflow: visible; } .numbers { font-size: 7px; }
   figure, tr { break-inside: avoid; } }
 """.strip()
 
@@ -97,11 +98,14 @@ def table(rows: Sequence[Mapping[str, object]], caption: str = "", numbers: bool
         for row in rows
     )
     kind = ' class="numbers"' if numbers else ""
-    above = f"<caption>{_inline(caption)}</caption>\n" if caption else ""
-    return (
-        f'<div class="wide"><table{kind}>\n{above}<thead><tr>{head}</tr></thead>\n'
+    drawn = (
+        f'<div class="wide"><table{kind}>\n<thead><tr>{head}</tr></thead>\n'
         f"<tbody>\n{body}\n</tbody></table></div>"
     )
+    if not caption:
+        return drawn
+    # Beside the table, not in it: it is not moved aside with a broad one, nor as narrow as a small.
+    return f"<figure><figcaption>{_inline(caption)}</figcaption>\n{drawn}</figure>"
 
 
 def picture(figure: Figure, caption: str, alternative: str) -> str:
@@ -133,17 +137,46 @@ def picture(figure: Figure, caption: str, alternative: str) -> str:
 def compact(drawing: str) -> str:
     r"""Return an SVG of Matplotlib's without what nobody sees, such as parts of 1/100 point.
 
+    Groups that say nothing are opened, names that parts are referred to by are short, those of
+    others left out.
+
     Args:
         drawing: the SVG, whose type is outlines.
 
     >>> compact('<svg>\n <!-- a --> <g id="patch_1">\n  <path d="M 0.12345 7 \nL 12.3456 8"/></g>')
-    '<svg><g><path d="M0.123 7L12.35 8"/></g>'
+    '<svg><path d="M0.123 7L12.35 8"/>'
     """
     without = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>|<[?!][^>]*>", "", drawing, flags=re.S)
     rounded = re.sub(r"-?\d+\.\d{3,}", lambda found: _rounded(found[0]), without)
-    named = re.sub(r' id="[a-z.A-Z\d]+_\d+"', "", rounded)
-    spaced = re.sub(r"\s+", " ", re.sub(r">\s+<", "><", named)).strip()
-    return re.sub(r' d="[^"]*"', lambda found: re.sub(" ?([MLQCz]) ?", r"\1", found[0]), spaced)
+    spaced = re.sub(r"\s+", " ", re.sub(r">\s+<", "><", _briefly_named(rounded))).strip()
+    paths = re.sub(r' d="[^"]*"', lambda found: re.sub(" ?([MLQCz]) ?", r"\1", found[0]), spaced)
+    styles = re.sub(r' style="[^"]*"', lambda found: re.sub("([:;]) ", r"\1", found[0]), paths)
+    return _without_empty_groups(styles)
+
+
+def _briefly_named(drawing: str) -> str:
+    """Return a drawing whose names are numbers, of those parts alone that are referred to."""
+    used = dict.fromkeys(re.findall(r'(?:href="#|url\(#)([^")]+)', drawing))
+    brief = {name: f"p{place}" for place, name in enumerate(used)}
+    own = re.sub(
+        r' id="([^"]*)"',
+        lambda found: f' id="{brief[found[1]]}"' if found[1] in brief else "",
+        drawing,
+    )
+    return re.sub(r'(href="#|url\(#)([^")]+)', lambda found: found[1] + brief[found[2]], own)
+
+
+def _without_empty_groups(drawing: str) -> str:
+    """Return a drawing without groups that have no attributes; what stands in them stays."""
+    open_groups: list[bool] = []
+
+    def kept(found: re.Match[str]) -> str:
+        if found[0] != "</g>":
+            open_groups.append(found[0] != "<g>")
+            return found[0] if open_groups[-1] else ""
+        return found[0] if open_groups.pop() else ""
+
+    return re.sub(r"<g(?: [^>]*)?(?<!/)>|</g>", kept, drawing)
 
 
 def _rounded(number: str) -> str:
@@ -187,5 +220,18 @@ def page(title: str, top: Iterable[str], sections: Sequence[str]) -> str:
 
 
 def _inline(text: str) -> str:
-    marked = re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(text, quote=False))
-    return re.sub(r"(?<=\d) %", "&nbsp;%", marked).replace("\n", "<br>")
+    parts = re.split(r"`([^`]*)`", escape(text, quote=False))
+    parts[::2] = [_set(one) for one in parts[::2]]
+    parts[1::2] = [f"<code>{one}</code>" for one in parts[1::2]]
+    return "".join(parts).replace("\n", "<br>")
+
+
+def _set(text: str) -> str:
+    """Return prose as a printer sets it: apostrophes, and what is not to be parted by a line's end.
+
+    >>> _set("A : B is 1 : 2 in 90 % of an attempt's worlds")
+    'A&nbsp;:&nbsp;B is 1&nbsp;:&nbsp;2 in 90&nbsp;% of an attempt’s worlds'
+    """
+    whole = re.sub(r"(?<=\d) %", "&nbsp;%", text)
+    whole = re.sub(r"(?<=\w) : (?=\w)", "&nbsp;:&nbsp;", whole)
+    return re.sub(r"(?<=\w)'", "’", whole)

@@ -7,13 +7,15 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from socialmind.learning.lessons.keys import seeds_for
 from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
 minds = load_file(FOLDER / "minds.py")
 PACKAGE = minds.__name__
-choosing, like_bodies = (
-    sys.modules[f"{PACKAGE}.{name}"] for name in ("choosing", "economy_like_bodies")
+choosing, again, like_bodies = (
+    sys.modules[f"{PACKAGE}.{name}"]
+    for name in ("choosing", "choosing_again", "economy_like_bodies")
 )
 trips_in_bodies = load_file(FOLDER / "trips_in_bodies.py")
 worlds = load_file(FOLDER / "worlds.py")
@@ -133,17 +135,69 @@ def test_who_falls_shortest_begins_anew():
     assert {attempt: one[0] for attempt, one in found.items()} == {1: 1, 2: 2, 3: 3}
 
 
-def test_it_is_chosen_in_worlds_for_choosing():
-    assert set(choosing.CHOOSING[: choosing.WORLDS]) <= set(worlds.CHOOSING)
-    assert not set(worlds.CHOOSING) & set(worlds.REPORTED)
+def test_it_is_chosen_in_worlds_for_choosing_and_each_choice_is_reported_in_worlds_of_its_own():
+    first, second = set(choosing.CHOOSING[: choosing.WORLDS]), set(again.SECOND)
+    assert len(second) == len(first) == choosing.WORLDS
+    assert not first & second
+    assert first | second <= set(worlds.CHOOSING)
+    page = range(6001, 6051)  # those of analysis/specialisation, and of what is judged elsewhere
+    sets = (worlds.CHOOSING, page, choosing.FURTHER, again.FURTHER)
+    assert len(set().union(*sets)) == sum(map(len, sets))
+    assert set(page) | set(choosing.FURTHER) | set(again.FURTHER) <= set(worlds.REPORTED)
+    # Worlds of trainings are hashes of 63 bits.
+    key = ("world", worlds.TRAINING, 1)
+    assert min(seeds_for(1000, *key)) > max(worlds.REPORTED)
 
 
-def test_what_is_reported_is_of_worlds_behind_all_others_and_of_all_attempts():
-    assert set(choosing.FURTHER) <= set(worlds.REPORTED[50:])
-    table = pd.read_csv(choosing.REPORT)
+@pytest.mark.parametrize("choice", [choosing, again])
+def test_what_is_reported_is_of_all_attempts(choice):
+    table = pd.read_csv(choice.REPORT)
     assert table["attempt"].tolist() == list(range(1, choosing.ATTEMPTS + 1))
-    shares = table[list(choosing.CONDITIONS)].to_numpy() * len(choosing.FURTHER)
+    shares = table[list(choosing.CONDITIONS)].to_numpy() * len(choice.FURTHER)
     assert shares == pytest.approx(shares.round())
+
+
+def test_the_second_choice_is_among_the_best_of_the_first():
+    table = again.read().set_index(choosing.KEYS)
+    chosen, asked = again.chosen().set_index("attempt"), set()
+    for attempt, own in choosing.trainings_of(choosing.read()).items():
+        first = again.first_of(own)
+        best = again.finalists(first)
+        assert best[0] == choosing.chosen(choosing.read())[attempt]
+        asked |= set(best)
+        if len(best) == 1:
+            continue  # nothing is to be chosen
+        # Whoever was judged no further had fallen behind the one that was chosen.
+        least = (chosen.loc[attempt, again.NAMES] * chosen.loc[attempt, "worlds"]).min()
+        for one in best:
+            total = first.loc[one] + table.loc[one, again.NAMES]
+            assert total.notna().all() or total.min() < least - 1e-6
+    assert set(table.index) <= asked
+    assert sorted(minds.minds_of("chosen_again")) == list(range(1, choosing.ATTEMPTS + 1))
+
+
+def test_a_mind_is_judged_no_further_once_it_has_fallen_behind(monkeypatch):
+    asked = []
+
+    def settles(_, parameters, seeds):
+        asked.append(parameters)
+        return 30 / len(seeds)
+
+    monkeypatch.setattr(again.choosing, "settles", settles)
+    unknown = dict.fromkeys(choosing.CONDITIONS, np.nan)
+    assert list(again.settled(None, unknown).values()) == [30, 30, 30]
+    found = again.settled(None, {"removed": 30, "turned": 31, "undisturbed": 0})
+    assert list(found.values()) == pytest.approx([30, 30, np.nan], nan_ok=True)
+    assert len(asked) == 3 + 2
+
+
+def test_both_choices_stand_beside_each_other():
+    table = again.both()
+    assert table.groupby("choice")["attempt"].apply(list).to_dict() == {
+        "first": list(range(1, 11)),
+        "again": list(range(1, 11)),
+    }
+    assert table[again.NAMES].min().min() >= choosing.TOO_FEW
 
 
 def test_who_cannot_be_chosen_any_more_is_judged_no_further():
@@ -164,7 +218,9 @@ def test_minds_are_judged_by_the_worlds_that_settle(mind):
 
 def test_without_a_choice_there_is_no_mind(tmp_path):
     assert choosing.minds(tmp_path / "none.csv") == {}
+    assert again.minds(tmp_path / "none.csv") == {}
     assert minds.command_for("chosen_in_bodies").endswith("foraging_roles.choosing")
+    assert minds.command_for("chosen_again").endswith("foraging_roles.choosing_again")
     assert minds.command_for("thesis").endswith("trainings thesis")
 
 

@@ -50,11 +50,24 @@ def test_what_a_figure_refers_to_is_kept_in_it():
     assert used | set(clipped) == names
 
 
+def test_what_is_seen_of_a_figure_stays_in_it():
+    drawing = (
+        '<svg><defs><path id="m123abc" d="M 0 0 \nL 1 1 "/></defs><g id="figure_1"><g><g class="a">'
+        '<use xlink:href="#m123abc" style="fill: #222; stroke: none"/></g></g></g><g class="b"/>'
+        '<path id="line2d_7" clip-path="url(#p9)" d="M 2 2"/><clipPath id="p9"/></svg>'
+    )
+    assert report.compact(drawing) == (
+        '<svg><defs><path id="p0" d="M0 0L1 1 "/></defs><g class="a">'
+        '<use xlink:href="#p0" style="fill:#222;stroke:none"/></g><g class="b"/>'
+        '<path clip-path="url(#p1)" d="M2 2"/><clipPath id="p1"/></svg>'
+    )
+
+
 def test_what_stands_in_a_table_is_escaped_and_broken_into_lines():
     found = report.table([{"<a>": "1 < 2\n(3)"}], "`code`")
     assert "<th>&lt;a&gt;</th>" in found
     assert "<td>1 &lt; 2<br>(3)</td>" in found
-    assert "<caption><code>code</code></caption>" in found
+    assert "<figcaption><code>code</code></figcaption>" in found
 
 
 def test_matplotlib_is_left_as_it_was():
