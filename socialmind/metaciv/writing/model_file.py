@@ -188,7 +188,7 @@ class ModelFile:
 
     def _any_facility(self) -> str:
         tests = [f"len(model.{one.population}.on(place)) > 0" for one in self.sheet.used_facilities]
-        test = " or ".join(tests)
+        test = " or ".join(tests) or "False"
         line = f"return {test}"
         if len(line) + 4 > WIDTH:
             line = "return (\n        " + "\n        or ".join(tests) + "\n    )"
