@@ -228,7 +228,7 @@ class ModelFile:
             lines += parameter("road_evaporation", "int", str(max(parameters.road_evaporation, 0)),
                                 "steps", f"lost by each patch every {PERIOD} ticks")  # fmt: skip
         for name in self.beginning.joined:
-            count = len(self.people.civilisations)
+            count = len(self.people.joining(name))
             declared = (
                 f"{sheet.group_fields[name]}: int = -1"
                 if count == 1
