@@ -18,8 +18,8 @@ What it reports, by kind:
   makes inactive.
 - *not as its type*: a percept or a trait that feed-back changes, or a percept that no rule of the
   model and no condition sets.
-- *duplicate name*: written twice in the file, or shared by a cogniton and a culturon with other links
-  (with the same links they are one idea, an agent's own and lent by a role: MetaCiv's culturons).
+- *duplicate name*: written twice in the file, or shared by a cogniton and a culturon with other
+  links (with the same ones they are one idea, an agent's own and lent by a role, as in MetaCiv).
 - *names alike*: names that differ in capitals or blanks only.
 - *odd name*: empty, or with blanks at its ends or control characters.
 

@@ -9,7 +9,6 @@ import pytest
 
 from socialmind.metaciv.reading import read_folder
 from socialmind.metaciv.reading.record import INT
-
 from tests.fuzzing.faults import SEED, mutated
 
 from .folders import FARMERS, flat, written
