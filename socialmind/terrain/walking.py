@@ -29,7 +29,7 @@ def step_ahead(agent: Any, model: Any, rng: Any) -> bool:
 
 
 def patches_ahead(agent: Any, model: Any) -> int:
-    """Work one tick on crossing the patch; return how many patches that lets it enter: 0, 1 or 2."""
+    """Work one tick on crossing the patch; return how many that lets it enter: 0, 1 or 2."""
     count = 0
     effort = max(model.world.patch(agent.x, agent.y).passability // 10, 1)
     if agent.stride > effort:
