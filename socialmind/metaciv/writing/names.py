@@ -85,6 +85,7 @@ TAKEN_BY_FILES = [
     "Ground",
     "Human",
     "Land",
+    "Looks",
     "Message",
     "Messages",
     "Model",
@@ -103,7 +104,7 @@ TAKEN_BY_FILES = [
     "PASSABILITY",
     "IMPASSABLE",
     "PERIOD",
-    "PEOPLES",
+    "TERRAINS",
     "clear_ownerless",
     "clear_deserted",
 ]

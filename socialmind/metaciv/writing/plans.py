@@ -348,5 +348,7 @@ def _returned(test: str) -> list[str]:
     """Return the line that returns what a test says, laid out where it is long."""
     if len(test) + 11 <= WIDTH:
         return [f"return {test}"]
+    if len(test) + 8 <= WIDTH:
+        return ["return (", f"    {test}", ")"]
     first, *more = re.split(r" (?=and |is not |>|<|==)", test)
     return ["return (", f"    {first}", *(f"    {one}" for one in more), ")"]
