@@ -18,7 +18,8 @@ What it reports, by kind:
   makes inactive.
 - *not as its type*: a percept or a trait that feed-back changes, or a percept that no rule of the
   model and no condition sets.
-- *duplicate name*: written twice in the file, or shared by a cogniton and a culturon.
+- *duplicate name*: written twice in the file, or shared by a cogniton and a culturon with other
+  links (with the same ones they are one idea, an agent's own and lent by a role, as in MetaCiv).
 - *names alike*: names that differ in capitals or blanks only.
 - *odd name*: empty, or with blanks at its ends or control characters.
 
@@ -276,13 +277,13 @@ def _names(scheme: Scheme, holders: Holders) -> list[Finding]:
         for what in scheme.repeated
     ]
     cognitons = [cogniton.name for cogniton in scheme.cognitons]
-    known = set(cognitons)
+    known = {cogniton.name: cogniton for cogniton in scheme.cognitons}
     culturons = {where: c for where, c in holders.items() if isinstance(c, Culturon)}
     for where, culturon in culturons.items():
-        if culturon.name in known:
-            found.append(
-                Finding("duplicate name", where, "a cogniton has the same name; rename one of them")
-            )
+        own = known.get(culturon.name)
+        if own is not None and _links(own) != _links(culturon):
+            message = "a cogniton of this name has other links; rename one of them"
+            found.append(Finding("duplicate name", where, message))
     places = {
         "cogniton": cognitons,
         "culturon": [culturon.name for culturon in culturons.values()],
@@ -307,6 +308,15 @@ def _names(scheme: Scheme, holders: Holders) -> list[Finding]:
                     )
                 )
     return found
+
+
+def _links(holder: Cogniton | Culturon) -> tuple[object, ...]:
+    """Return the links of a cogniton or culturon, whatever their order."""
+    influence, reinforcement = (
+        {plan: weight for plan, weight in links.items() if weight}
+        for links in (holder.influence, holder.reinforcement)
+    )
+    return influence, set(holder.conditional), reinforcement
 
 
 def _alike(noun: str, names: list[str]) -> list[Finding]:

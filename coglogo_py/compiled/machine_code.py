@@ -29,6 +29,7 @@ from numba.core.registry import cpu_target
 from numba.core.serialize import dumps
 
 from coglogo_py.compiled import code_folder
+from coglogo_py.compiled.optimised_once import optimised_once
 from coglogo_py.compiled.reached import reached_files
 
 ADDRESSES = 600
@@ -159,7 +160,8 @@ class _KeptCode:
     def __init__(
         self, function: Callable[..., Any], key: str, anew: Callable[[Any], CompileResult]
     ) -> None:
-        self._name = function.__qualname__.replace("<", "").replace(">", "")
+        self._qualified = function.__qualname__
+        self._name = self._qualified.replace("<", "").replace(">", "")
         self._line = function.__code__.co_firstlineno
         self._key = key
         self._anew = anew
@@ -179,7 +181,7 @@ class _KeptCode:
             # Of another numba, or half of what it refers to: as if it were not there.
             with suppress(Exception):
                 return CompileResult._rebuild(_apart(), *pickle.loads(content))
-        with _nothing_collected():
+        with _nothing_collected(), optimised_once(self._qualified):
             result = self._anew(signature)
         # Addresses of this process have no place in another.
         if result.library.has_dynamic_globals or not all(one.can_cache for one in result.lifted):

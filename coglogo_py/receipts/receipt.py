@@ -331,7 +331,8 @@ def _change(receipt: Receipt) -> str:
     if change is None:
         return "No change of one cogniton's value changes the most probable plan."
     search = "" if change.exact else " (found by search: a smaller change may do)"
-    shown = f"{change.new_value:.6g}"
+    # The number next to 0 is told as 0.
+    shown = "0" if abs(change.new_value) < 1e-300 else f"{change.new_value:.6g}"
     if (change.new_value - float(shown)) * change.change > 0:
         shown = f"just beyond {shown}"
     return (

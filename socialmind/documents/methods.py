@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.documents.methods_of_sweeps import paragraph_of_sweep
 from socialmind.documents.methods_said import (
+    as_argument,
     as_option,
     interventions_said,
     listed,
@@ -51,7 +52,6 @@ def _of_run(folder: Path, trust: bool) -> str:
         model_class: type[Model] | None = recorded_class(capsule, trust=trust)
     except SocialmindError:
         model_class = None  # the paragraph then says all values, without units
-    name = manifest.model["name"]
     parts = [opening(manifest.model, manifest.versions, manifest.platforms, model_class)]
     length = f"{manifest.ticks:,} ticks"
     parts.append(f"One run of {length} was made with the seed {manifest.seed}.")
@@ -69,8 +69,8 @@ def _of_run(folder: Path, trust: bool) -> str:
         f"{ticks_said(manifest.agents_every)}."
     )
     changed = changed_from_defaults(manifest.parameters, model_class)
-    command = ["socialmind", "run", name, "--ticks", str(manifest.ticks), "--seed",
-               str(manifest.seed), "--every", str(manifest.every), "--agents-every",
+    command = ["socialmind", "run", as_argument(manifest.model), "--ticks", str(manifest.ticks),
+               "--seed", str(manifest.seed), "--every", str(manifest.every), "--agents-every",
                str(manifest.agents_every)]  # fmt: skip
     for one, value in changed.items():
         command += ["--set", f"{one}={as_option(value)}"]

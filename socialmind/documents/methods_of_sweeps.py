@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.documents.methods_said import (
     HASH_DIGITS,
+    as_argument,
     as_option,
     interventions_said,
     listed,
@@ -21,7 +22,6 @@ from socialmind.documents.methods_said import (
 )  # fmt: skip
 from socialmind.documents.odd.entities import written
 from socialmind.runs.folders import FINISHED
-from socialmind.sources.folders import catalogue
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -131,9 +131,7 @@ def _sweep_command(content: Mapping[str, Any], points: pd.DataFrame | None) -> s
     design = _design_options(content, points)
     if not plain or design is None:
         return ""
-    path = content["model"]["path"]
-    known = path is None or content["model"]["name"] in catalogue()
-    command = ["socialmind", "sweep", content["model"]["name"] if known else path]
+    command = ["socialmind", "sweep", as_argument(content["model"])]
     command += design
     for name, value in content.get("fixed", {}).items():
         command += ["--set", f"{name}={as_option(value)}"]

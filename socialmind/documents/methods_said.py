@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from socialmind.documents.odd.entities import written
+from socialmind.sources.folders import catalogue
 
 if TYPE_CHECKING:
     from socialmind.model import Model
@@ -14,6 +15,16 @@ if TYPE_CHECKING:
 HASH_DIGITS = 12
 """Of a SHA-256 hash, as many as tell versions apart on a page."""
 PACKAGES = {"python": "Python", "numpy": "NumPy", "numba": "Numba"}
+
+
+def as_argument(model: Mapping[str, Any]) -> str:
+    """Return what commands take for a model: its name if it ships with socialmind, else its path.
+
+    Args:
+        model: what a manifest says of it.
+    """
+    known = model["path"] is None or model["name"] in catalogue()
+    return str(model["name"] if known else model["path"])
 
 
 def interventions_said(records: Sequence[Mapping[str, Any]]) -> str:

@@ -42,8 +42,11 @@ STATA_TAKEN = frozenset({
     "using",
 })  # fmt: skip
 """Names that Stata keeps for itself."""
-WHOLE = 2**53
-"""Beyond it doubles, which Stata's largest whole numbers are, skip some."""
+WHOLE = {"xlsx": 10**15 - 1, "dta": 2**53}
+"""The largest whole number that a form holds; columns with larger ones, as seeds, are texts.
+
+Stata has doubles, Excel shows and keeps fifteen digits.
+"""
 
 
 @dataclass
@@ -87,7 +90,7 @@ def export(folder: Path, to: str, out: Path | None = None, only: Iterable[str] =
             raise SocialmindError(f"{folder}: no table {name!r}; {nearest(name, paths)}")
     for name in wanted:
         _refuse_too_large(name, paths[name], to)
-    tables = {name: _read(paths[name]) for name in wanted}
+    tables = {name: exact(_read(paths[name]), WHOLE.get(to)) for name in wanted}
     made = Exported()
     home = out or folder / "export"
     if to == "dta":
@@ -168,6 +171,31 @@ def _workbook(file: BinaryIO, tables: Mapping[str, pd.DataFrame]) -> None:
     with pd.ExcelWriter(file, engine="openpyxl") as book:
         for name, table in tables.items():
             table.to_excel(book, sheet_name=name[:31], index=False, freeze_panes=(1, 0))
+            sheet = book.sheets[name[:31]]
+            texts = [place for place, kind in enumerate(table.dtypes, 1) if kind.kind == "O"]
+            columns = [next(sheet.iter_cols(place, place)) for place in texts]
+            for cell in (one for cells in (*columns, sheet[1]) for one in cells):
+                if cell.data_type == "f":
+                    cell.data_type = "s"  # a text that begins with = is no formula
+
+
+def exact(table: pd.DataFrame, largest: int | None) -> pd.DataFrame:
+    """Return a table whose whole numbers a form can hold: as texts where some are too large.
+
+    Args:
+        table: with pandas' nullable types.
+        largest: that the form holds exactly; None if it holds all.
+    """
+    import pandas as pd
+
+    beyond = [
+        name
+        for name, kind in table.dtypes.items()
+        if largest is not None
+        and pd.api.types.is_integer_dtype(kind)
+        and table[name].dropna().astype(object).abs().gt(largest).any()
+    ]
+    return table.astype(dict.fromkeys(beyond, "string"))
 
 
 def _csv(table: pd.DataFrame, labels: Mapping[str, str]) -> Callable[[BinaryIO], None]:
@@ -246,10 +274,10 @@ def for_stata(name: str, table: pd.DataFrame) -> tuple[dict[str, str], pd.DataFr
 
     Args:
         name: the table's, for errors.
-        table: with pandas' nullable types.
+        table: with pandas' nullable types, its whole numbers within ±2⁵³.
 
     Raises:
-        SocialmindError: a number that Stata does not have: infinite, or whole and too large.
+        SocialmindError: a number is infinite, which Stata does not have.
     """
     import numpy as np
     import pandas as pd
@@ -259,12 +287,6 @@ def for_stata(name: str, table: pd.DataFrame) -> tuple[dict[str, str], pd.DataFr
     for one in names:
         values = table[one]
         if pd.api.types.is_bool_dtype(values.dtype) or pd.api.types.is_integer_dtype(values.dtype):
-            largest = values.astype("Int64").abs().max()
-            if not pd.isna(largest) and largest > WHOLE:
-                raise SocialmindError(
-                    f"{one} of {name}: found {largest:,}; expected whole numbers within ±2⁵³, "
-                    "which Stata's are; leave the table out with --table, or take --to csv"
-                )
             # to_stata takes the narrowest of its own types.
             columns[one] = values.to_numpy(np.float64, na_value=np.nan)
             if not values.isna().any():

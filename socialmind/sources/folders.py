@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import hashlib
 import inspect
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from shlex import quote
@@ -101,7 +102,21 @@ def model_folder(name_or_path: str | Path) -> Path:
 
 def is_metaciv(folder: Path) -> bool:
     """Return whether a folder is a model of MetaCiv's, and none of this toolkit."""
-    return (folder / METACIV_FILE).is_file() and not (folder / MODEL_FILE).is_file()
+    return spelled(folder / METACIV_FILE).is_file() and not (folder / MODEL_FILE).is_file()
+
+
+def spelled(path: Path) -> Path:
+    """Return a path as its folder spells the name: in other letter case if none is as asked.
+
+    MetaCiv's users had Windows and macOS, where a folder `Simulation` is found as `simulation`.
+    """
+    if os.path.lexists(path):
+        return path
+    try:
+        alike = [one for one in path.parent.iterdir() if one.name.lower() == path.name.lower()]
+    except OSError:
+        return path
+    return alike[0] if len(alike) == 1 else path
 
 
 def digest(content: bytes) -> str:

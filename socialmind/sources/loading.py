@@ -102,7 +102,8 @@ def is_alone(path: Path, name: str) -> bool:
 def _private_name(path: Path, source: bytes, alone: bool) -> str:
     around = "" if alone else source_hash(path.parent)
     key = hashlib.sha256(f"{path}\0{around}\0".encode() + source).hexdigest()
-    return f"{PRIVATE}{path.parent.name}_{path.stem}_{key[:16]}"
+    # A dot would make it the part of a package: MetaCiv's users end names in "(v2.0)".
+    return f"{PRIVATE}{path.parent.name}_{path.stem}_{key[:16]}".replace(".", "_")
 
 
 def _compile(source: bytes, path: Path) -> CodeType:

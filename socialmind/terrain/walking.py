@@ -23,16 +23,24 @@ def step_ahead(agent: Any, model: Any, rng: Any) -> bool:
         Whether it has entered a patch.
     """
     entered = False
+    for _ in range(patches_ahead(agent, model)):
+        entered = enter_next(agent, model, rng) or entered
+    return entered
+
+
+def patches_ahead(agent: Any, model: Any) -> int:
+    """Work one tick on crossing the patch; return how many that lets it enter: 0, 1 or 2."""
+    count = 0
     effort = max(model.world.patch(agent.x, agent.y).passability // 10, 1)
     if agent.stride > effort:
         agent.stride -= effort
-        entered = enter_next(agent, model, rng)
+        count += 1
     if agent.stride < effort:
         agent.stride += 1
     if agent.stride == effort:
-        entered = enter_next(agent, model, rng) or entered
         agent.stride = 2
-    return entered
+        count += 1
+    return count
 
 
 def enter_next(agent: Any, model: Any, rng: Any) -> bool:
@@ -50,7 +58,7 @@ def enter_next(agent: Any, model: Any, rng: Any) -> bool:
 def step_towards(
     agent: Any, model: Any, x: float, y: float, sight: int, beyond: float, rng: Any
 ) -> bool:
-    """Work one tick on the cheapest way to a place.
+    """Work one tick on the cheapest way to a place, and go no further than there.
 
     Args:
         agent: the agent.
@@ -65,7 +73,12 @@ def step_towards(
         Whether it has entered a patch.
     """
     heading = model.world.way("effort", agent.x, agent.y, x, y, sight, beyond)
-    if heading < 0:
-        return False
-    agent.heading = heading
-    return step_ahead(agent, model, rng)
+    entered = False
+    if heading >= 0:
+        for before in range(patches_ahead(agent, model)):
+            if before > 0:
+                heading = model.world.way("effort", agent.x, agent.y, x, y, sight, beyond)
+            if heading >= 0:
+                agent.heading = heading
+                entered = enter_next(agent, model, rng) or entered
+    return entered

@@ -189,6 +189,12 @@ def test_duplicate_names():
     ]
 
 
+def test_a_culturon_may_be_a_cogniton_that_a_role_lends():
+    links = {"influence": GOOD.influence, "conditional": GOOD.conditional}
+    lent = Culturon(GOOD.name, 1, **links, reinforcement=GOOD.reinforcement)
+    assert found(scheme(GOOD, groups=(Group("g", (Role("r", (lent,)),)),))) == []
+
+
 def test_names_that_are_alike_or_odd():
     assert kinds(scheme(GOOD, replace(GOOD, name="Hunger ")), "names alike") == [
         "cogniton 'Hunger '"

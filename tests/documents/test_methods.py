@@ -50,15 +50,15 @@ def made(walk, tmp_path):
     )  # fmt: skip
 
 
-def test_it_says_model_version_hash_seed_parameters_software_and_how_to_repeat(made):
+def test_it_says_model_version_hash_seed_parameters_software_and_how_to_repeat(made, walk):
     text = methods(made)
     assert text.startswith("The model walk, whose source has the SHA-256 ")
     assert "socialmind 0." in text and "NumPy" in text and "Numba" in text
     assert "One run of 20 ticks was made with the seed 7." in text
     assert "stride = 3 steps (default 2) differed from the defaults." in text
     assert "their defaults: limit = 1.5 km and fast = false." in text
-    command = "socialmind run walk --ticks 20 --seed 7 --every 1 --agents-every 10 --set stride=3"
-    assert f"`{command}`" in text
+    options = "--ticks 20 --seed 7 --every 1 --agents-every 10 --set stride=3"
+    assert f"`socialmind run {walk} {options}`" in text
     assert f"`socialmind replay {made}`" in text
     assert "\n" not in text
 

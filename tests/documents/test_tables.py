@@ -118,9 +118,28 @@ def test_a_table_in_parts_is_one_table(folder):
 
 
 def test_numbers_that_stata_does_not_have_are_refused():
-    for values, told in (([2**60], "within"), ([np.inf], "infinite")):
-        with pytest.raises(SocialmindError, match=told):
-            for_stata("agents", pd.DataFrame({"number": values}))
+    with pytest.raises(SocialmindError, match="infinite"):
+        for_stata("agents", pd.DataFrame({"number": [np.inf]}))
+
+
+@pytest.mark.parametrize("to", ["xlsx", "dta"])
+def test_seeds_that_a_form_would_round_are_texts(folder, to):
+    seeds = [2**63 - 1, 7]
+    table = {"run": [0, 1], "seed": seeds, "big": pd.array([-(2**60), None], "Int64"), "n": [1, 2]}
+    pd.DataFrame(table).to_parquet(folder / "runs.parquet")
+    (path,) = export(folder, to, only=["runs"]).files
+    read = pd.read_stata(path) if to == "dta" else pd.read_excel(path, dtype=object)
+    assert read["seed"].tolist() == [str(one) for one in seeds]
+    assert (read["big"][0], read["n"].tolist()) == (str(-(2**60)), [1, 2])
+
+
+def test_what_begins_with_an_equals_sign_is_no_formula(folder):
+    texts = pd.DataFrame({"=1+1": ['=HYPERLINK("x")', None], "n": [1, 2]})
+    texts.to_parquet(folder / "series.parquet")
+    (path,) = export(folder, "xlsx", only=["series"]).files
+    cells = [one for row in openpyxl.load_workbook(path)["series"] for one in row]
+    assert "f" not in {one.data_type for one in cells}
+    assert [one.value for one in cells[:3]] == ["=1+1", "n", '=HYPERLINK("x")']
 
 
 def test_names_for_stata_are_short_plain_and_each_once():

@@ -7,7 +7,6 @@ files of each format are tried.
 import os
 import random
 import warnings
-from datetime import UTC, datetime
 
 import pytest
 
@@ -20,8 +19,8 @@ from socialmind.mind.files.evoagents.text_file import text_of
 from socialmind.mind.files.folder import load_tasks, save_tasks
 from socialmind.mind.files.layout import layout_file, parse
 from socialmind.mind.regulation import Counter
+from tests.fuzzing.faults import SEED, mutated
 
-SEED = int(os.environ.get("SOCIALMIND_FUZZ_SEED", datetime.now(UTC).strftime("%Y%m%d")))
 COUNT = int(os.environ.get("SOCIALMIND_FUZZ_COUNT", "60"))
 HOSTILE = [
     b"9" * 5000, b"-1", b"nan", b"1e999", b"\0", b"\xff\xfe", b"\xef\xbb\xbf", b"[" * 500,
@@ -33,29 +32,6 @@ FORMATS = (
     ".cogscheme", ".yaml", ".botdesc", ".vardesc", ".ades", ".genome", ".simbatch", ".layout",
     "mind",
 )  # fmt: skip
-
-
-def mutated(content, chance):
-    """A content with one to four faults: bytes, lines, numbers or hostile texts."""
-    for _ in range(chance.randint(1, 4)):
-        place = chance.randrange(len(content) + 1)
-        lines = content.splitlines(keepends=True) or [b""]
-        line = chance.randrange(len(lines))
-        match chance.randrange(6):
-            case 0:
-                content = content[:place] + bytes([chance.randrange(256)]) + content[place + 1 :]
-            case 1:
-                content = b"".join(lines[:line] + lines[line + 1 :])
-            case 2:
-                content = b"".join(lines[: line + 1] * chance.randint(1, 3) + lines[line:])
-            case 3:
-                content = content[:place]
-            case 4:
-                content = content[:place] + chance.choice(HOSTILE) + content[place:]
-            case _:
-                old = bytes([chance.choice(b"0123456789")])
-                content = content.replace(old, chance.choice(HOSTILE), 1)
-    return content
 
 
 def sample(ending, folder):
@@ -91,7 +67,7 @@ def test_a_damaged_file_loads_or_is_refused_in_one_line(ending, tmp_path):
     load()
     for number in range(COUNT):
         name = f"{SEED}/{ending}/{number}"
-        path.write_bytes(mutated(sound, random.Random(name)))
+        path.write_bytes(mutated(sound, random.Random(name), HOSTILE))
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")

@@ -65,6 +65,19 @@ def test_a_patch_takes_as_long_as_its_passability_says(passability, places):
     assert found == places
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+def test_who_crosses_two_patches_in_a_tick_stops_where_it_wants_to_go(compiled):
+    field = Field(seed=1, compiled=compiled, passability=12, aims=True)
+    places = []
+    for _ in range(4):
+        field.advance(1)
+        places.append((field.walkers[0].x, field.walkers[0].y))
+    assert places[1:] == [(4, 2)] * 3
+    field.walkers.x, field.walkers.y = 3, 2
+    field.advance(1)
+    assert (field.walkers[0].x, field.walkers[0].y) == (4, 2)
+
+
 def test_nobody_enters_what_is_impassable_at_either_speed():
     found = []
     for compiled in (True, False):

@@ -149,6 +149,23 @@ def test_other_processes_take_and_give_back_societies(tmp_path):
         assert same(society, other)
 
 
+def test_a_folder_with_dots_in_its_name_is_a_model_as_others_are(tmp_path):
+    folder = tmp_path / "farm(v2.0)"
+    folder.mkdir()
+    (folder / "rules.py").write_text("def grow(cow):\n    cow.x += 1\n")
+    (folder / "model.py").write_text(
+        "from socialmind import Agent, Model, Population, Torus, each\n"
+        "from .rules import grow\n"
+        "class Farm(Model):\n"
+        "    world = Torus(9)\n"
+        "    cows = Population(Agent, 2)\n"
+        "    schedule = (each(cows, grow),)\n"
+    )
+    society = load_model(folder)(seed=1, compiled=False)
+    society.advance(2)
+    assert same(pickled(society), society)
+
+
 def test_a_file_that_has_changed_since_is_refused(tmp_path, monkeypatch):
     (tmp_path / "model.py").write_text(OWN_MODEL)
     (tmp_path / "rules.py").write_text("def tire(walker):\n    walker.energy *= 0.5\n")

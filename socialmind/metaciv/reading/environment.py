@@ -41,7 +41,7 @@ def chosen_map(
         findings.error(place, "no line `Carte : …`", "the name of the map's file")
         return None
     by_name = {Record(one, findings).name: one for one in reversed(documents)}
-    by_file = {one.stem: one for one in documents}
+    by_file = {one.stem.strip(): one for one in documents}
     said = carte.value.strip()
     for name in (said, said.removesuffix(SUFFIX), said.split(".")[0]):
         for known in (by_name, by_file):
@@ -55,7 +55,7 @@ def chosen_map(
 def settled(document: Document) -> frozenset[str]:
     """Return the civilisations that a map names."""
     lines = [fields(line.value) for line in document.all("Civilisation")]
-    return frozenset(one[0] for one in lines if one)
+    return frozenset(",".join(one[:-2]).strip() for one in lines)
 
 
 def read_environment(
@@ -147,7 +147,7 @@ def _terrains(
             else:
                 use = f"row {user} uses it (index {index})"
                 record.findings.unknown(place, line.value, terrains, what, "error", use)
-        names.append(line.value if name is None else name)
+        names.append(line.value.strip() if name is None else name)
     return tuple(names)
 
 

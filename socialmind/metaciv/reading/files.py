@@ -13,6 +13,7 @@ from pathlib import Path, PurePosixPath
 
 from socialmind.metaciv.description import Place
 from socialmind.metaciv.findings import Findings
+from socialmind.sources.folders import spelled
 
 SUFFIX = ".metaciv"
 LARGEST_FILE = 2**20
@@ -34,7 +35,7 @@ class Line:
         tabs: before the key.
         key: up to the first ` : `.
         value: from there to the next ` : `.
-        rest: from there to the end of the line.
+        rest: from there to the end of the line, without blanks there.
     """
 
     number: int
@@ -54,7 +55,7 @@ class Document:
     @property
     def stem(self) -> str:
         """The file's name without its suffix."""
-        return PurePosixPath(self.file).name.removesuffix(SUFFIX)
+        return self.file.rpartition("/")[2][: -len(SUFFIX)]
 
     def place(self, line: Line | None = None) -> Place:
         """Return where a line stands, or else the file's begin."""
@@ -83,24 +84,27 @@ class Folder:
 
     def has(self, part: str) -> bool:
         """Return whether there is a folder below this one."""
-        return self._inside(self.root / part) and (self.root / part).is_dir()
+        path = self._path(part)
+        return self._inside(path) and path.is_dir()
 
     def folders(self, part: str) -> list[str]:
         """Return the names of the folders in a folder, sorted."""
-        return [one for one in self._names(part) if (self.root / part / one).is_dir()]
+        return [one for one in self._names(part) if (self._path(part) / one).is_dir()]
 
     def documents(self, part: str, largest: int = LARGEST_FILE) -> list[Document]:
         """Return the files of a folder, sorted by name; none where there is no such folder."""
         found = []
         for name in self._names(part):
-            if name.endswith(SUFFIX):
+            if name.lower().endswith(SUFFIX):
                 document = self.document(f"{part}/{name}" if part else name, largest)
                 found += [] if document is None else [document]
         return found
 
     def document(self, file: str, largest: int = LARGEST_FILE) -> Document | None:
         """Return a file, or None where there is none; says why if it cannot be read."""
-        path, place = self.root / file, Place(displayed(file), 1)
+        path = self._path(file)
+        file = path.relative_to(self.root).as_posix()
+        place = Place(displayed(file), 1)
         try:
             if not os.path.lexists(path):
                 return None
@@ -126,7 +130,7 @@ class Folder:
         """Return the names of the Java classes below a folder; none of them is read."""
         found: set[str] = set()
         if self.has(part):
-            for count, (_, _, files) in enumerate(os.walk(self.root / part)):
+            for count, (_, _, files) in enumerate(os.walk(self._path(part))):
                 found.update(one.removesuffix(".class") for one in files if one.endswith(".class"))
                 if count > MOST_FILES:
                     break
@@ -134,7 +138,7 @@ class Folder:
 
     def _names(self, part: str) -> list[str]:
         """Return the names in a folder, sorted, without hidden ones."""
-        path = self.root / part
+        path = self._path(part)
         if not self.has(part):
             return []
         try:
@@ -146,6 +150,13 @@ class Folder:
             found = f"a folder of {len(names)} files"
             self.findings.error(Place(displayed(part), 1), found, f"at most {MOST_FILES}")
         return names[:MOST_FILES]
+
+    def _path(self, part: str) -> Path:
+        """Return where a part of the folder is; one in other letter case where none is as asked."""
+        path = self.root
+        for name in PurePosixPath(part).parts:
+            path = spelled(path / name) if self._inside(path) else path / name
+        return path
 
     def _inside(self, path: Path) -> bool:
         try:
@@ -162,7 +173,7 @@ class Folder:
                 continue
             key, colon, rest = text.partition(" : ")
             if colon:
-                bare = key.lstrip("\t")
+                bare, rest = key.lstrip("\t"), rest.rstrip()
                 lines.append(Line(number, len(key) - len(bare), bare, rest.split(" : ")[0], rest))
         return Document(file, tuple(lines))
 

@@ -35,7 +35,7 @@ from socialmind.metaciv.reading.things import (
     read_object,
     read_terrain,
 )
-from socialmind.sources.folders import METACIV_FILE
+from socialmind.sources.folders import METACIV_FILE, spelled
 
 SCHEMES, WORLD = "schemasCognitifs", "simulation"
 MAKERS: dict[str, Literal["MaxWeight", "WeightedStochastic", "MaxWeightOx2"]] = {
@@ -89,7 +89,7 @@ def read_folder(path: str | Path) -> Reading:
     root = Path(path)
     if not root.is_dir():
         raise SocialmindError(f"{path}: no such folder")
-    if not (root / METACIV_FILE).is_file():
+    if not spelled(root / METACIV_FILE).is_file():
         raise SocialmindError(
             f"{path}: found no {METACIV_FILE}; expected the folder of a model of MetaCiv's"
         )

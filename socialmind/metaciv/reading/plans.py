@@ -110,7 +110,8 @@ class _Actions:
         if self.older and kind.name == "L_Repeat":
             most = 1
         if most is not None and len(children) > most:
-            found = f"{len(children)} actions within {kind.name}"
+            several = "s" * (len(children) > 1)
+            found = f"{len(children)} action{several} within {kind.name}"
             self.findings.warn(place, found, f"at most {most}", "the others were left out")
         return children[:most]
 

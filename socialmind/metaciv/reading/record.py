@@ -37,9 +37,9 @@ class Record:
 
     @property
     def name(self) -> str:
-        """The name inside, or else the file's."""
+        """The name inside, or else the file's, without blanks around it."""
         line = self.document.first("Nom", "Name")
-        return unquote_plus(self.document.stem) if line is None else line.value
+        return (unquote_plus(self.document.stem) if line is None else line.value).strip()
 
     @property
     def place(self) -> Place:
@@ -201,11 +201,8 @@ def as_number(text: str) -> float | None:
 
 
 def matching(name: str, names: Collection[str]) -> str | None:
-    """Return the declared name that a text means: the same, or but for blanks around it."""
-    if name in names:
-        return name
-    alike = [one for one in names if one.strip() == name.strip()]
-    return alike[0] if len(alike) == 1 else None
+    """Return the declared name that a text means, blanks around it apart, or None."""
+    return name.strip() if name.strip() in names else None
 
 
 def bounds(low: int, high: int) -> str:

@@ -190,7 +190,7 @@ def _trigger(record: Record, line: Line, own: SchemeNames) -> Trigger | None:
         expected = "a code from -2 to 2: <, <=, ==, >=, >"
         record.findings.error(place, shown(code), expected)
     constant = None
-    if constants and constants[0] != NO_CONSTANT:
+    if constants and constants[0].strip() != NO_CONSTANT:
         known = own.records["constants"]
         instead = f"{threshold} counts"
         constant = record.known(line, constants[0], known, "a constant", instead)
@@ -202,7 +202,7 @@ def _trigger(record: Record, line: Line, own: SchemeNames) -> Trigger | None:
 def _role_names(record: Record) -> tuple[str, ...]:
     """Return the roles of a group: those that have a culturon."""
     parts = [fields(line.value) for line in record.document.all("Culturon")]
-    return tuple(dict.fromkeys(one[0] for one in parts if len(one) > 1))
+    return tuple(dict.fromkeys(one[0].strip() for one in parts if len(one) > 1))
 
 
 def _group(record: Record, own: SchemeNames) -> Group:
@@ -213,7 +213,7 @@ def _group(record: Record, own: SchemeNames) -> Group:
         parts = record.parts(line, 2, "`role,cogniton`")
         if parts is None:
             continue
-        role = record.checked_name(parts[0], document.place(line))
+        role = record.checked_name(parts[0].strip(), document.place(line))
         places.setdefault(role, document.place(line))
         said = ",".join(parts[1:])
         cogniton = record.known(line, said, own.records["cognitons"], "a cogniton")

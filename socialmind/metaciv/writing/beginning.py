@@ -148,12 +148,12 @@ class Beginning:
         group = self.people.groups[name]
         field = self.sheet.group_fields[name]
         text, role = as_text(name), as_text(group.auto_join or "")
-        several = len(self.people.civilisations) > 1
+        peoples = self.people.joining(name)
         number = ""
         lines = []
-        if several:
+        if len(peoples) > 1:
             lines.append("people = 0")
-            for place, one in enumerate(self.people.civilisations[1:], 1):
+            for place, one in enumerate(peoples[1:], 1):
                 lines += [f"if human.civilisation == {as_text(one.name)}:", f"    people = {place}"]
             number = "[people]"
         lines += [

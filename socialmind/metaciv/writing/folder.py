@@ -9,9 +9,11 @@ from typing import Any
 from socialmind.metaciv.description import Model, Place
 from socialmind.metaciv.writing.model_file import SCHEME_FILE, TERRAIN_FILE, ModelFile
 from socialmind.metaciv.writing.people import people_of
+from socialmind.metaciv.writing.pictures import figures
 from socialmind.metaciv.writing.scheme_file import scheme_text
 from socialmind.metaciv.writing.sheet import Sheet, Unsupported
 from socialmind.metaciv.writing.words import odd_words, readme
+from socialmind.sources.folders import FIGURES_FILE
 
 
 def write_model(description: Model, folder: Path) -> list[Unsupported]:
@@ -38,6 +40,7 @@ def write_model(description: Model, folder: Path) -> list[Unsupported]:
     if file.map.mapped:
         rows = [",".join(map(str, row)) for row in description.environment.rows]
         (folder / TERRAIN_FILE).write_text("\n".join(rows) + "\n", "utf-8")
+    (folder / FIGURES_FILE).write_text(figures(sheet, file.map), "utf-8")
     (folder / "odd_words.md").write_text(odd_words(file), "utf-8")
     (folder / "README.md").write_text(readme(file, sheet.unsupported), "utf-8")
     return sheet.unsupported

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import colorsys
 import re
 
 from socialmind.metaciv.description import Civilisation
@@ -21,6 +20,7 @@ from socialmind.metaciv.writing.layout import (
 )
 from socialmind.metaciv.writing.map_text import PERIOD, MapText
 from socialmind.metaciv.writing.names import Names, identifier
+from socialmind.metaciv.writing.pictures import colours_of_terrains, looks, rgb
 from socialmind.metaciv.writing.sheet import Built, Sheet, written
 from socialmind.metaciv.writing.turns import Turns
 
@@ -73,7 +73,7 @@ class ModelFile:
         names = listed([one.name for one in self.people.civilisations])
         doc = sentence(f"{names}: a model of MetaCiv's, {self.model.name}.", "")
         text = "\n".join(body)
-        own = {"Agent", "Civilisation", "Grid", "Model", "Population", "each", "once"}
+        own = {"Agent", "Civilisation", "Grid", "Looks", "Model", "Population", "each", "once"}
         if "Message)" in text or "Messages(" in text:
             own |= {"Message", "Messages"}
         if "(Patch)" in text:
@@ -109,8 +109,9 @@ class ModelFile:
         lines = [f"{name} = {value}" for name, value in found.items()]
         if "PERIOD" in text:
             lines.append(f"PERIOD = {PERIOD}  # ticks after which the ground changes by itself")
-        lines += self.map.tables(text)
-        return lines
+        if self.map.mapped:
+            lines += colours_of_terrains(self.map)
+        return lines + self.map.tables(text)
 
     # Classes ----------------------------------------------------------------------------------
 
@@ -188,7 +189,7 @@ class ModelFile:
 
     def _any_facility(self) -> str:
         tests = [f"len(model.{one.population}.on(place)) > 0" for one in self.sheet.used_facilities]
-        test = " or ".join(tests)
+        test = " or ".join(tests) or "False"
         line = f"return {test}"
         if len(line) + 4 > WIDTH:
             line = "return (\n        " + "\n        or ".join(tests) + "\n    )"
@@ -228,7 +229,7 @@ class ModelFile:
             lines += parameter("road_evaporation", "int", str(max(parameters.road_evaporation, 0)),
                                 "steps", f"lost by each patch every {PERIOD} ticks")  # fmt: skip
         for name in self.beginning.joined:
-            count = len(self.people.civilisations)
+            count = len(self.people.joining(name))
             declared = (
                 f"{sheet.group_fields[name]}: int = -1"
                 if count == 1
@@ -254,7 +255,7 @@ class ModelFile:
         if any(one.grouped for one in sheet.used_facilities):
             phases.append("once(clear)")
         lines += laid_out("    schedule = (", phases, ")")
-        lines += ["", *self._series()]
+        lines += ["", *self._series(), "", *looks(sheet, self.map)]
         return "\n".join(lines)
 
     def _population(self) -> list[str]:
@@ -271,9 +272,7 @@ class ModelFile:
         height = self.model.environment.height
         first = next(s for s in self.people.settlements if s.civilisation == one.name)
         place = f"({first.u}, {(height - first.v) % height})"
-        red, green, blue = colorsys.hsv_to_rgb(*one.colour)
-        colour = "#" + "".join(f"{round(255 * part):02x}" for part in (red, green, blue))
-        return f'Civilisation({as_text(one.name)}, 0, place={place}, colour="{colour}")'
+        return f'Civilisation({as_text(one.name)}, 0, place={place}, colour="{rgb(one.colour)}")'
 
     def _series(self) -> list[str]:
         sheet = self.sheet

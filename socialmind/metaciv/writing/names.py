@@ -85,6 +85,7 @@ TAKEN_BY_FILES = [
     "Ground",
     "Human",
     "Land",
+    "Looks",
     "Message",
     "Messages",
     "Model",
@@ -103,7 +104,7 @@ TAKEN_BY_FILES = [
     "PASSABILITY",
     "IMPASSABLE",
     "PERIOD",
-    "PEOPLES",
+    "TERRAINS",
     "clear_ownerless",
     "clear_deserted",
 ]
@@ -150,15 +151,22 @@ class Names:
     """
 
     def __init__(self, taken: Iterable[str]) -> None:
-        self._taken = {*taken, *keyword.kwlist, *dir(builtins), *MODULES}
+        self._others = frozenset((*taken, *keyword.kwlist, *dir(builtins), *MODULES))
+        self._taken = set(self._others)
 
     def own(self, *wanted: str) -> str:
-        """Return the first of some names that is free, and take it."""
-        for name in wanted:
+        """Return the first of some names that is free, and take it.
+
+        >>> names = Names(["die"])
+        >>> names.own("or"), names.own("die", "die_carried"), names.own("corn"), names.own("corn")
+        ('or_', 'die_carried', 'corn', 'corn_2')
+        """
+        last = wanted[-1]
+        for name in (*wanted, *([f"{last}_"] if last in self._others else [])):
             if name not in self._taken:
                 self._taken.add(name)
                 return name
         number = 2
-        while f"{wanted[-1]}_{number}" in self._taken:
+        while f"{last}_{number}" in self._taken:
             number += 1
-        return self.own(f"{wanted[-1]}_{number}")
+        return self.own(f"{last}_{number}")

@@ -59,6 +59,16 @@ class People:
         """Return the civilisations of a scheme."""
         return [one for one in self.civilisations if one.scheme == scheme.name]
 
+    def joining(self, group: str) -> list[Civilisation]:
+        """Return the civilisations whose agents join a group at birth, by its name now."""
+        schemes = {
+            scheme.name
+            for scheme in self.schemes
+            for one in scheme.groups
+            if one.auto_join and self.names[scheme.name]["group", one.name] == group
+        }
+        return [one for one in self.civilisations if one.scheme in schemes]
+
     def is_shared(self, kind: str, name: str) -> bool:
         """Say whether all schemes have a part of a kind under its name now."""
         return all(name in (now for (of, _), now in self.names[one.name].items() if of == kind)

@@ -157,8 +157,6 @@ class Plans:
                 return [self._idle()]
             return inner if times == 1 else [Call("repeat", [str(times), *inner])]
         if action.name == "L_Instant":
-            if not action.children:
-                return [self._idle()]
             return [self._instant(action, plan).name]
         if action.name == "L_EveryXTick":
             asked = self._ask(self._every(action, plan))
@@ -226,15 +224,21 @@ class Plans:
 
     def _instant(self, action: Action, plan: Plan) -> Rule:
         """Return what does several things at once, named after them or after its plan."""
-        named = []
-        for one in action.children:
+        done = [one for one in action.children if one.name != "A_DoNothing"]
+        if not done:
+            return self._rule(do_nothing(self.sheet))
+        acts = []
+        for one in done:
             if one.name in WRITERS and not one.children:
                 made = WRITERS[one.name](self.sheet, one)
                 if isinstance(made, Act):
-                    named.append(self._name_of(made))
+                    acts.append(made)
+        if len(acts) == len(done) == 1 and not acts[0].stays:
+            return self._rule(acts[0])
+        named = [self._name_of(one) for one in acts]
         names = [f"{identifier(plan.name)}_at_once"]
         joined = "_and_".join(named)
-        if len(named) == len(action.children) <= 2 and len(joined) <= LONGEST_NAME:
+        if len(named) == len(done) <= 2 and len(joined) <= LONGEST_NAME:
             names.insert(0, joined)
         elif named:
             names.append(f"{names[0]}_with_{named[0]}")
@@ -344,5 +348,7 @@ def _returned(test: str) -> list[str]:
     """Return the line that returns what a test says, laid out where it is long."""
     if len(test) + 11 <= WIDTH:
         return [f"return {test}"]
+    if len(test) + 8 <= WIDTH:
+        return ["return (", f"    {test}", ")"]
     first, *more = re.split(r" (?=and |is not |>|<|==)", test)
     return ["return (", f"    {first}", *(f"    {one}" for one in more), ")"]

@@ -21,8 +21,9 @@ def scheme_text(sheet: Sheet) -> str:
     """Return the scheme that the agents of a model have."""
     people, model = sheet.people, sheet.model
     names = " and ".join(one.name for one in people.schemes)
+    word = "schemes" if people.several else "scheme"
     title = people.schemes[0].name if len(people.schemes) == 1 else model.name
-    lines = [f"# The minds of agents, from MetaCiv's scheme {names}."]
+    lines = [f"# The minds of agents, from MetaCiv's {word} {names}."]
     if people.several:
         lines += [
             "#",

@@ -123,9 +123,9 @@ _PURPOSE = "MetaCiv's files do not say what the model is for; say it here."
 
 _WALKING = (
     "Agents stand in the middle of patches. To leave a patch of passability p takes "
-    "max(p div 10 − 2, 1) ticks, and below 20 two patches are crossed in one. Before what cannot "
-    "be entered they turn any way that is open. Ways are the cheapest ones, by the effort of the "
-    "patches in sight (A*)."
+    "max(p div 10 − 2, 1) ticks, and below 20 two patches are crossed in one, if the place they go "
+    "to is not passed by that. Before what cannot be entered they turn any way that is open. Ways "
+    "are the cheapest ones, by the effort of the patches in sight (A*)."
 )
 
 

@@ -17,6 +17,7 @@ from coglogo_py import (
     DecisionMaker,
     Group,
     MaximumWeight,
+    PositiveStochastic,
     Role,
     Society,
     WeightedStochastic,
@@ -159,6 +160,12 @@ class TestTheTable:
         assert line == (
             "Smallest change: hunger from 5 to just beyond -3 (-8) makes flee the most probable."
         )
+
+    def test_the_number_next_to_0_is_told_as_0(self):
+        wandering = Cogniton("Alive", start_value=1, influence={"wander": 2, "rest": 1},
+                             conditional=("wander", "rest"))  # fmt: skip
+        line = str(mind_of(wandering, maker=PositiveStochastic()).explain()).splitlines()[-1]
+        assert "Alive from 1 to just beyond 0 (-1) makes rest the most probable" in line
 
     def test_many_plans_continue_below(self):
         plans = [f"a plan with a long name {i}" for i in range(9)]

@@ -3,18 +3,16 @@
 The seed changes from day to day; SOCIALMIND_FUZZ_SEED sets it.
 """
 
-import os
 import random
-from datetime import UTC, datetime
 
 import pytest
 
 from socialmind.metaciv.reading import read_folder
 from socialmind.metaciv.reading.record import INT
+from tests.fuzzing.faults import SEED, mutated
 
 from .folders import FARMERS, flat, written
 
-SEED = int(os.environ.get("SOCIALMIND_FUZZ_SEED", datetime.now(UTC).strftime("%Y%m%d")))
 COUNT = 300
 HOSTILE = [
     b"9" * 5000, b"-1", b"nan", b"1e999", b"\0", b"\xff\xfe", b"\xef\xbb\xbf", b"(" * 500, b",",
@@ -23,32 +21,6 @@ HOSTILE = [
     b"(Objet ", b"),", b" Constant ", b"\xe2\x80\xa8", b"\xe2\x80\xae", b"%00", b"Nom : ", b";",
 ]  # fmt: skip
 NAMES = ["x\ny", "..", "%2e%2e%2f", "\x1b[31m", "a" * 200, ".hidden", "é", "\udcff", "con"]
-
-
-def mutated(content, chance):
-    """A content with one to three faults: bytes, lines, numbers, words or hostile texts."""
-    for _ in range(chance.randint(1, 3)):
-        place = chance.randrange(len(content) + 1)
-        lines = content.splitlines(keepends=True) or [b""]
-        line = chance.randrange(len(lines))
-        match chance.randrange(7):
-            case 0:
-                content = content[:place] + bytes([chance.randrange(256)]) + content[place + 1 :]
-            case 1:
-                content = b"".join(lines[:line] + lines[line + 1 :])
-            case 2:
-                content = b"".join(lines[: line + 1] * chance.randint(1, 3) + lines[line:])
-            case 3:
-                content = content[:place]
-            case 4:
-                content = content[:place] + chance.choice(HOSTILE) + content[place:]
-            case 5:
-                chance.shuffle(lines)
-                content = b"".join(lines)
-            case _:
-                old = bytes([chance.choice(b"0123456789,:()")])
-                content = content.replace(old, chance.choice(HOSTILE), chance.randint(1, 3))
-    return content
 
 
 def damaged(number):
@@ -65,7 +37,7 @@ def damaged(number):
                 home = file.rpartition("/")[0]
                 files[f"{home}/{chance.choice(NAMES)}.metaciv"] = files[file]
             case _:
-                files[file] = mutated(files[file], chance)
+                files[file] = mutated(files[file], chance, HOSTILE)
     return files
 
 

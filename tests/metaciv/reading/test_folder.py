@@ -154,6 +154,28 @@ def test_line_ends_of_other_systems(tmp_path, ending):
     assert reading_of(here, files=files) == reading_of(there)
 
 
+def test_names_in_other_letter_case_are_found(tmp_path):
+    files = {
+        file.replace("simulation", "Simulation").replace("plans/Work", "Plans/Work"): text
+        for file, text in FARMERS.items()
+    }
+    files["Parametres.METACIV"] = files.pop("parametres.metaciv")
+    reading = reading_of(tmp_path / "a" / "m", files=files)
+    sound = reading_of(tmp_path / "b" / "m").model
+    assert reading.findings == ()
+    assert reading.model.schemes[0].plans[0].name == sound.schemes[0].plans[0].name
+    assert reading.model.terrains[0].place.file == "Simulation/terrains/Grass.metaciv"
+    assert reading.model.environment.rows == sound.environment.rows
+
+
+def test_blanks_at_the_ends_of_lines_are_no_part_of_names(tmp_path):
+    files = {
+        file: "".join(f"{line}  \n" for line in text.splitlines()) for file, text in FARMERS.items()
+    }
+    here, there = tmp_path / "a" / "m", tmp_path / "b" / "m"
+    assert reading_of(here, files=files) == reading_of(there)
+
+
 def test_a_byte_order_mark_is_no_part_of_a_key(tmp_path):
     text = FARMERS["simulation/itemPheromones/Corn.metaciv"]
     reading = reading_of(tmp_path, {"simulation/itemPheromones/Corn.metaciv": "\ufeff" + text})

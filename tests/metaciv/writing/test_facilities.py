@@ -173,3 +173,15 @@ A_Rentrer
     assert found[0] == found[1] == (2.0, 3.0)
     assert found[2] != found[3] == found[2] or found[2] == found[3]
     assert found[-1] == (2.0, 3.0)
+
+
+def test_where_nothing_is_ever_built_all_ground_is_free(tmp_path):
+    plan = """
+A_SetTargetToClosestEmptyPatch
+A_GoToTarget
+L_IsAnyFacilityHere
+  A_AddItem,o(Objet Corn),n(Integer 1)
+  A_AddItem,o(Objet Corn),n(Integer 5)
+"""
+    model = imported(tmp_path, files_of(plans={"Work": plan}, cognitons=WILL, objects=("Corn",)))
+    assert followed(model, 3, "corn", "x", "y") == [(0, 2, 3), (0, 2, 3), (5, 2, 3)]

@@ -86,3 +86,22 @@ def test_slow_ground_takes_longer(tmp_path):
         ),
     )
     assert [x for (x,) in followed(model, 5, "x")] == [3.0, 3.0, 4.0, 4.0, 0.0]
+
+
+def test_what_is_left_and_what_is_taken_of_a_pheromone(tmp_path):
+    plan = """
+A_Collect,p(Pheromone Seed),n(Double 2.5)
+L_Instant
+  A_Collect,p(Pheromone Seed),n(Double -3.0)
+  A_DoNothing
+"""
+    files = files_of(plans={"Work": plan}, cognitons=WILL, pheromones={"Seed": (1.0, 0.0)})
+    model = imported(tmp_path, files)
+    society = model(seed=1, compiled=False)
+    amounts = []
+    for _ in range(4):
+        society.advance(1)
+        amounts.append(society.world.patch(2, 3).seed)
+    assert amounts == [1.0, 1.0, 3.5, 0.5]
+    written = (model.folder() / "model.py").read_text()
+    assert "def take_seed(" in written and "do_nothing" not in written

@@ -39,10 +39,11 @@ def test_it_is_formatted_and_clean(model):
     ruff = [sys.executable, "-m", "ruff"]
     if shutil.which("ruff") is None:
         pytest.skip("ruff is not installed")
-    file = str(model.folder() / "model.py")
+    files = sorted(map(str, model.folder().glob("*.py")))
     for command in (["format", "--diff"], ["check", "--ignore", "INP001"]):
         done = subprocess.run(
-            [*ruff, *command, "--no-cache", "--config", str(SETTINGS), file],
+            [*ruff, *command, "--no-cache", "--config", str(SETTINGS), *files],
+            cwd=model.folder(),  # where its reader stands
             capture_output=True,
             text=True,
             check=False,

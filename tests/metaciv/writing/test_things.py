@@ -2,6 +2,8 @@
 
 import pytest
 
+from socialmind.metaciv.importing import ImportRefusedError
+
 from .folders import files_of, followed, imported
 
 DIG = (True, "Work", {"Work": 1})
@@ -73,6 +75,47 @@ def test_effects_come_and_go_with_what_is_carried_and_fractions_stay(tmp_path):
     assert society.humans[0].mind.get_cogniton_value("Proud") == 4.0
     society.advance(2)
     assert society.humans[0].mind.get_cogniton_value("Proud") == 2.0
+
+
+EFFECT = "Cible : {}\nNomCible : {}\nValeur : {}\nPermanence : {}\nType : {}\nActivation : 0\n"
+
+
+def test_what_an_effect_brings_has_its_effects_too(tmp_path):
+    files = files_of(
+        plans={
+            "Work": f"{ADD.format('Purse', 1)}\n{ADD.format('Crown', 1)}\n"
+            "A_DropObject,o(Objet Purse),n(Integer 1)\n"
+            "A_DropObject,o(Objet Coin),n(Integer 9)"
+        },
+        cognitons={"Will": DIG},
+        attributes={"weight": 0},
+        objects=("Purse", "Coin", "Crown"),
+        carried_effects={"Purse": ("Filled",), "Coin": ("Heavy",), "Crown": ("Rich",)},
+        effects={
+            "Filled": EFFECT.format("objet", "Coin", 2, "false", 1),
+            "Heavy": EFFECT.format("attribut", "weight", 0.5, "false", 1),
+            "Rich": EFFECT.format("objet", "Coin", 5, "true", 0),
+        },
+    )
+    model = imported(tmp_path, files)
+    assert followed(model, 4, "coin", "weight") == [(2, 1.0), (5, 2.5), (3, 1.5), (0, 0.0)]
+
+
+def test_effects_that_lead_back_to_themselves_are_said_and_end(tmp_path):
+    files = files_of(
+        plans={"Work": ADD.format("Hen", 1)},
+        cognitons={"Will": DIG},
+        objects=("Hen", "Egg"),
+        carried_effects={"Hen": ("Lays",), "Egg": ("Hatches",)},
+        effects={
+            "Lays": EFFECT.format("objet", "Egg", 3, "true", 1),
+            "Hatches": EFFECT.format("objet", "Hen", 1, "true", 1),
+        },
+    )
+    with pytest.raises(ImportRefusedError, match="'Hen', whose effects lead back to it"):
+        imported(tmp_path, files)
+    model = imported(tmp_path, files, strict=False)
+    assert followed(model, 1, "hen", "egg") == [(4, 3)]
 
 
 @pytest.mark.parametrize("constant", [4.0, -2.0, 2.5])

@@ -314,7 +314,6 @@ def compare_stock_of_group(sheet: Sheet, action: Action) -> Ask:
     ask.test = f"{name} >= 0 and {ask.test}"
     ask.doc += f" in the {built.facility.name} of a member of the own group"
     ask.before = tuple(before)
-    del field
     return ask
 
 

@@ -183,9 +183,12 @@ def collect(sheet: Sheet, action: Action) -> Act:
     """A_Collect."""
     pheromone = str(action.argument("Pheromone").value)
     field, amount = sheet.pheromone(pheromone), sheet.number(action.argument("Double"))
-    body = [f"model.world.patch(human.x, human.y).{field} += {amount}"]
+    here, bare = f"model.world.patch(human.x, human.y).{field}", amount.removeprefix("-")
+    if bare != amount:
+        names = (f"take_{field}", f"take_{in_name(bare)}_{field}")
+        return Act(names, f"Take {bare} {pheromone} from the patch.", [f"{here} -= {bare}"])
     names = (f"leave_{field}", f"leave_{in_name(amount)}_{field}")
-    return Act(names, f"Add {amount} {pheromone} to the patch.", body)
+    return Act(names, f"Add {amount} {pheromone} to the patch.", [f"{here} += {amount}"])
 
 
 def compare_pheromone(sheet: Sheet, action: Action) -> Ask:

@@ -21,7 +21,7 @@ from socialmind.metaciv.writing.sheet import Sheet
 
 LIVES = '''
 def living(model, identity):
-    """Return whether somebody with an identity lives, who is somebody else's target, or chief."""
+    """Return whether whoever has an identity lives; -1 is nobody's."""
     return identity >= 0 and model.humans.contains(identity)
 '''
 READ = '''
@@ -329,9 +329,10 @@ def share_with_employees(sheet: Sheet, action: Action) -> Act:
     thing = str(action.argument("Objet").value)
     count = sheet.count(action.argument("Integer"))
     field = sheet.thing(thing)
+    wanted = "employees" if count == "1" else f"{count} * employees"
     body = [
         "employees = sum(1 for one in model.humans if one.chief == human.id)",
-        f"if employees > 0 and human.{field} >= {count} * employees:",
+        f"if employees > 0 and human.{field} >= {wanted}:",
         "    for other in model.humans:",
         "        if other.chief == human.id:",
         *(f"            {line}" for line in losing(sheet, thing, count)),

@@ -22,15 +22,23 @@ from socialmind.metaciv.writing.sheet import Sheet, written
 def gaining(sheet: Sheet, thing: str, amount: str, who: str = "human") -> list[str]:
     """Return the lines by which an agent gets some of an object."""
     if not sheet.effects_of(thing, "possession"):
-        return [f"{who}.{sheet.thing(thing)} += {amount}"]
+        return _more(sheet, thing, amount, who)
     return [f"{_handler(sheet, thing, 'gain')}({who}, {amount})"]
 
 
 def losing(sheet: Sheet, thing: str, amount: str, who: str = "human") -> list[str]:
     """Return the lines by which an agent loses some of an object, which it has."""
     if not sheet.effects_of(thing, "possession"):
-        return [f"{who}.{sheet.thing(thing)} -= {amount}"]
+        return _fewer(sheet, thing, amount, who)
     return [f"{_handler(sheet, thing, 'lose')}({who}, {amount})"]
+
+
+def _more(sheet: Sheet, thing: str, amount: str, who: str = "human") -> list[str]:
+    return [f"{who}.{sheet.thing(thing)} += {amount}"]
+
+
+def _fewer(sheet: Sheet, thing: str, amount: str, who: str = "human") -> list[str]:
+    return [f"{who}.{sheet.thing(thing)} -= {amount}"]
 
 
 def at_most(sheet: Sheet, thing: str, amount: str, who: str = "human") -> str:
@@ -97,18 +105,33 @@ def taking_effect(sheet: Sheet, effect: Effect, count: str, sign: int) -> list[s
             f"    human.mind.activate_cogniton({as_text(target)})",
             f"    human.mind.set_cogniton_value({as_text(target)}, {written(effect.value)})",
         ]
-    field = sheet.thing(target)
-    if sheet.effects_of(target, "possession"):
-        sheet.not_supported(
-            effect.place, f"an effect on {target!r}, which has effects itself: they are not run"
-        )
-    if effect.kind == "set":
-        return [*setting, f"    human.{field} = {written(int(effect.value))}"]
+    return _changing_object(sheet, effect, count, sign)
+
+
+def _changing_object(sheet: Sheet, effect: Effect, count: str, sign: int) -> list[str]:
+    """Return the lines of an effect on an object; a chain of effects that comes back is cut."""
+    target = effect.target_name
     whole = written(int(abs(effect.value)))
     many = count if whole == "1" else f"{whole} * {count}"
-    if (effect.kind == "remove") == (sign > 0) or (effect.value < 0) != (sign < 0):
-        return [f"human.{field} -= min(human.{field}, {many})"]
-    return [f"human.{field} += {many}"]
+    lowers = (effect.kind == "remove") == (sign > 0) or (effect.value < 0) != (sign < 0)
+    chained = bool(sheet.effects_of(target, "possession"))
+    begun = (sheet.handler_named(one, name_of(target)) for one in ("gain", "lose") if chained)
+    if any(sheet.helpers.get(one) == "" for one in begun):
+        said = f"an effect on {target!r}, whose effects lead back to it: they are not run"
+        sheet.not_supported(effect.place, said)
+        chained = False
+    get, lose = (gaining, losing) if chained else (_more, _fewer)
+    if effect.kind != "set":
+        if lowers:
+            return lose(sheet, target, at_most(sheet, target, many))
+        return get(sheet, target, many)
+    field, value = f"human.{sheet.thing(target)}", written(int(effect.value))
+    if not chained:
+        return [f"if {count} > 0:", f"    {field} = {value}"]
+    lines = [f"if {count} > 0 and {field} < {value}:"]
+    lines += [f"    {line}" for line in get(sheet, target, f"{value} - {field}")]
+    lines.append(f"if {count} > 0 and {field} > {value}:")
+    return lines + [f"    {line}" for line in lose(sheet, target, f"{field} - {value}")]
 
 
 # Recipes ----------------------------------------------------------------------------------------
