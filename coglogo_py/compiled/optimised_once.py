@@ -3,7 +3,8 @@
 numba optimises and emits a function with all that it calls, and does so again in each of its
 callers. A model's tick is eight levels deep, so half of the time that compiling took went into code
 that nobody runs. Here a function without a door for Python stays as numba lowered it; what has one
-takes in all that it needs and is optimised as a whole.
+takes in all that it needs and is optimised as a whole. That reaches into numba, so it is done with
+versions where it was tried (`TRIED`); with others numba does as it does, and takes longer.
 """
 
 from __future__ import annotations
@@ -12,11 +13,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+import numba
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import cpu_target
 from numba.core.targetconfig import ConfigStack
 
+TRIED = ((0, 68),)
+"""Versions of numba."""
 _WHOLE: list[str] = []
 """The functions that are being compiled to be kept, the innermost last."""
 
@@ -28,6 +32,9 @@ def optimised_once(function: str) -> Iterator[None]:
     Args:
         function: the qualified name of what is compiled meanwhile; it may lack doors for Python.
     """
+    if numba.version_info.short not in TRIED:
+        yield
+        return
     with global_compiler_lock:
         codegen = cpu_target.target_context.codegen()
         library, set_environment = codegen._library_class, codegen.set_env

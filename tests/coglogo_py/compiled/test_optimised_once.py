@@ -54,6 +54,12 @@ def test_what_functions_share_is_there_for_all_of_them(tmp_path, monkeypatch):
     assert cpu_target.target_context.codegen()._library_class is before
 
 
+def test_a_numba_that_was_not_tried_does_as_it_does(tmp_path, monkeypatch):
+    monkeypatch.setattr("coglogo_py.compiled.optimised_once.TRIED", ())
+    monkeypatch.setenv("SOCIALMIND_CACHE_DIR", str(tmp_path / "cache"))
+    assert kept_as("plain")(3) == 13
+
+
 def test_functions_that_waited_are_whole_for_numbas_own_callers(tmp_path, monkeypatch):
     monkeypatch.setenv("SOCIALMIND_CACHE_DIR", str(tmp_path / "cache"))
     assert kept_as("whole")(2) == 4
