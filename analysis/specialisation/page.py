@@ -162,12 +162,15 @@ def _choices(table: pd.DataFrame) -> str:
                     one[f"{name}_reported"]
                 )
         rows.append(row)
+    worlds = parts["again"]["worlds"]
+    alone = ", ".join(map(str, worlds.index[worlds < worlds.max()]))
+    few = f" (attempts {alone}, with one such mind each, in {worlds.min()})" if alone else ""
     return html.table(
         rows,
         "Table 2. The attempts whose minds were chosen in bodies, first in 36 worlds for choosing, "
-        "then, of those that had been the best, in 72. For each choice: the least share of worlds, "
-        "over three conditions, with which the mind was chosen; and its shares in forty worlds in "
-        "which nothing was chosen, others for each choice.",
+        f"then, of those that had been the best, in 72{few}. For each choice: the least share of "
+        "worlds, over three conditions, with which the mind was chosen; and its shares in forty "
+        "worlds in which nothing was chosen, others for each choice.",
         numbers=True,
     )
 
