@@ -147,7 +147,8 @@ def _conclude(found: Fit) -> None:
     manifest, best = found.manifest, found.best
     seconds = max(float(manifest.timings["seconds"]), 1e-9)
     pace = manifest.runs / seconds
-    typer.echo(f"{manifest.runs:,} runs in {seconds:,.1f} s, {pace:,.1f} a second", err=True)
+    runs = "run" if manifest.runs == 1 else "runs"
+    typer.echo(f"{manifest.runs:,} {runs} in {seconds:,.1f} s, {pace:,.1f} a second", err=True)
     rows = [["", "found", "interval", "the data tell it"]]
     for row in found.parameters.to_dict("records"):
         interval = f"{row['low']:.4g} … {row['high']:.4g}" if row["low"] == row["low"] else "none"

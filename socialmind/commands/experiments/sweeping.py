@@ -306,7 +306,8 @@ def conclude(folder: Path, quiet: bool) -> None:
     manifest = SweepCapsule(folder).manifest
     total = sum(manifest.counts.values())
     seconds = max(float(manifest.timings["seconds"]), 1e-9)
-    typer.echo(f"{total:,} runs in {seconds:,.1f} s, {total / seconds:,.1f} a second", err=True)
+    runs = "run" if total == 1 else "runs"
+    typer.echo(f"{total:,} {runs} in {seconds:,.1f} s, {total / seconds:,.1f} a second", err=True)
     odd = {status: n for status, n in manifest.counts.items() if status != "finished"}
     if odd:
         what = ", ".join(f"{n:,} {status.replace('_', ' ')}" for status, n in odd.items())
