@@ -172,10 +172,14 @@ def standing(
 
 
 def spent_on(training: Training | None, after: str) -> tuple[float, float]:
-    """Return the generations and the million ticks of an attempt up to a lesson's end, the mean."""
-    if training is None or training.curve.empty:
+    """Return the generations and the million ticks of an attempt up to a lesson's end, the mean.
+
+    An attempt that has not come to it does not count.
+    """
+    done = finals_of(training, after)
+    if training is None or not done:
         return math.nan, math.nan
-    curve = training.curve
+    curve = training.curve[training.curve["attempt"].isin(list(done))]
     order = list(dict.fromkeys(curve["lesson"]))
     spent = curve[curve["lesson"].isin(order[: order.index(after) + 1])]
     last = spent.groupby(["attempt", "lesson"])[["generation", "ticks"]].max()

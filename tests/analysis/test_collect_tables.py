@@ -235,6 +235,9 @@ def test_budgets_that_are_not_the_thesiss_are_marked():
 def test_a_budget_is_all_that_led_to_what_is_judged():
     given = Kept(curve([1.0] * 3, "Avoid"), curve([1.0] * 2, "Collect"), curve([1.0] * 9, "More"))
     assert standings.spent_on(given, "Collect") == (5.0, 500 / 1e6)
+    begun = Kept(curve([1.0] * 3, "Avoid"), curve([1.0] * 2, "Collect"),
+                 curve([1.0] * 9, "Avoid", attempt=2))  # fmt: skip
+    assert standings.spent_on(begun, "Collect") == (5.0, 500 / 1e6)
     assert math.isnan(standings.spent_on(None, "Collect")[0])
 
 
