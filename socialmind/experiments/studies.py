@@ -7,6 +7,7 @@ the package. Like models they are documents, loaded by path.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -190,7 +191,7 @@ def reproduce(
         out: the folder for what is made.
         quick: whether a smaller version will do where the full one takes long.
         kept: whether it is to be made from results that stand beside the study, where the full one
-            makes its own and takes long.
+            makes its own and takes long; one that has none is made as a whole, which is said.
 
     Yields:
         The files as they are written.
@@ -203,6 +204,12 @@ def reproduce(
     chosen = {study.name: (study, folder) for name in names for study, folder in find(name)}
     for study, folder in chosen.values():
         make = (study.quick if quick else study.kept if kept else None) or study.make
+        if kept and study.quick and not study.kept:
+            warnings.warn(
+                f"{study.name}: no results are kept that it could be made from; it is made as a "
+                "whole, which takes long",
+                stacklevel=2,
+            )
         try:
             written = make(Path(out))
         except (SocialmindError, OSError):

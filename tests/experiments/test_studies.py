@@ -2,7 +2,8 @@
 
 import pytest
 
-from socialmind.experiments.studies import Study, Way, write_page
+from socialmind.experiments import studies
+from socialmind.experiments.studies import Study, Way, reproduce, write_page
 
 
 def test_a_study_of_trainings_can_be_made_in_each_way(tmp_path):
@@ -13,6 +14,20 @@ def test_a_study_of_trainings_can_be_made_in_each_way(tmp_path):
     assert study.make(tmp_path) == [tmp_path / "FULL"]
     assert study.quick(tmp_path) == [tmp_path / "QUICK"]
     assert study.kept(tmp_path) == [tmp_path / "KEPT"]
+
+
+def test_a_study_that_nothing_is_kept_of_is_made_as_a_whole_and_that_is_said(monkeypatch, tmp_path):
+    def make(out):
+        return [out / "whole"]
+
+    known = {
+        "long": Study("long", "takes long", make, quick=make),
+        "short": Study("short", "takes a second", make),
+    }
+    monkeypatch.setattr(studies, "find", lambda name: [(known[name], tmp_path)])
+    with pytest.warns(UserWarning, match="long: no results are kept") as said:
+        assert list(reproduce(["long", "short"], tmp_path, kept=True)) == [tmp_path / "whole"] * 2
+    assert len(said) == 1
 
 
 @pytest.mark.parametrize(
