@@ -1,7 +1,9 @@
 """Plans of trainings: made whole, small, or taken from what is kept."""
 
 import re
+import sys
 from dataclasses import replace
+from importlib.machinery import ModuleSpec
 
 import pytest
 
@@ -100,6 +102,8 @@ def test_the_command_makes_keeps_and_judges_again(plans, capsys):
 
 def test_paused_from_elsewhere_the_command_says_so_and_goes_on(plans, whole, capsys, monkeypatch):
     folder = plans.home / "tiny"
+    spec = ModuleSpec("analysis.tiny.trainings", None)
+    monkeypatch.setattr(sys.modules["__main__"], "__spec__", spec)
     monkeypatch.setattr(of_plans, "print_lesson", lambda *told: pause(folder, "the studio"))
     with pytest.raises(SystemExit) as stop:
         plans.main(["tiny"])
@@ -109,7 +113,7 @@ def test_paused_from_elsewhere_the_command_says_so_and_goes_on(plans, whole, cap
         "goes on"
     )
     manifest = Training(folder).manifest
-    assert manifest.command == f"python -m {manifest.plan['module']} tiny"
+    assert manifest.command == "python -m analysis.tiny.trainings tiny"
     with pytest.raises(SocialmindError, match=f"go on with `{manifest.command}`"):
         resume(folder)
     monkeypatch.undo()
