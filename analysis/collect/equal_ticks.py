@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 
 NAME = "figure-6.5-equal-ticks"
 PANELS = (
-    ("hierarchy_level", "Collect", "hierarchy, curriculum"),
-    ("monolith_level", "Collect", "one network, curriculum"),
-    ("hierarchy_level_at_once", "All at once", "hierarchy, final task only"),
-    ("monolith_level_at_once", "All at once", "one network, final task only"),
+    ("hierarchy_level", "Collect", "hierarchy"),
+    ("monolith_level", "Collect", "one network"),
+    ("hierarchy_level_at_once", "All at once", "hierarchy, task alone"),
+    ("monolith_level_at_once", "All at once", "network, task alone"),
 )
 """The training, its last lesson, and the title of each panel."""
 STEP = 10
