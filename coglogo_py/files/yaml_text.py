@@ -13,9 +13,14 @@ PLAIN = re.compile(r"[^\W\d][\w-]*( [\w-]+)*")
 TAKEN_WORDS = frozenset((*TRUTH, "y", "n", "null"))
 
 
-def name_text(name: str) -> str:
-    """Return a name as YAML, in quotes where it needs them."""
-    if PLAIN.fullmatch(name) and name.lower() not in TAKEN_WORDS:
+def name_text(name: str, plain: re.Pattern[str] = PLAIN) -> str:
+    """Return a name as YAML, in quotes where it needs them.
+
+    Args:
+        name: which.
+        plain: what needs none, but for the words that YAML takes for something else.
+    """
+    if plain.fullmatch(name) and name.lower() not in TAKEN_WORDS:
         return name
     escaped = (
         f"\\{char}" if char in '"\\' else char if char.isprintable() else f"\\U{ord(char):08x}"

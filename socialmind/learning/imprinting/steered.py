@@ -64,8 +64,8 @@ def recording_of(
     Raises:
         SocialmindError: nobody is steered by hand, or there is no such skill.
     """
-    todo = in_order(interventions)
-    names = [one.population for one in todo if isinstance(one, Steer)]
+    ordered = in_order(interventions)
+    names = [one.population for one in ordered if isinstance(one, Steer)]
     if not names:
         raise SocialmindError("nobody was steered by hand, so there is nothing to learn from")
     name = population or names[0]
@@ -76,7 +76,7 @@ def recording_of(
     before = None
     end = society.tick + ticks
     while society.tick < end and not society.stopped:
-        society = after_those_at(society, todo)
+        society = after_those_at(society, ordered)
         robot, table = society.ground.steered(name), society.tables[name]
         if robot is not None and table.contains(robot) and table.minds is not None:
             slot = table[robot]._slot

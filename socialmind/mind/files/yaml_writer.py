@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from coglogo_py.files.yaml_nodes import TRUTH
+from coglogo_py.files.yaml_text import name_text
 from socialmind.errors import ModelError
 from socialmind.mind.files.companion_files import Texts, add_function, file_name, write
 from socialmind.mind.files.evoagents import genome_file
@@ -31,7 +31,6 @@ HEADER = "# A mind for socialmind. docs/minds_files.md describes the form.\n"
 WIDTH = 100
 PLAIN = re.compile(r"[A-Za-z_][\w.+-]*( [\w.+-]+)*(:[A-Za-z_][\w.+-]*)*(:[0-9]+)?", re.A)
 """Texts that need no quotes, but for the words that YAML takes for something else."""
-TAKEN_WORDS = frozenset((*TRUTH, "y", "n", "null"))
 
 
 def save(description: Modules, path: Path) -> None:
@@ -219,11 +218,4 @@ def _number(value: float) -> str:
 
 
 def _text(text: str) -> str:
-    """Return a text as YAML, in quotes where it needs them."""
-    if PLAIN.fullmatch(text) and text.lower() not in TAKEN_WORDS:
-        return text
-    escaped = (
-        f"\\{sign}" if sign in '"\\' else sign if sign.isprintable() else f"\\U{ord(sign):08x}"
-        for sign in text
-    )
-    return f'"{"".join(escaped)}"'
+    return name_text(text, PLAIN)

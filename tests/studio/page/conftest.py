@@ -13,6 +13,8 @@ from functools import partial
 
 import pytest
 
+from socialmind.sources.folders import model_folder
+
 playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 SECONDS = 120_000
@@ -126,3 +128,11 @@ def program(tmp_path_factory):
     yield begin
     for one in begun:
         one.end()
+
+
+@pytest.fixture(scope="module")
+def robot_studio(program):
+    """A studio in whose folder `robot` is a copy of the mind of `collect`."""
+    begun = program()
+    shutil.copytree(model_folder("collect") / "mind", begun.folder / "robot")
+    return begun

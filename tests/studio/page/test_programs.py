@@ -1,11 +1,8 @@
 """A skill's own program in a real browser: read, typed with the keyboard alone, checked, saved."""
 
-import shutil
-
 import pytest
 
 from socialmind.mind import MindDescription
-from socialmind.sources.folders import model_folder
 
 ROOM = "#/skills?file=robot"
 NODE = ".svelte-flow__node[aria-label='skill {}']"
@@ -17,10 +14,8 @@ SAVED = "!document.querySelector('[data-test=file]').innerText.includes('changed
 
 
 @pytest.fixture(scope="module")
-def studio(program):
-    begun = program()
-    shutil.copytree(model_folder("collect") / "mind", begun.folder / "robot")
-    return begun
+def studio(robot_studio):
+    return robot_studio
 
 
 def test_a_program_is_edited_checked_and_saved(browser, studio):

@@ -17,10 +17,8 @@ SAVED = "!document.querySelector('[data-test=file]').innerText.includes('changed
 
 
 @pytest.fixture(scope="module")
-def studio(program):
-    begun = program()
-    shutil.copytree(model_folder("collect") / "mind", begun.folder / "robot")
-    return begun
+def studio(robot_studio):
+    return robot_studio
 
 
 def add(page, part, name):
