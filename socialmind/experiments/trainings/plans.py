@@ -16,6 +16,7 @@ from typing import Any
 from socialmind.errors import SocialmindError, nearest
 from socialmind.experiments.studies import Way
 from socialmind.experiments.trainings.rechecking import recheck, rescore
+from socialmind.experiments.trainings.rerunning import rerun, write_down
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
@@ -27,6 +28,9 @@ from socialmind.runs.folders import MANIFEST
 PACE = 2_000_000
 """Ticks a second that two processors do at least with one robot in each world, for a word on how
 long a training takes."""
+
+RERUNS = "reruns.csv"
+"""In a topic's results: which kept attempts were trained anew, and came out the same."""
 
 
 @dataclass(frozen=True)
@@ -163,8 +167,7 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
         plan, folder = self[name], self.home / name
         if not folder.is_dir():
             take_out(self.kept / name, folder)
-        spec = getattr(sys.modules["__main__"], "__spec__", None)
-        told = None if spec is None else {"module": spec.name, "name": name}
+        told = {"module": module, "name": name} if (module := _module()) else None
         return plan.train(folder, on_lesson=print_lesson, plan=told)
 
     def training(self, name: str, way: Way, out: Path) -> tuple[Training | None, str]:
@@ -209,18 +212,22 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
         return training, line + (f" Since then {', '.join(changed)} changed." if changed else "")
 
     def main(self, words: list[str]) -> None:
-        """Make trainings, keep what they came to, or judge what is kept again.
+        """Make trainings, keep what they came to, judge what is kept again, or train it again.
 
         Args:
             words: of the command: names of plans, or `all`; before them `keep`, `recheck` or
-                `rescore`, if it is not about making them.
+                `rescore`, if it is not about making them. Or `rerun`, one name, and the numbers of
+                kept attempts to train anew from their seed and to compare.
 
         Raises:
             SystemExit: with a line on what is wrong: a name that no plan has, …
         """
-        acts = (["keep"], ["recheck"], ["rescore"])
+        acts = (["keep"], ["recheck"], ["rescore"], ["rerun"])
         act, *names = words if words[:1] in acts else ["make", *words]
         try:
+            if act == "rerun":
+                self._rerun(names)
+                return
             for name in self._chosen(names):
                 print(self._done(act, name), flush=True)
         except SocialmindError as error:
@@ -228,6 +235,21 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
         except TrainingInterrupted as stop:
             print(f"{stop.where}; the same command goes on", file=sys.stderr, flush=True)
             raise SystemExit(128 + stop.signal_number) from None
+
+    def _rerun(self, words: list[str]) -> None:
+        """Train kept attempts anew; say of each that it came out again, and write it down."""
+        (name,) = self._chosen(words[:1])
+        if not words[1:] or not all(word.isdecimal() for word in words[1:]):
+            raise SocialmindError(f"which attempts? expected `rerun {name}` and their numbers")
+        for attempt in map(int, words[1:]):
+            found = rerun(self.kept / name, _module(), attempt, self.home / "rerun")
+            commit = Training(self.kept / name).manifest.versions.get("commit", "")
+            write_down(self.kept.parent / RERUNS, name, attempt, commit, found)
+            scores = [
+                f"{lesson} {now:.5g}" + (f" (kept {before:.5g})" if now != before else "")
+                for lesson, before, now in found
+            ]
+            print(f"{name}, attempt {attempt}: the same weights; {', '.join(scores)}", flush=True)
 
     def _chosen(self, names: list[str]) -> list[str]:
         if names == ["all"]:
@@ -268,6 +290,12 @@ def attempts_of(
             continue
         for attempt in training.finished:
             yield name, attempt, training.mind(attempt)
+
+
+def _module() -> str:
+    """Return the module that `python -m` runs, whose command this is."""
+    spec = getattr(sys.modules["__main__"], "__spec__", None)
+    return "" if spec is None else str(spec.name)
 
 
 def print_lesson(attempt: int, lesson: Lesson, result: Any) -> None:

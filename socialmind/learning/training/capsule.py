@@ -66,7 +66,8 @@ class TrainingManifest(folders.FolderManifest):
         curve: ``rows``, ``columns`` and ``sha256`` of the content of ``curve.parquet``, without
             the seconds.
         timings: ``created`` (UTC) and ``seconds`` in all.
-        versions: of what the training stood on.
+        versions: of what the training stood on; ``commit``, of the program, where it runs from an
+            unedited clone of its repository.
         platforms: the fingerprints of the machines that led it.
         kind: `training`.
         format: of this file.

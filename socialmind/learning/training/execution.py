@@ -34,6 +34,7 @@ from socialmind.runs import folders
 from socialmind.runs.execution import whole
 from socialmind.runs.loop import NO_ROOM, no_room
 from socialmind.runs.sources import model_source
+from socialmind.sources.commit import own_commit
 from socialmind.sources.trust import programs_in, remember, require
 from socialmind.work.files import remove
 from socialmind.work.signals import deferred_signals
@@ -163,7 +164,7 @@ def learn(
         engine=engine,
         attempts=attempts,
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds"), "seconds": 0.0},
-        versions=folders.versions(),
+        versions={**folders.versions(), **({"commit": commit} if (commit := own_commit()) else {})},
         platforms=[folders.fingerprint()],
     )
     copy = {f"{MIND}/{path}": content for path, content in files.items()}

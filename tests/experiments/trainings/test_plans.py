@@ -11,6 +11,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments.studies import Way
 from socialmind.experiments.trainings import plans as of_plans
 from socialmind.experiments.trainings.plans import TrainingPlans, attempts_of, most_ticks
+from socialmind.experiments.trainings.rerunning import Again
 from socialmind.experiments.trainings.store import keep
 from socialmind.learning import Training, pause, resume
 
@@ -98,6 +99,30 @@ def test_the_command_makes_keeps_and_judges_again(plans, capsys):
         str(plans.kept / "tiny"),
         "tiny: 4 lessons come to the same scores",
     ]
+
+
+def test_the_command_trains_kept_attempts_again(plans, whole, monkeypatch, capsys):
+    keep(whole, plans.kept)
+    asked = []
+    found = [Again("Going", 1.25, 1.25), Again("Bringing", 3.5, 3.0)]
+    monkeypatch.setattr(of_plans, "rerun", lambda *words: asked.append(words) or found)
+    plans.main(["rerun", "tiny", "2", "1"])
+    plans.main(["rerun", "tiny", "2"])
+    assert [words[2] for words in asked] == [2, 1, 2]
+    assert asked[0][0] == plans.kept / "tiny"
+    assert capsys.readouterr().out.splitlines()[0] == (
+        "tiny, attempt 2: the same weights; Going 1.25, Bringing 3 (kept 3.5)"
+    )
+    commit = Training(whole).manifest.versions.get("commit", "")
+    assert (plans.kept.parent / "reruns.csv").read_text().splitlines() == [
+        "training,attempt,lesson,commit,score,kept",
+        f"tiny,1,Going,{commit},1.25,1.25",
+        f"tiny,1,Bringing,{commit},3.0,3.5",
+        f"tiny,2,Going,{commit},1.25,1.25",
+        f"tiny,2,Bringing,{commit},3.0,3.5",
+    ]
+    with pytest.raises(SystemExit, match=r"which attempts\? expected `rerun tiny` and their num"):
+        plans.main(["rerun", "tiny", "two"])
 
 
 def test_paused_from_elsewhere_the_command_says_so_and_goes_on(plans, whole, capsys, monkeypatch):

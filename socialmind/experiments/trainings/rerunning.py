@@ -1,0 +1,201 @@
+"""Whether a kept attempt comes out again when it is learned once more from its seed.
+
+`recheck` judges the winners that are kept. Here an attempt is trained anew, from nothing, and each
+lesson's winner is compared with the kept one: its weights are to be the very same. Where the
+training records the commit of the program that made it, that program is taken from the repository's
+history: an engine that was mended since pays its robots otherwise, and they learn something else.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from socialmind.errors import SocialmindError
+from socialmind.learning.training import archive
+from socialmind.learning.training.attempt import results_of
+from socialmind.learning.training.finalists import individual_of
+from socialmind.learning.training.result import Training
+from socialmind.runs.folders import INTERRUPTED, MANIFEST
+from socialmind.work.files import replace_file
+
+
+class Again(NamedTuple):
+    """A kept lesson beside the same trained anew.
+
+    Attributes:
+        lesson: its name.
+        before: the score that is kept.
+        now: what it came to; another one only where the kept one was taken anew (`rescore`).
+    """
+
+    lesson: str
+    before: float
+    now: float
+
+
+LessonResult = tuple[Path, Mapping[str, Any], Mapping[str, Any]]
+"""The file of a finished lesson, its record and its arrays."""
+COLUMNS = ("training", "attempt", "lesson", "commit", "score", "kept")
+PROGRAM = ("socialmind", "coglogo_py", "models", "analysis")
+"""What of a commit a training stands on."""
+TRAIN = """
+import importlib, sys
+from dataclasses import replace
+from pathlib import Path
+
+def told(attempt, lesson, result):
+    print(f"attempt {attempt}, {lesson.name}: {result.score:.4g}", file=sys.stderr, flush=True)
+
+if __name__ == "__main__":
+    module, name, attempt, folder = sys.argv[1:]
+    plan = importlib.import_module(module).PLANS[name]
+    try:
+        replace(plan, attempts=int(attempt)).train(Path(folder), on_lesson=told)
+    except KeyboardInterrupt:
+        sys.exit(130)
+"""
+"""Goes on with a training, by whichever program Python finds: so it calls what all of them have."""
+
+
+def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
+    """Train a kept attempt anew, from its seed, and compare each lesson with the kept one.
+
+    Args:
+        kept: the kept training's folder, called as its plan.
+        module: that has the plan in its `PLANS`.
+        attempt: its number.
+        home: where it is trained, in a folder of its own; gone on with where it is begun.
+
+    Returns:
+        The lessons, each with a winner of the very same weights.
+
+    Raises:
+        SocialmindError: no such attempt is kept, the program that made it is not in the
+            repository's history, it was stopped, or a lesson came to other weights.
+    """
+    training = Training(kept)
+    if attempt not in training.attempts:
+        known = ", ".join(map(str, training.attempts))
+        raise SocialmindError(f"{training.folder}: no attempt {attempt} is kept; expected {known}")
+    folder = home / f"{kept.name}-{attempt}"
+    if not folder.is_dir():
+        _begin(training, attempt, folder)
+    commit = training.manifest.versions.get("commit", "")
+    program = _program(commit, home) if commit else Path.cwd()
+    if _trained(program, home, [module, kept.name, str(attempt), str(folder.absolute())]):
+        raise SocialmindError(f"{folder}: not trained to the end; the same command goes on")
+    again = Training(folder)
+    results = [
+        list(results_of(one.folder / "attempts" / str(attempt))) for one in (training, again)
+    ]
+    pairs = list(zip(*results, strict=False))  # fewer where it is kept in part
+    if others := [_told(*both) for both in pairs if not _alike(*both)]:
+        made_on, here = training.manifest.platforms, again.manifest.platforms[-1:]
+        raise SocialmindError(
+            f"{training.folder}: attempt {attempt} does not come out again: {', '.join(others)}; "
+            f"it was made on {_machines(made_on)}, this is {_machines(here)}"
+        )
+    return [Again(one["lesson"], one["score"], two["score"]) for (_, one, _), (_, two, _) in pairs]
+
+
+def write_down(file: Path, name: str, attempt: int, commit: str, found: Sequence[Again]) -> None:
+    """Write what came out again into a table (CSV): a row for each lesson, in order.
+
+    Args:
+        file: of the table; rows of this training and attempt are replaced.
+        name: of the training.
+        attempt: its number.
+        commit: of the program that made it; an empty text where none is recorded.
+        found: its lessons.
+    """
+    rows = [
+        {"training": name, "attempt": str(attempt), "lesson": one.lesson, "commit": commit,
+         "score": repr(one.now), "kept": repr(one.before)}
+        for one in found
+    ]  # fmt: skip
+    if file.is_file():
+        with file.open(encoding="utf-8", newline="") as opened:
+            before = list(csv.DictReader(opened))
+        rows += [one for one in before if (one["training"], one["attempt"]) != (name, str(attempt))]
+    rows.sort(key=lambda one: (one["training"], int(one["attempt"])))
+    text = io.StringIO(newline="")
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    replace_file(file, text.getvalue().encode())
+
+
+def _begin(training: Training, attempt: int, folder: Path) -> None:
+    """Copy a kept training without the attempt and those behind it."""
+    later = [str(one) for one in training.attempts if one >= attempt]
+    shutil.copytree(training.folder, folder, ignore=lambda path, names: _of(path, later, names))
+    manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    for field in ("plan", "process"):  # whose command and process go on with another folder
+        manifest.pop(field, None)
+    manifest.update(attempts=attempt, finished=attempt - 1, status=INTERRUPTED)
+    replace_file(folder / MANIFEST, json.dumps(manifest, indent=2).encode())
+
+
+def _of(path: str, attempts: list[str], names: list[str]) -> list[str]:
+    return [one for one in names if one in attempts] if Path(path).name == "attempts" else []
+
+
+def _program(commit: str, home: Path) -> Path:
+    """Return the folder of the program as it was at a commit, taken from the history."""
+    folder = home / f"program-{commit}"
+    if not folder.is_dir():
+        packed = home / f"{commit}.tar"
+        home.mkdir(parents=True, exist_ok=True)
+        try:
+            subprocess.run(
+                ["git", "archive", f"--output={packed}", commit, *PROGRAM],
+                check=True, capture_output=True, text=True,
+            )  # fmt: skip
+        except (OSError, subprocess.CalledProcessError) as error:
+            why = str(getattr(error, "stderr", None) or error).strip()
+            raise SocialmindError(
+                f"made by the program of commit {commit}, which cannot be had here: {why}; "
+                "expected git, and a clone with the whole history"
+            ) from error
+        shutil.unpack_archive(packed, folder)
+        packed.unlink()
+    return folder
+
+
+def _trained(program: Path, home: Path, words: list[str]) -> int:
+    """Go on with a training by another process; return its exit status."""
+    script = home / "train.py"
+    script.write_text(TRAIN, encoding="utf-8")
+    path = os.pathsep.join([str(program.absolute()), os.environ.get("PYTHONPATH", "")])
+    with subprocess.Popen(
+        [sys.executable, str(script.absolute()), *words],
+        cwd=program,
+        env={**os.environ, "PYTHONPATH": path},
+    ) as process:
+        try:
+            return process.wait()
+        except KeyboardInterrupt:  # which the other one has heard as well, and stops by
+            return process.wait() or 130
+
+
+def _alike(before: LessonResult, now: LessonResult) -> bool:
+    """Whether both lessons were won by the same individual."""
+    one, other = (individual_of(archive.part(arrays, "winner/")) for _, _, arrays in (before, now))
+    return one.same(other)
+
+
+def _told(before: LessonResult, now: LessonResult) -> str:
+    return f"{before[1]['lesson']} {before[1]['score']:.5g} → {now[1]['score']:.5g}"
+
+
+def _machines(platforms: list[dict[str, Any]]) -> str:
+    return ", ".join(" ".join(map(str, one.values())) for one in platforms)

@@ -1,0 +1,110 @@
+"""Training a kept attempt anew, from its seed."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from socialmind.errors import SocialmindError
+from socialmind.experiments.trainings.rerunning import PROGRAM, Again, rerun
+from socialmind.experiments.trainings.store import keep
+from socialmind.learning import Training
+from socialmind.learning.training import archive
+from socialmind.runs.arrays_file import save_arrays
+
+PLANS = "analysis.tiny_trainings"
+MODULE = "from analysis.tiny_plans import PLAN\n\nPLANS = {'tiny': PLAN}\n"
+
+
+@pytest.fixture
+def kept(whole, tmp_path, monkeypatch):
+    """A kept training beside the module that has its plan, in the folder that one works in."""
+    for name in PROGRAM:
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "kept").write_text("so that it is in a commit")
+    text = Path(__file__).with_name("tiny_plans.py").read_text()
+    controls = Path(__file__).parents[3] / "analysis" / "collect" / "controls.py"
+    text = "\n".join(
+        f"CONTROLS = {str(controls)!r}" if line.startswith("CONTROLS") else line
+        for line in text.splitlines()
+    )
+    (tmp_path / "analysis" / "tiny_plans.py").write_text(text)
+    (tmp_path / "analysis" / "tiny_trainings.py").write_text(MODULE)
+    monkeypatch.chdir(tmp_path)
+    folder = keep(whole, tmp_path / "kept")
+    edited(folder / "manifest.json", commit=None)
+    return folder
+
+
+def edited(path, commit):
+    """Say which commit a training was made with."""
+    manifest = json.loads(path.read_text())
+    manifest["versions"].pop("commit", None)
+    if commit is not None:
+        manifest["versions"]["commit"] = commit
+    path.write_text(json.dumps(manifest))
+
+
+def changed(kept, weights=0.0, **record):
+    """Change what is kept of the second attempt's second lesson: its score, or its weights."""
+    path = kept / "attempts" / "2" / "lesson-002.npz"
+    told, arrays = archive.load(path)
+    arrays = {**arrays, "winner/genome": arrays["winner/genome"] + weights}
+    save_arrays(path, {**told, **record}, arrays)
+
+
+def test_an_attempt_comes_out_again_by_itself(kept, tmp_path):
+    found = rerun(kept, PLANS, 2, tmp_path / "rerun")
+    scores = Training(kept).lessons["score"].tolist()[2:]
+    assert found == [Again("GoToObject", scores[0], scores[0]),
+                     Again("GoToDropZone", scores[1], scores[1])]  # fmt: skip
+    again = Training(tmp_path / "rerun" / "tiny-2")
+    assert again.finished == [1, 2]
+    assert again.manifest.command is None  # the plan's own command goes on with another folder
+
+
+def test_what_comes_out_differently_is_told(kept, tmp_path):
+    changed(kept, score=9.5)  # as if it had been scored anew
+    assert rerun(kept, PLANS, 2, tmp_path / "rerun")[1].before == 9.5
+    changed(kept, weights=1e-12)
+    with pytest.raises(SocialmindError, match=r"again: GoToDropZone 9\.5 → .*; it was made on L"):
+        rerun(kept, PLANS, 2, tmp_path / "rerun")
+
+
+def test_of_an_attempt_kept_in_part_the_finished_lessons_are_compared(kept, tmp_path):
+    folder = kept / "attempts" / "1"
+    record, arrays = archive.load(folder / "checkpoint.npz")
+    (folder / "lesson-002.npz").unlink()
+    save_arrays(folder / "checkpoint.npz", {**record, "done": 1}, arrays)
+    assert rerun(kept, PLANS, 1, tmp_path / "rerun")[0].lesson == "GoToObject"
+
+
+def test_the_program_of_the_commit_that_made_it_trains(kept, tmp_path):
+    def git(*words):
+        who = ("-c", "user.name=a", "-c", "user.email=a@b")
+        done = subprocess.run(["git", *who, *words], check=True, capture_output=True, text=True)
+        return done.stdout.strip()
+
+    git("init", "--quiet")
+    git("add", *PROGRAM)
+    git("commit", "--quiet", "--message", "Begin")
+    edited(kept / "manifest.json", commit=git("rev-parse", "--short", "HEAD"))
+    (tmp_path / "analysis" / "tiny_trainings.py").write_text("raise RuntimeError('of today')\n")
+    assert len(rerun(kept, PLANS, 1, tmp_path / "rerun")) == 2
+    edited(kept / "manifest.json", commit=None)
+    shutil.rmtree(tmp_path / "rerun")
+    with pytest.raises(SocialmindError, match="not trained to the end; the same command goes on"):
+        rerun(kept, PLANS, 1, tmp_path / "rerun")
+
+
+def test_a_commit_that_is_not_in_the_history_is_told(kept, tmp_path):
+    edited(kept / "manifest.json", commit="0123456789")
+    with pytest.raises(SocialmindError, match="of commit 0123456789, which cannot be had here"):
+        rerun(kept, PLANS, 1, tmp_path / "rerun")
+
+
+def test_an_attempt_that_is_not_there_is_refused(kept, tmp_path):
+    with pytest.raises(SocialmindError, match="no attempt 3 is kept; expected 1, 2"):
+        rerun(kept, PLANS, 3, tmp_path / "rerun")
