@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from socialmind.terrain.ground import Ground as Ground
-    from socialmind.terrain.ground import tread as tread
     from socialmind.terrain.ground import wear_off as wear_off
     from socialmind.terrain.walking import step_ahead as step_ahead
     from socialmind.terrain.walking import step_towards as step_towards
@@ -17,7 +16,7 @@ else:
     __getattr__, __dir__, __all__ = on_demand(
         __name__,
         {
-            "socialmind.terrain.ground": "Ground tread wear_off",
+            "socialmind.terrain.ground": "Ground wear_off",
             "socialmind.terrain.walking": "step_ahead step_towards",
         },
     )

@@ -31,11 +31,12 @@ def tread(agent: Any, model: Any, creation: int) -> None:
     Args:
         agent: the agent.
         model: the model.
-        creation: a patch trodden more often than this is a road, whose ways cost half.
+        creation: a patch trodden more often than this is a road, whose ways cost half; 0 or less
+            for no roads.
     """
     ground = model.world.patch(agent.x, agent.y)
     ground.passage += 1
-    if ground.passage > creation and not ground.road:
+    if ground.passage > creation > 0 and not ground.road:
         ground.road = True
         ground.effort = ground.passability / 2
 

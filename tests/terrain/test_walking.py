@@ -3,7 +3,7 @@
 import pytest
 
 from socialmind import Agent, Grid, Model, Population, each, once, parameter
-from socialmind.terrain import Ground, step_ahead, step_towards, tread, wear_off
+from socialmind.terrain import Ground, step_ahead, step_towards, wear_off
 
 
 class Walker(Agent):
@@ -19,11 +19,9 @@ def lay(model):
 
 def walk(walker, model, rng):
     if model.aims:
-        entered = step_towards(walker, model, 4, 2, 3, 20.0, rng)
+        step_towards(walker, model, 4, 2, 3, 20.0, model.roads, rng)
     else:
-        entered = step_ahead(walker, model, rng)
-    if entered:
-        tread(walker, model, 3)
+        step_ahead(walker, model, model.roads, rng)
 
 
 def recover(model):
@@ -38,6 +36,7 @@ class Field(Model):
     walled: bool = parameter(False)
     aims: bool = parameter(False)
     wear: int = parameter(1)
+    roads: int = parameter(3)
     walkers = Population(Walker, 1)
     world = Grid(11, 11, patch=Ground)
     setup = (once(lay),)
@@ -112,3 +111,21 @@ def test_what_is_trodden_becomes_a_road_and_is_lost_again():
     assert (place.passage, place.road, place.effort) == (4, True, 12.5)
     field.advance(3)  # standing there leaves no further trace
     assert (place.passage, place.road, place.effort) == (0, False, 25.0)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_who_crosses_two_patches_in_a_tick_leaves_a_trace_on_both(compiled):
+    field = Field(seed=1, compiled=compiled, passability=12)
+    field.walkers.heading = 90.0
+    field.advance(2)
+    trodden = [(patch.x, patch.passage) for patch in field.world.patches if patch.passage]
+    assert sorted(trodden) == [(1, 1), (2, 1), (3, 1), (4, 1)]
+
+
+def test_without_roads_there_are_none_however_often_a_patch_is_trodden():
+    field = Field(seed=1, compiled=False, aims=True, wear=0, roads=0)
+    for _ in range(9):
+        field.walkers[0].x, field.walkers[0].y = 3.0, 2.0
+        field.advance(1)
+    place = field.world.patch(4, 2)
+    assert (place.passage, place.road, place.effort) == (9, False, 25.0)

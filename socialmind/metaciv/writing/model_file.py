@@ -89,7 +89,7 @@ class ModelFile:
         if economy:
             imports.append(imported("socialmind.economy", economy))
         terrain = {
-            one for one in ("Ground", "step_ahead", "step_towards", "tread", "wear_off")
+            one for one in ("Ground", "step_ahead", "step_towards", "wear_off")
             if re.search(rf"\b{one}\(|\({one}\)", text)
         }  # fmt: skip
         if terrain:

@@ -11,18 +11,12 @@ HEADINGS = {"NORTH": 0, "EAST": 90, "SOUTH": 180, "WEST": 270}
 SMELL = 20
 """How far agents smell and look for resources, in cells; MetaCiv has no parameter for it."""
 
-WALK = '''
-def walk(human, model, rng):
-    """Work one tick on crossing the ground ahead, and leave a trace on what is entered."""
-    if step_ahead(human, model, rng):
-        tread(human, model, model.road_creation)
-'''
 GO = '''
 def go_to(human, model, rng, x, y):
     """Work one tick on the way to a place; return whether it is reached."""
     if model.world.is_on(human, x, y):
         return True
-    STEP
+    step_towards(human, model, x, y, model.vision_radius, EASIEST, ROADS, rng)
     return False
 '''
 
@@ -31,12 +25,15 @@ def walking(sheet: Sheet) -> str:
     """Return the line by which an agent goes on ahead."""
     sheet.needs.add("walk")
     sheet.use("socialmind.terrain", "step_ahead")
-    if "ways" in sheet.needs and sheet.model.parameters.road_creation > 0:
-        sheet.needs.add("roads")
-        sheet.use("socialmind.terrain", "tread")
-        sheet.help("walk", WALK)
-        return "walk(human, model, rng)"
-    return "step_ahead(human, model, rng)"
+    return f"step_ahead(human, model, {roads(sheet)}, rng)"
+
+
+def roads(sheet: Sheet) -> str:
+    """Return when a patch is a road; never, where nobody looks for the cheapest way."""
+    if "ways" not in sheet.needs or sheet.model.parameters.road_creation <= 0:
+        return "0"
+    sheet.needs.add("roads")
+    return "model.road_creation"
 
 
 def going(sheet: Sheet, x: str, y: str) -> str:
@@ -47,12 +44,7 @@ def going(sheet: Sheet, x: str, y: str) -> str:
     sheet.constants["EASIEST"] = (
         f"{max(min(passable), 1)}.0  # effort that is expected of ground out of sight"
     )
-    step = "step_towards(human, model, x, y, model.vision_radius, EASIEST, rng)"
-    if sheet.model.parameters.road_creation > 0:
-        sheet.needs.add("roads")
-        sheet.use("socialmind.terrain", "tread")
-        step = f"if {step}:\n        tread(human, model, model.road_creation)"
-    sheet.help("go_to", GO.replace("STEP", step))
+    sheet.help("go_to", GO.replace("ROADS", roads(sheet)))
     return f"go_to(human, model, rng, {x}, {y})"
 
 
