@@ -234,9 +234,12 @@ def _as_path(folder: Path) -> str:
     return quoted(folder if len(folder.parts) > 1 else f"./{folder}")
 
 
-def _one_line(message: Warning | str, *_: object) -> str:
-    """A warning as the command line shows it, without a line of the program's own."""
-    return f"socialmind: {message}\n"
+def _one_line(
+    message: Warning | str, category: object = None, file: str = "", line: int = 0, *_: object
+) -> str:
+    """A warning as the command line shows it: with a line of the user's, none of the program's."""
+    own = file.startswith(str(Path(__file__).parents[1])) or "site-packages" in file
+    return f"socialmind: {message}\n" if own else f"socialmind: {file}:{line}: {message}\n"
 
 
 def main() -> None:

@@ -45,6 +45,22 @@ assert not heavy, heavy
     assert ended.returncode == 0, ended.stderr.decode()
 
 
+def test_a_warning_names_the_line_of_the_model_that_it_is_about(tmp_path):
+    (tmp_path / "model.py").write_text("""
+import numpy as np
+from socialmind import Agent, Model, Population
+
+class Counting(Model):
+    people = Population(Agent, 2)
+
+    def series(self):
+        return {"logarithm": float(np.log(np.array([-1.0]))[0])}
+""")
+    words = [sys.executable, "-m", "socialmind.cli", "run", "model.py", "--ticks", "1"]
+    ended = subprocess.run(words, env=ENVIRONMENT, cwd=tmp_path, capture_output=True, text=True)
+    assert f"socialmind: {tmp_path}/model.py:9: invalid value encountered in log" in ended.stderr
+
+
 def test_a_reader_that_leaves_is_no_error():
     command = f"{sys.executable} -m socialmind.cli list | true"
     ended = subprocess.run(["bash", "-c", command], env=ENVIRONMENT, capture_output=True, text=True)

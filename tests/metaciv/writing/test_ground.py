@@ -39,6 +39,21 @@ L_ComparePhero,p(Pheromone Seed),c(Comparator >),n(Double 5.0)
     assert [society.world.patch(x, 2).seed for x in range(1, 5)] == [0.5, 0.5, 0.5, 0.0]
 
 
+def test_where_there_is_nothing_around_to_smell_agents_stay(tmp_path):
+    plans = {"Work": "\nA_SmellAndMove,p(Pheromone Seed)\n"}
+    files = files_of(
+        plans=plans,
+        cognitons=WILL,
+        pheromones={"Seed": (0.0, 1.0)},
+        width=1,
+        height=1,
+        place=(0, 0),
+    )
+    society = imported(tmp_path, files)(seed=1, compiled=False)
+    society.advance(3)
+    assert (society.humans[0].x, society.humans[0].y) == (0.0, 0.0)
+
+
 def test_agents_search_and_go_round_what_is_closed_and_tell_terrains(tmp_path):
     model = imported(
         tmp_path,
