@@ -20,6 +20,7 @@ from socialmind.experiments.trainings.rerunning import rerun, write_down
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
+from socialmind.learning.training.capsule import commit_of
 from socialmind.learning.training.execution import TrainingInterrupted, learn, resume
 from socialmind.learning.training.result import Training
 from socialmind.mind import MindDescription
@@ -243,7 +244,7 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
             raise SocialmindError(f"which attempts? expected `rerun {name}` and their numbers")
         for attempt in map(int, words[1:]):
             found = rerun(self.kept / name, _module(), attempt, self.home / "rerun")
-            commit = Training(self.kept / name).manifest.versions.get("commit", "")
+            commit = commit_of(Training(self.kept / name).manifest.versions, attempt)
             write_down(self.kept.parent / RERUNS, name, attempt, commit, found)
             scores = [
                 f"{lesson} {now:.5g}" + (f" (kept {before:.5g})" if now != before else "")

@@ -22,6 +22,7 @@ from typing import Any, NamedTuple
 from socialmind.errors import SocialmindError
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import results_of
+from socialmind.learning.training.capsule import commit_of
 from socialmind.learning.training.finalists import individual_of
 from socialmind.learning.training.result import Training
 from socialmind.runs.folders import INTERRUPTED, MANIFEST
@@ -89,7 +90,7 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
     folder = home / f"{kept.name}-{attempt}"
     if not folder.is_dir():
         _begin(training, attempt, folder)
-    commit = training.manifest.versions.get("commit", "")
+    commit = commit_of(training.manifest.versions, attempt)
     program = _program(commit, home) if commit else Path.cwd()
     if _trained(program, home, [module, kept.name, str(attempt), str(folder.absolute())]):
         raise SocialmindError(f"{folder}: not trained to the end; the same command goes on")

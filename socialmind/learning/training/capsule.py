@@ -5,6 +5,7 @@ How far an attempt came is the word of its own checkpoint.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from shlex import quote
@@ -16,6 +17,7 @@ from socialmind.runs.record import within
 
 KIND = "training"
 MIND = "mind"
+COMMIT = "commit"
 _CHANGES = kinds.Fields(
     dict.fromkeys(("generations", "budget", "cycles"), kinds.optional(kinds.whole(1))),
     {"optimiser": kinds.optional(kinds.TEXT), "settings": kinds.Each(kinds.SETTING)},
@@ -66,8 +68,8 @@ class TrainingManifest(folders.FolderManifest):
         curve: ``rows``, ``columns`` and ``sha256`` of the content of ``curve.parquet``, without
             the seconds.
         timings: ``created`` (UTC) and ``seconds`` in all.
-        versions: of what the training stood on; ``commit``, of the program, where it runs from an
-            unedited clone of its repository.
+        versions: of what the training stood on; ``commit``, of the program, where that runs from an
+            unedited clone of its repository, and ``commit from attempt 3`` where it is another one.
         platforms: the fingerprints of the machines that led it.
         kind: `training`.
         format: of this file.
@@ -103,6 +105,30 @@ class TrainingManifest(folders.FolderManifest):
         if not self.plan:
             return None
         return f"python -m {self.plan['module']} {quote(self.plan['name'])}"
+
+
+def commit_of(versions: Mapping[str, str], attempt: int) -> str:
+    """Return the commit of the program that an attempt was begun by, empty where none is known.
+
+    >>> commit_of({"commit": "3d4ad57", "commit from attempt 3": "8e6425c"}, attempt=2)
+    '3d4ad57'
+    """
+    for number in range(attempt, 1, -1):
+        if (key := f"{COMMIT} from attempt {number}") in versions:
+            return versions[key]
+    return versions.get(COMMIT, "")
+
+
+def with_commit(versions: Mapping[str, str], attempt: int, commit: str) -> dict[str, str]:
+    """Return the versions of a training whose next attempt is begun by the program of a commit.
+
+    >>> with_commit({"commit": "3d4ad57"}, 3, "8e6425c")
+    {'commit': '3d4ad57', 'commit from attempt 3': '8e6425c'}
+    """
+    if commit == commit_of(versions, attempt):
+        return dict(versions)
+    key = COMMIT if attempt == 1 else f"{COMMIT} from attempt {attempt}"
+    return {**versions, key: commit}
 
 
 class TrainingCapsule(folders.ManifestFolder[TrainingManifest]):

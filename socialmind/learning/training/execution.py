@@ -20,7 +20,12 @@ from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training import continuing
 from socialmind.learning.training.attempt import Attempt, News
-from socialmind.learning.training.capsule import MIND, TrainingCapsule, TrainingManifest
+from socialmind.learning.training.capsule import (
+    MIND,
+    TrainingCapsule,
+    TrainingManifest,
+    with_commit,
+)
 from socialmind.learning.training.course import SIMBATCH, TrainingCourse, curriculum_of, mind_of
 from socialmind.learning.training.curve import draw_curve, read_curve, write_curve
 from socialmind.learning.training.forecast import Forecast
@@ -164,7 +169,7 @@ def learn(
         engine=engine,
         attempts=attempts,
         timings={"created": datetime.now(UTC).isoformat(timespec="seconds"), "seconds": 0.0},
-        versions={**folders.versions(), **({"commit": commit} if (commit := own_commit()) else {})},
+        versions=folders.versions(),
         platforms=[folders.fingerprint()],
     )
     copy = {f"{MIND}/{path}": content for path, content in files.items()}
@@ -304,12 +309,14 @@ def _go(
         if not attempt.finished:
             pause_if_asked()
 
-    finished = 0
+    finished, commit = 0, own_commit()
     attempt: Attempt | None = None
     compiled = manifest.engine == COMPILED
     with deferred_signals() as arrived, hired(workers, compiled, cluster) as team:
         try:
             for number in range(1, manifest.attempts + 1):
+                if not capsule.attempt(number).is_dir():
+                    capsule.update(versions=with_commit(capsule.manifest.versions, number, commit))
                 attempt = Attempt(capsule.attempt(number), number, course)
                 _save_mind(capsule, attempt)
                 if not attempt.finished:

@@ -3,6 +3,7 @@
 import json
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,8 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments.trainings.rerunning import PROGRAM, Again, rerun
 from socialmind.experiments.trainings.store import keep
 from socialmind.learning import Training
-from socialmind.learning.training import archive
+from socialmind.learning.training import archive, execution
+from socialmind.learning.training.capsule import commit_of
 from socialmind.runs.arrays_file import save_arrays
 
 PLANS = "analysis.tiny_trainings"
@@ -97,6 +99,21 @@ def test_the_program_of_the_commit_that_made_it_trains(kept, tmp_path):
     shutil.rmtree(tmp_path / "rerun")
     with pytest.raises(SocialmindError, match="not trained to the end; the same command goes on"):
         rerun(kept, PLANS, 1, tmp_path / "rerun")
+
+
+def test_a_training_records_by_which_program_each_attempt_was_begun(
+    tiny_plans, tmp_path, monkeypatch
+):
+    plan = tiny_plans.tiny("GoToObject", generations=1)
+    commits = iter(["3d4ad57", "8e6425c", "8e6425c"])
+    monkeypatch.setattr(execution, "own_commit", lambda: next(commits))
+    for attempts in (1, 2, 3):
+        replace(plan, attempts=attempts).train(tmp_path / "tiny", workers=1)
+    versions = Training(tmp_path / "tiny").manifest.versions
+    assert [commit_of(versions, attempt) for attempt in (1, 2, 3)] == [
+        "3d4ad57", "8e6425c", "8e6425c",
+    ]  # fmt: skip
+    assert "commit from attempt 3" not in versions
 
 
 def test_a_commit_that_is_not_in_the_history_is_told(kept, tmp_path):
