@@ -27,6 +27,7 @@ from socialmind.catalogue import load_file
 
 from .results import IN_THE_ECONOMY
 from .trainings import ECONOMY, MODEL
+from .worlds import CHOOSING_ECONOMY
 
 DECIDING = load_file(MODEL / "deciding.py")
 PLANS = {"CollectA": DECIDING.collect_a, "CollectB": DECIDING.collect_b}
@@ -130,7 +131,7 @@ def tried(
         worlds: how many.
     """
     given = ECONOMY.Terms(**terms)
-    drawn = [ECONOMY.World(seed, given, ECONOMY.TICKS) for seed in range(worlds)]
+    drawn = [ECONOMY.World(seed, given, ECONOMY.TICKS) for seed in CHOOSING_ECONOMY[:worlds]]
     traders = Traders(drawn, ECONOMY.TICKS, scheme_with(influence), tolerance)
     while traders.go_on(None):
         pass

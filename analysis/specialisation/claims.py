@@ -16,12 +16,16 @@ check does not hold, in another run or with other seeds, the page says so in the
 | `more MEASURE SOCIETY CONDITION` | all of the interval is more than in the programmed society |
 | `less MEASURE SOCIETY CONDITION` | all of it is less |
 | `untold MEASURE SOCIETY CONDITION` | the interval of the difference holds 0 |
+| `more MEASURE SOCIETY CONDITION than OTHER`, … | the same beside another society |
+| `unchecked` | always: it tells of the study, not of its tables |
 
 Numbers are `MEASURE SOCIETY CONDITION`, a mean with its interval; `worst …` and `best …`, those of
-the attempts with the least and the most; `difference …`, from the programmed society; `attempts
-SOCIETY`. The condition `farmers` stands for the societies of farmers and artisans, which are
-compared with the learned one; `kinds`, with a condition in the place of the society, for programmed
-robots less learned ones of one society.
+the attempts with the least and the most; `difference …`, from the programmed society, or `… than
+OTHER`; `attempts SOCIETY`; `shares CHOICE`, how many shares in further worlds there are of what was
+chosen in bodies, for all attempts and conditions, and `unsure X CHOICE`, of how many the interval
+holds less than X. The condition `farmers` stands for the societies of farmers and artisans, which
+are compared with the learned one; `kinds`, with a condition in the place of the society, for
+programmed robots less learned ones of one society.
 """
 
 from __future__ import annotations
@@ -33,16 +37,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 
 from socialmind.errors import SocialmindError
+from socialmind.experiments.measures.intervals import share_interval
 
 from . import farmers
-from .tables import MEASURED
+from .societies import REFERENCE
+from .tables import FURTHER, MEASURED
 from .words import number, percent, spread
 
 FILE = Path(__file__).with_name("claims.md")
 _LINE = re.compile(r"- \[(?P<checks>[^\]]+)\] (?P<text>.+)")
+UNCHECKED = "unchecked"
 _CHECK = re.compile(
     r"(?:(?P<worst>worst )?at (?P<side>least|most) (?P<bound>[\d.]+)|(?P<way>more|less|untold)) "
     r"(?P<place>.+)"
@@ -105,15 +113,16 @@ def holds(check: str, tables: Mapping[str, pd.DataFrame]) -> bool:
     Raises:
         SocialmindError: it is none, or is about what the tables do not have.
     """
+    if check == UNCHECKED:
+        return True
     match = _CHECK.fullmatch(check)
     if match is None:
         raise SocialmindError(f"the check {check!r}; see the table in claims.py")
-    measure, society, condition = _place(match["place"])
     if match["way"]:
-        row = _row(tables, _DIFFERENCES, measure, society, condition)
+        row = _difference(match["place"], tables)
         low, high = float(row["low"]), float(row["high"])
         return {"more": low > 0, "less": high < 0, "untold": low <= 0 <= high}[match["way"]]
-    row = _row(tables, _MEANS, measure, society, condition)
+    row = _row(tables, _MEANS, *_place(match["place"]))
     least, bound = match["side"] == "least", float(match["bound"])
     value = float(row["least" if match["worst"] else "mean"])
     return value >= bound if least else value <= bound
@@ -130,6 +139,19 @@ def _place(text: str) -> tuple[str, str, str]:
         raise SocialmindError(f"{text!r} in a claim; expected measure, society, condition")
     measure, society, condition = words
     return measure, society, condition
+
+
+def _difference(text: str, tables: Mapping[str, pd.DataFrame]) -> Mapping[str, Any]:
+    """The row of `MEASURE SOCIETY CONDITION`, or of that `than OTHER`."""
+    text, _, other = text.partition(" than ")
+    measure, society, condition = _place(text)
+    if other or condition not in _DIFFERENCES:
+        tables = {**tables, "differences": _beside(tables["differences"], other or REFERENCE)}
+    return _row(tables, _DIFFERENCES, measure, society, condition)
+
+
+def _beside(table: pd.DataFrame, reference: str) -> pd.DataFrame:
+    return table[table["reference"] == reference]
 
 
 def _row(
@@ -155,14 +177,16 @@ def _number(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
     if first == "attempts":
         means = tables["means"]
         return str(int(means.loc[means["society"] == rest, "attempts"].iloc[0]))
+    if first in ("unsure", "shares"):
+        return _counted(rest, tables)
     if first in ("worst", "best", "difference"):
         text = rest
-    measure, society, condition = _place(text)
+    measure, society, condition = _place(text.partition(" than ")[0])
     share = measure == "within"
     known = farmers.MEASURED if condition == "farmers" else MEASURED
     digits = known[measure].digits if measure in known else 2
     if first == "difference":
-        row = _row(tables, _DIFFERENCES, measure, society, condition)
+        row = _difference(text, tables)
         return spread({**row, "mean": row["difference"]}, digits)
     row = _row(tables, _MEANS, measure, society, condition)
     if first in ("worst", "best"):
@@ -174,3 +198,16 @@ def _number(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
     if not math.isfinite(low) or low == high:
         return percent(row["mean"])
     return f"{percent(row['mean'])} ({percent(low)} to {percent(high)})"
+
+
+def _counted(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
+    """Of the shares of a choice in further worlds, how many there are, or may be below a bound."""
+    *bound, choice = text.split()
+    own = tables["chosen"][tables["chosen"]["choice"] == choice]
+    shares = own[[name for name in own if name.endswith("_reported")]].to_numpy(float).ravel()
+    if not bound:
+        return str(len(shares))
+    means = tables["means"]
+    worlds = int(means.loc[means["society"] == FURTHER.format(choice), "worlds"].iloc[0])
+    lows = [share_interval(np.arange(worlds) < round(one * worlds)).low for one in shares]
+    return str(sum(low < float(bound[0]) for low in lows))

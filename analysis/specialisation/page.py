@@ -228,7 +228,7 @@ def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str
         for name, measured in MEASURED.items():
             cell = spread(one_of(tables["means"], name, **where), measured.digits)
             if one.name != REFERENCE:
-                away = one_of(tables["differences"], name, **where)
+                away = one_of(tables["differences"], name, reference=REFERENCE, **where)
                 told = spread({**away, "mean": away["difference"]}, measured.digits)
                 cell = f"{cell}\nΔ {told}"
             row[f"{measured.title}\n{measured.unit}"] = cell.replace(" (", "\n(")
@@ -236,7 +236,8 @@ def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str
     return html.table(
         rows,
         f"{caption} Means with intervals of 95 %; Δ is the difference from the programmed society "
-        "in the same worlds.",
+        "in the worlds that both have met, which for attempts at a lesson are half of those of the "
+        "others: so it need not be the difference of the means shown.",
         numbers=True,
     )
 
@@ -277,9 +278,12 @@ def _farmers(
 ) -> list[str]:
     rows = []
     for name, measured in farmers.MEASURED.items():
+        found_in = {one: one_of(tables["farmers-means"], name, society=one)
+                    for one in farmers.SOCIETIES}  # fmt: skip
         cells = {
-            one: spread(one_of(tables["farmers-means"], name, society=one), measured.digits)
-            for one in farmers.SOCIETIES
+            one: spread(row, measured.digits)
+            + (f", {row['worlds']} seeds" if 0 < row["worlds"] < size.farmers else "")
+            for one, row in found_in.items()
         }
         rows.append({"measure": f"{measured.title} ({measured.unit})", **cells})
     return [
@@ -296,8 +300,12 @@ def _farmers(
             "intervals of 95 %. Grey strokes: what luck alone gives.",
             "Measures of three societies of farmers and artisans.",
         ),
-        html.table(rows, "Table 8. Means with intervals of 95 %; unknown where none settled.",
-                     numbers=True),
+        html.table(
+            rows,
+            "Table 8. Means with intervals of 95 %. Changes of roles after settling are known of "
+            "the seeds that settled, whose number is told where it is not all.",
+            numbers=True,
+        ),
         html.picture(
             figures["schemes"],
             "Figure 8. The scheme that was written, and the one distilled from the learned mind: "
@@ -329,8 +337,12 @@ def _definitions() -> list[str]:
             "95 %. Where a lesson has several attempts they are over attempts and worlds: both are "
             "drawn anew, each on its own (Owen, 2007); else they are over worlds, by the "
             "bias-corrected and accelerated bootstrap (Efron, 1987), those of shares by Wilson’s "
-            "formula (1927). Societies are compared in the "
-            "same worlds. An interval that holds 0 does not show that there is no difference: it "
+            "formula (1927). Societies are compared in the same worlds; two lessons too, whose "
+            "attempts are drawn each on their own. Where all attempts come to the same in all "
+            "worlds, a bootstrap gives no interval and none is told: that others would come to the "
+            "same is not said by it. Shares in further worlds, of what was chosen in bodies, have "
+            "intervals over attempts; those of single attempts are Wilson’s. An interval that "
+            "holds 0 does not show that there is no difference: it "
             "says how large one could be. Nothing is corrected for the number of comparisons."
         ),
     ]
@@ -350,7 +362,7 @@ def _made(tables: Mapping[str, pd.DataFrame], size: Size, command: str, seeds: s
         html.code(command),
         html.paragraph(
             f"Worlds of robots: seeds {seeds}, those of mixed societies the first "
-            f"{size.mixed_worlds} of them; nothing was trained or chosen in them. Nothing was "
+            f"{size.mixed_worlds} of them; nothing was trained or chosen in them. No run was "
             f"excluded. `foraging_roles` with its mind of {len(mind.skills)} skills; what robots "
             f"bring home is recorded every {EVERY} ticks. Farmers and artisans: seeds 0 … "
             f"{size.farmers - 1}, recorded every {farmers.EVERY} ticks. The same command gives the "

@@ -83,8 +83,8 @@ SOCIETIES = {
         Society(
             "chosen", "by deliveries, chosen",
             "the same skill, learned by deliveries in an economy whose trips and distances are as "
-            "in bodies; which of an attempt's minds counts was chosen in bodies, in 72 worlds for "
-            "choosing (lesson `like_bodies`)",
+            "in bodies; which of an attempt's minds counts was chosen in bodies, in 36 to 72 "
+            "worlds for choosing (lesson `like_bodies`)",
             LEARNED, paper.BLUE, (0, (6, 1.5, 1, 1.5)), lesson="chosen_again",
         ),
         Society(
@@ -121,6 +121,8 @@ FALL_SHORT = ("counts", "fixed", "random", "greedy")
 """The societies that are there to show what does not settle, or does not follow."""
 REFERENCE = "programmed"
 """The society that the others are compared with."""
+LESSON_BEFORE = {"chosen": "delivered"}
+"""The lesson that another one was to mend."""
 MIXED_WITH = "delivered"
 """The society whose robots share a society with programmed ones."""
 

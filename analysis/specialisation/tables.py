@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from socialmind.experiments.measures.crossed import crossed_interval
+from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
 from socialmind.experiments.measures.intervals import Interval, interval_of, share_interval
 
-from .societies import REFERENCE
+from .societies import LESSON_BEFORE, REFERENCE
 
 
 @dataclass(frozen=True)
@@ -113,11 +113,15 @@ def with_changes(worlds: pd.DataFrame, kinds: pd.DataFrame) -> pd.DataFrame:
     return worlds.join(changes, on=run)
 
 
+def by_world(part: pd.DataFrame, measure: str) -> pd.DataFrame:
+    """Return a measure by attempt and seed; worlds in which it is unknown are left out."""
+    table = part.pivot_table(index="attempt", columns="seed", values=measure, dropna=False)
+    return table.replace([math.inf, -math.inf], math.nan).dropna(axis="columns")
+
+
 def square(part: pd.DataFrame, measure: str) -> np.ndarray:
     """Return a measure as (attempts, worlds); worlds in which it is unknown are left out."""
-    table = part.pivot_table(index="attempt", columns="seed", values=measure, dropna=False)
-    table = table.replace([math.inf, -math.inf], math.nan).dropna(axis="columns")
-    return table.to_numpy(float)
+    return by_world(part, measure).to_numpy(float)
 
 
 def interval(values: np.ndarray, share: bool = False) -> Interval:
@@ -177,6 +181,8 @@ def means(frame: pd.DataFrame, by: Sequence[str], measures: Sequence[str]) -> pd
 def further(choices: pd.DataFrame, worlds: int) -> pd.DataFrame:
     """Return the rows of means for attempts of which only their shares of worlds are known.
 
+    Intervals are over attempts.
+
     Args:
         choices: a row for each `choice` and attempt: the share within one robot, by condition, in
             columns that end in `_reported`.
@@ -192,8 +198,8 @@ def further(choices: pd.DataFrame, worlds: int) -> pd.DataFrame:
             {
                 "society": FURTHER.format(choice), "condition": name.removesuffix("_reported"),
                 "measure": "within", "attempts": len(table), "worlds": worlds,
-                "mean": table[name].mean(), "low": math.nan, "high": math.nan,
-                "least": table[name].min(), "most": table[name].max(),
+                **vars(interval_of(table[name])), "least": table[name].min(),
+                "most": table[name].max(),
             }
             for choice, table in choices.groupby("choice")
             for name in table.columns
@@ -208,29 +214,29 @@ def attempts(worlds: pd.DataFrame) -> pd.DataFrame:
     return worlds.groupby(by, sort=False)[list(MEASURED)].mean().reset_index()
 
 
-def differences(worlds: pd.DataFrame, reference: str = REFERENCE) -> pd.DataFrame:
-    """Compare societies with another, condition by condition, in pairs of equal worlds.
+def differences(worlds: pd.DataFrame) -> pd.DataFrame:
+    """Compare societies with the programmed one, and lessons with the one before, in equal worlds.
 
     Args:
         worlds: `society`, `attempt`, `condition`, `seed` and measures.
-        reference: the society that the others are compared with, without attempts of its own.
 
     Returns:
-        A row for each society, condition and measure: the mean of the differences, with its
-        interval over attempts and worlds.
+        A row for each society, condition and measure, and for each society that it is compared
+        with, the `reference`: the difference of the means in the worlds that both have met, with
+        its interval over attempts and worlds.
     """
     rows = []
     for condition, part in worlds.groupby("condition", sort=False):
-        base = part[part["society"] == reference].set_index("seed")
-        for society, own in part.groupby("society", sort=False):
-            if society == reference:
-                continue
+        parts = dict(tuple(part.groupby("society", sort=False)))
+        pairs = [(one, REFERENCE) for one in parts if one != REFERENCE]
+        pairs += [pair for pair in LESSON_BEFORE.items() if set(pair) <= set(parts)]
+        for society, reference in pairs:
             for name in MEASURED:
-                away = own.assign(away=own[name] - own["seed"].map(base[name]))
-                found = interval(square(away, "away"))
+                found = _difference(parts[society], parts[reference], name)
                 rows.append(
                     {
                         "society": society,
+                        "reference": reference,
                         "condition": condition,
                         "measure": name,
                         "difference": found.mean,
@@ -239,6 +245,16 @@ def differences(worlds: pd.DataFrame, reference: str = REFERENCE) -> pd.DataFram
                     }
                 )
     return pd.DataFrame(rows)
+
+
+def _difference(own: pd.DataFrame, base: pd.DataFrame, measure: str) -> Interval:
+    """Return how much more a society comes to than another; of one without attempts, pairwise."""
+    if base["attempt"].nunique() > 1:
+        one, other = by_world(own, measure), by_world(base, measure)
+        shared = one.columns.intersection(other.columns)
+        return crossed_difference(one[shared], other[shared])
+    away = own[measure] - own["seed"].map(base.set_index("seed")[measure])
+    return interval(square(own.assign(away=away), "away"))
 
 
 def over_time(course: pd.DataFrame, by: Sequence[str]) -> pd.DataFrame:

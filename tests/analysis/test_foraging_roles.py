@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from socialmind.errors import SocialmindError
@@ -19,6 +20,7 @@ scanning = load_file(FOLDER / "scheme_scan.py")
 studies = load_file(FOLDER / "studies.py").studies
 role_trainings = load_file(FOLDER / "role_trainings.py")
 contestants = load_file(FOLDER / "contestants.py")
+by_deliveries = load_file(FOLDER / "lessons_by_deliveries.py")
 worlds = load_file(FOLDER / "worlds.py")
 STAY = np.zeros(39)
 STAY[21] = 1.0  # the influence on the role as it is
@@ -141,3 +143,12 @@ def test_all_kept_attempts_are_judged_and_the_picked_one_among_them():
     ways = [(one.way, one.attempt) for one in contestants.contestants()]
     assert len(set(ways)) == len(ways)
     assert {(contestants.PICKED, 1), ("supervised_role", 3), ("fixed_thresholds", 0)} <= set(ways)
+
+
+def test_attempts_by_deliveries_come_to_what_is_kept_in_the_worlds_that_are_told():
+    table = pd.read_csv(by_deliveries.OUT)
+    assert len(table) == 11 * 7
+    kept = table.set_index(["lesson", "attempt", "condition"])["within_one"]
+    one = contestants.Contestant("delivered_role", 1, contestants.minds_of("delivered_role")[1])
+    found = by_deliveries.within_one(one, "nine robots", worlds.REPORTED_ECONOMY)
+    assert found == pytest.approx(kept["delivered_role", 1, "nine robots"], abs=1e-6)

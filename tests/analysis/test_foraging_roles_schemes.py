@@ -58,7 +58,7 @@ def test_a_change_is_as_probable_as_by_the_decision_maker():
 def test_written_numbers_do_as_the_engine_does_in_the_same_worlds():
     nine = scanning.IN_THE_ECONOMY["nine robots"]
     by_engine = scanning.tried(4.0, 5.0, nine, 24)
-    found = economy.SchemeEconomy(nine).run(np.zeros((2, 8)), range(24))
+    found = economy.SchemeEconomy(nine).run(np.zeros((2, 8)), scanning.CHOOSING_ECONOMY[:24])
     assert np.array_equal(found.score[0], found.score[1])  # all individuals meet the same luck
     assert found.fields["within"][0].mean() == pytest.approx(by_engine["within_one"], abs=0.1)
     assert found.fields["changes"][0].mean() == pytest.approx(by_engine["changes"], abs=0.05)

@@ -270,10 +270,15 @@ def test_kinds_are_compared_within_their_society():
 
 
 @pytest.fixture
-def made_up():
-    """Tables in which the society `a` has 1 more than the programmed one."""
+def made_up(monkeypatch):
+    """Tables in which the society `a` has 1 more than the programmed one, and `b` 2 more."""
+    monkeypatch.setattr(tables, "LESSON_BEFORE", {"b": "a"})
     worlds = pd.concat(
-        [runs_of("programmed", [[0.2, 0.4, 0.3]]), runs_of("a", [[1.2, 1.4, 1.3], [1.2, 1.4, 1.3]])]
+        [
+            runs_of("programmed", [[0.2, 0.4, 0.3]]),
+            runs_of("a", [[1.2, 1.4, 1.3], [1.2, 1.4, 1.3]]),
+            runs_of("b", [[2.2, 2.4, 2.3], [2.2, 2.4, 2.3]]),
+        ]
     )
     return {
         "means": tables.means(worlds, ["society", "condition"], list(tables.MEASURED)),
@@ -293,6 +298,9 @@ def made_up():
         ("more within a calm", True),
         ("less within a calm", False),
         ("untold within a calm", False),
+        ("more within b calm than a", True),
+        ("untold within b calm than a", False),
+        ("unchecked", True),
     ],
 )
 def test_checks_hold_or_do_not(made_up, check, so):
@@ -301,6 +309,8 @@ def test_checks_hold_or_do_not(made_up, check, so):
 
 def test_a_claim_has_its_numbers_and_says_where_it_does_not_hold(made_up):
     text = "{within a calm}, {difference within a calm}, {worst changes a calm}, {attempts a}"
+    beside = claims.told(claims.Claim(("unchecked",), "{difference within b calm than a}"), made_up)
+    assert beside.text.startswith("1.00")
     told = claims.told(claims.Claim(("more within a calm",), text), made_up)
     assert told.holds
     assert told.text.startswith("130 % (")
@@ -308,8 +318,24 @@ def test_a_claim_has_its_numbers_and_says_where_it_does_not_hold(made_up):
     assert not claims.told(claims.Claim(("less within a calm",), "x"), made_up).holds
 
 
+def test_shares_that_may_be_below_a_bound_are_counted():
+    shares = {"turned_reported": [1.0, 0.9, 0.875], "removed_reported": [0.8, 1.0, 0.95]}
+    chosen = pd.DataFrame({"choice": "again", **shares})
+    found = {"chosen": chosen, "means": tables.further(chosen, 40)}
+    text = "{unsure 0.75 again} of {shares again}"
+    # Of 36 of 40 the interval begins at 0.77, of 35 at 0.74.
+    assert claims.told(claims.Claim(("unchecked",), text), found).text == "2 of 6"
+
+
 @pytest.mark.parametrize(
-    "wrong", ["within a calm", "more within", "more wit a calm", "more within b calm"]
+    "wrong",
+    [
+        "within a calm",
+        "more within",
+        "more wit a calm",
+        "more within c calm",
+        "more within a calm than b",
+    ],
 )
 def test_a_check_that_is_none_is_an_error(made_up, wrong):
     with pytest.raises(SocialmindError):

@@ -12,7 +12,7 @@ import math
 from statistics import NormalDist
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments.measures.intervals import LEVEL, RESAMPLES, Interval, widened
@@ -43,19 +43,63 @@ def crossed_interval(values: ArrayLike, level: float = LEVEL) -> Interval:
     >>> round(found.mean, 3), found.low < 0.2, found.high > 0.9
     (0.633, True, True)
     """
+    return _crossed([_checked(values)], level)
+
+
+def crossed_difference(one: ArrayLike, other: ArrayLike, level: float = LEVEL) -> Interval:
+    """Return how much more one way to learn comes to than another, and its interval.
+
+    The trainings of each are drawn on their own, the worlds, which are the same for both, once.
+
+    Args:
+        one: (trainings, worlds), finite.
+        other: (trainings, worlds): of as many trainings as it has, in the same worlds.
+        level: above 0 and below 1.
+
+    Returns:
+        NaN for the bounds where one of them has one training, or there is one world.
+
+    Raises:
+        SocialmindError: tables of other shapes, or numbers that are not finite.
+
+    >>> one = [[0.9, 1.0, 0.8], [0.9, 0.8, 1.0], [1.0, 0.9, 0.8]]
+    >>> found = crossed_difference(one, [[0.4, 0.5, 0.3]] * 3)
+    >>> round(found.mean, 3), found.low > 0.3
+    (0.5, True)
+    """
+    tables = [_checked(one), _checked(other)]
+    if tables[0].shape[1] != tables[1].shape[1]:
+        raise SocialmindError(
+            f"{tables[0].shape[1]} and {tables[1].shape[1]} worlds; expected the same ones for both"
+        )
+    return _crossed(tables, level)
+
+
+def _checked(values: ArrayLike) -> NDArray[np.float64]:
     table = np.asarray(values, np.float64)
     if table.ndim != 2 or 0 in table.shape or not np.isfinite(table).all():
         raise SocialmindError(
             f"numbers of the shape {table.shape}; expected finite ones, trainings by worlds"
         )
-    trainings, worlds = table.shape
-    mean = float(table.mean())
-    if min(trainings, worlds) < 2:
+    return table
+
+
+def _crossed(tables: list[NDArray[np.float64]], level: float) -> Interval:
+    """Return the mean of a table, or how much more the first comes to than the second."""
+    mean = float(tables[0].mean()) - sum(float(one.mean()) for one in tables[1:])
+    least = min(min(one.shape) for one in tables)
+    if least < 2:
         return Interval(mean, math.nan, math.nan)
-    rng = np.random.default_rng([trainings, worlds])
-    rows = rng.multinomial(trainings, np.full(trainings, 1 / trainings), RESAMPLES) / trainings
-    columns = rng.multinomial(worlds, np.full(worlds, 1 / worlds), RESAMPLES) / worlds
-    means = ((rows @ table) * columns).sum(axis=1)
-    wide = widened(level, min(trainings, worlds))
+    worlds = tables[0].shape[1]
+    rng = np.random.default_rng([*(len(one) for one in tables), worlds])
+    each = [_drawn(rng, len(one)) @ one for one in tables]
+    columns = _drawn(rng, worlds)
+    means = ((each[0] - sum(each[1:])) * columns).sum(axis=1)
+    wide = widened(level, least)
     low, high = np.quantile(means, [_NORMAL.cdf(-wide), _NORMAL.cdf(wide)]).tolist()
     return Interval(mean, low, high)
+
+
+def _drawn(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
+    """Return how much each of some counts in each resample."""
+    return rng.multinomial(count, np.full(count, 1 / count), RESAMPLES) / count

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.measures.crossed import crossed_interval
+from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
 from socialmind.experiments.measures.intervals import interval_of
 
 
@@ -45,3 +45,34 @@ def test_one_training_alone_tells_nothing_of_others():
 def test_other_tables_are_refused(wrong):
     with pytest.raises(SocialmindError, match="trainings by worlds"):
         crossed_interval(wrong)
+
+
+def test_what_worlds_have_in_common_is_gone_from_a_difference():
+    rng = np.random.default_rng(4)
+    worlds = 10 * rng.random(12)
+    one, other = (worlds + rng.normal(more, 0.1, (10, 1)) for more in (1.0, 0.0))
+    found = crossed_difference(one, other)
+    assert found.mean == pytest.approx(1.0, abs=0.1)
+    assert 0.8 < found.low < found.high < 1.2
+    assert crossed_interval(one).high - crossed_interval(one).low > 3
+    turned = crossed_difference(other, one)
+    assert turned.mean == pytest.approx(-found.mean)
+
+
+def test_the_difference_of_two_ways_holds_the_true_one_about_as_often_as_it_says():
+    rng = np.random.default_rng(5)
+    held = 0
+    for _ in range(200):
+        worlds = rng.normal(0, 1, 10)
+        one, other = (
+            worlds + rng.normal(more, 1, (10, 1)) + rng.normal(0, 1, (10, 10)) for more in (1, 0)
+        )
+        found = crossed_difference(one, other)
+        held += found.low <= 1 <= found.high
+    assert held >= 188  # it is rather too wide
+
+
+def test_a_difference_needs_the_same_worlds():
+    with pytest.raises(SocialmindError, match="3 and 2 worlds; expected the same ones for both"):
+        crossed_difference(np.ones((2, 3)), np.ones((2, 2)))
+    assert math.isnan(crossed_difference(np.ones((2, 3)), np.ones((1, 3))).low)
