@@ -31,7 +31,8 @@ def first_steps() -> list[Finding]:
             "step 2, it sees an object: Collect in majority",
             "Search+Avoid remains partially active",
             f"Collect {sent(2, 'Collect'):.2f}, Search+Avoid {sent(2, 'Search+Avoid'):.2f}",
-            sent(2, "Collect") > sent(2, "Search+Avoid"),
+            sent(2, "Collect") > sent(2, "Search+Avoid") > BARELY,
+            why="this robot, another training, stops searching when it sees an object",
         ),
         Finding(
             "step 3, it has gripped it: Collect alone",
@@ -72,7 +73,8 @@ def last_steps() -> list[Finding]:
             "Search+Avoid and ReachSignal enabled",
             f"Collect {sent(5, 'Collect'):.2f}, Search+Avoid {sent(5, 'Search+Avoid'):.2f}, "
             f"ReachSignal {sent(5, 'ReachSignal'):.2f}",
-            sent(5, "Collect") < max(sent(5, "Search+Avoid"), sent(5, "ReachSignal")),
+            sent(5, "Collect") < min(sent(5, "Search+Avoid"), sent(5, "ReachSignal")),
+            why="this robot, another training, follows the signal alone as long as it hears one",
         ),
         Finding(
             "steps 6 to 8, it turns to a signal, nears it, and sees objects again",

@@ -38,7 +38,7 @@ def steps() -> list[Finding]:
         Finding(
             "step 2, too close to the obstacle: it goes to Avoid",
             "exclusively",
-            f"Avoid's part is {parts[1]:.2f}",
+            f"Avoid's part is {parts[1]:.2f}, in a run that was searched for one in which it is",
             parts[1] >= 1 - ALONE,
             why="this robot's GoToObject+Avoid keeps some influence on GoToObject beside an "
             "obstacle: another training, of which nothing asks for all or none",
@@ -47,7 +47,9 @@ def steps() -> list[Finding]:
             "steps 3 and 4, distance recovered, front clear: it goes back to GoToObject",
             "Avoid less and less, GoToObject 0.16 at first",
             f"Avoid's part is {parts[2]:.2f}, then {parts[3]:.2f}",
-            parts[1] > parts[3] and parts[2] <= parts[1],
+            parts[1] > parts[2] > parts[3],
+            why="beside GoToObject this robot gives Avoid at once as much as in step 1, and "
+            "afterwards no less",
         ),
         Finding(
             "step 5, object picked up: Collect sends all to GoToDropZone+Avoid",

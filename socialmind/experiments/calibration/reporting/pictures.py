@@ -62,17 +62,22 @@ def draw_profiles(fit: Fit) -> Figure:
         name = one["name"]
         every = fit.profiles[fit.profiles["parameter"] == name]
         rows = every.dropna(subset=["distance"])
-        axes.plot(trials[name], trials["distance"], ".", color=paper.PALE, markersize=2, zorder=1)
-        axes.plot(rows["value"], rows["distance"], "o-", color=paper.BLUE, markersize=3)
+        axes.plot(trials[name], trials["distance"], ".", color=paper.PALE, markersize=2, zorder=1,
+                  label="a trial")  # fmt: skip
+        axes.plot(rows["value"], rows["distance"], "o-", color=paper.BLUE, markersize=3,
+                  label="the least in a tenth of the range")  # fmt: skip
         middles = [_middle(row["from"], row["to"], one["log"]) for _, row in every.iterrows()]
-        axes.plot(middles, every["smooth"], color=paper.PURPLE, linewidth=0.8)
-        axes.axvline(fit.values[name], color=paper.INK, linewidth=0.6)
+        axes.plot(middles, every["smooth"], color=paper.PURPLE, linewidth=0.8,
+                  label="a surface through all trials")  # fmt: skip
+        axes.axvline(fit.values[name], color=paper.INK, linewidth=0.6, label="found")
         if luck is not None:
-            axes.axhline(luck, color=paper.GOLD, linewidth=0.8)
+            axes.axhline(luck, color=paper.GOLD, linewidth=0.8, label="plausible below")
         _scaled(axes, one)
         axes.set_ylim(0, top)
         axes.set_xlabel(_in_lines(name))
         axes.set_ylabel("distance")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=min(3, len(panels)))
     return figure
 
 
@@ -109,6 +114,8 @@ def _scaled(axes: Axes, one: Mapping[str, Any], both: bool = False) -> None:
     """Set an axis to a parameter's range and scale; both axes where both are of the parameter."""
     if one["log"]:
         axes.set_xscale("log")
+    else:
+        axes.locator_params(axis="x", nbins=4)  # so that long numbers stay apart
     axes.set_xlim(one["low"], one["high"])
     if both:
         if one["log"]:
