@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -127,10 +128,14 @@ def draw(rows: list[Row]) -> Figure:
         panels = figure.subplots(1, len(names), squeeze=False)[0]
         for place, (axes, name) in enumerate(zip(panels, names, strict=True)):
             own = [one for one in rows if one["training"] == name and one["step 1"] is not None]
-            for row in own:
-                look = WELL if row["correct_sequences"] >= GOOD else OTHERS
-                values = [row[f"step {number + 1}"] for number in range(len(STEPS))]
-                axes.plot(range(1, len(STEPS) + 1), values, linewidth=0.8, **look)
+            alike = Counter(
+                (row["correct_sequences"] >= GOOD,
+                 tuple(row[f"step {number + 1}"] for number in range(len(STEPS))))
+                for row in own
+            )  # fmt: skip
+            for (good, values), count in alike.items():
+                look = WELL if good else OTHERS
+                axes.plot(range(1, len(STEPS) + 1), values, linewidth=0.5 * count + 0.3, **look)
             if not own:
                 axes.text(0.5, 0.5, "no correct sequence", ha="center", color=paper.GREY,
                           transform=axes.transAxes)  # fmt: skip
@@ -146,9 +151,10 @@ def draw(rows: list[Row]) -> Figure:
         marks = [
             Line2D([], [], label=what, **look)
             for look, what in (
-                (WELL, f"attempts with {GOOD:.0%} of their sequences correct"),
-                (OTHERS, "other attempts"),
+                (WELL, f"{GOOD:.0%} or more of its sequences correct"),
+                (OTHERS, "fewer"),
             )
         ]
-        figure.legend(handles=marks, loc="outside lower center", ncols=2)
+        title = "an attempt; the broader a line, the more come to the same"
+        figure.legend(handles=marks, loc="outside lower center", ncols=2, title=title)
     return figure
