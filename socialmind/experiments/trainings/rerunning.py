@@ -12,6 +12,7 @@ import csv
 import io
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -26,7 +27,7 @@ from socialmind.learning.training.capsule import commit_of
 from socialmind.learning.training.finalists import individual_of
 from socialmind.learning.training.result import Training
 from socialmind.runs.folders import INTERRUPTED, MANIFEST
-from socialmind.work.files import replace_file
+from socialmind.work.files import remove, replace_file
 
 
 class Again(NamedTuple):
@@ -91,6 +92,8 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
     if not folder.is_dir():
         _begin(training, attempt, folder)
     commit = commit_of(training.manifest.versions, attempt)
+    if commit and not re.fullmatch("[0-9a-f]{7,40}", commit):
+        raise SocialmindError(f"{training.folder}: the commit {commit!r}; expected its digits")
     program = _program(commit, home) if commit else Path.cwd()
     if _trained(program, home, [module, kept.name, str(attempt), str(folder.absolute())]):
         raise SocialmindError(f"{folder}: not trained to the end; the same command goes on")
@@ -136,14 +139,24 @@ def write_down(file: Path, name: str, attempt: int, commit: str, found: Sequence
 
 
 def _begin(training: Training, attempt: int, folder: Path) -> None:
-    """Copy a kept training without the attempt and those behind it."""
+    """Copy a kept training without the attempt and those behind it, in one step."""
     later = [str(one) for one in training.attempts if one >= attempt]
-    shutil.copytree(training.folder, folder, ignore=lambda path, names: _of(path, later, names))
-    manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    made = _emptied(folder)
+    shutil.copytree(training.folder, made, ignore=lambda path, names: _of(path, later, names))
+    manifest = json.loads((made / MANIFEST).read_text(encoding="utf-8"))
     for field in ("plan", "process"):  # whose command and process go on with another folder
         manifest.pop(field, None)
     manifest.update(attempts=attempt, finished=attempt - 1, status=INTERRUPTED)
-    replace_file(folder / MANIFEST, json.dumps(manifest, indent=2).encode())
+    replace_file(made / MANIFEST, json.dumps(manifest, indent=2).encode())
+    made.rename(folder)
+
+
+def _emptied(folder: Path) -> Path:
+    """Return where a folder is made before it gets its name; what was left there is removed."""
+    made = folder.with_name(f"{folder.name}.begun")
+    if made.exists():
+        remove(made)
+    return made
 
 
 def _of(path: str, attempts: list[str], names: list[str]) -> list[str]:
@@ -167,7 +180,9 @@ def _program(commit: str, home: Path) -> Path:
                 f"made by the program of commit {commit}, which cannot be had here: {why}; "
                 "expected git, and a clone with the whole history"
             ) from error
-        shutil.unpack_archive(packed, folder)
+        made = _emptied(folder)
+        shutil.unpack_archive(packed, made)
+        made.rename(folder)
         packed.unlink()
     return folder
 

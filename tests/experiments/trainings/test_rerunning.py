@@ -122,6 +122,20 @@ def test_a_commit_that_is_not_in_the_history_is_told(kept, tmp_path):
         rerun(kept, PLANS, 1, tmp_path / "rerun")
 
 
+def test_what_is_no_commit_is_not_given_to_git(kept, tmp_path):
+    edited(kept / "manifest.json", commit="--remote=elsewhere")
+    with pytest.raises(SocialmindError, match="the commit '--remote=elsewhere'; expected its dig"):
+        rerun(kept, PLANS, 1, tmp_path / "rerun")
+
+
+def test_what_a_killed_one_had_begun_to_copy_is_made_anew(kept, tmp_path):
+    begun = tmp_path / "rerun" / "tiny-1.begun"
+    begun.mkdir(parents=True)
+    (begun / "manifest.json").write_text("half")
+    assert len(rerun(kept, PLANS, 1, tmp_path / "rerun")) == 2
+    assert not begun.exists()
+
+
 def test_an_attempt_that_is_not_there_is_refused(kept, tmp_path):
     with pytest.raises(SocialmindError, match="no attempt 3 is kept; expected 1, 2"):
         rerun(kept, PLANS, 3, tmp_path / "rerun")
