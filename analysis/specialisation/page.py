@@ -236,8 +236,8 @@ def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str
     return html.table(
         rows,
         f"{caption} Means with intervals of 95 %; Δ is the difference from the programmed society "
-        "in the worlds that both have met, which for attempts at a lesson are half of those of the "
-        "others: so it need not be the difference of the means shown.",
+        "in the worlds that both have met, which are fewer where a lesson has attempts: so it need "
+        "not be the difference of the means shown.",
         numbers=True,
     )
 
