@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -327,7 +327,9 @@ class Hierarchy(Closed, Readings):
     def _variant(self, description: MindDescription, master: str) -> Hierarchy:
         return Hierarchy(description, master, self.seed, self.drive)
 
-    def many(self, agents: int, own_genomes: bool = False, **settings: Any) -> Minds:
+    def many(
+        self, agents: int, own_genomes: bool | Collection[str] = False, **settings: Any
+    ) -> Minds:
         """Return many agents with this hierarchy, evaluated together; see `Minds`."""
         from socialmind.mind.minds import Minds
 

@@ -17,7 +17,7 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.evaluation import state as states
 from socialmind.mind.evaluation.arrays import Assembly, assemble, groups_of, master_of
 from socialmind.mind.evaluation.failures import failure_of, failure_of_drive, failure_of_regulation
-from socialmind.mind.kernel.layout import LIVES, State
+from socialmind.mind.kernel.layout import LIVES, SETTINGS, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.names import unknown
 from socialmind.mind.regulation import Counter
@@ -38,7 +38,8 @@ class Minds(Closed):
         master: the name of its master skill; may be left out where no other skill influences
             exactly one.
         agents: how many, 1 or more.
-        own_genomes: whether each agent has weights of its own.
+        own_genomes: whether each agent has weights of its own; or the names of the skills whose
+            weights these are, while all agents share those of the others.
         seed: the key of the draws of cogniton schemes, 0 … 2⁶⁴ − 1.
         drive: the drive module (thesis, 5.1.3): a plain function `drive(mind)`; see
             `socialmind.mind.code.drive`.
@@ -62,7 +63,7 @@ class Minds(Closed):
         description: MindDescription,
         master: str | None = None,
         agents: int = 1,
-        own_genomes: bool = False,
+        own_genomes: bool | Collection[str] = False,
         seed: int = 0,
         drive: Callable[..., None] | None = None,
         instances: int = 0,
@@ -79,6 +80,8 @@ class Minds(Closed):
         self.agents = int(agents)
         self.lanes = int(min(lanes, agents))
         self.own_genomes = own_genomes
+        for name in own_genomes if isinstance(own_genomes, Collection) else ():
+            _place(self.assembly.skills, name, "skill")
         self.seed = seed
         self.drive = drive
         skills = description.skills
@@ -234,8 +237,8 @@ class Minds(Closed):
 
     def genome(self, skill: str) -> NDArray[np.float64]:
         """Return a skill's weights: (genome size,), or (agents, genome size) with own genomes."""
-        weights = self.state_arrays.genome[:, self._genome_of(skill)]
-        if not self.own_genomes:
+        weights = self._weights(skill)
+        if not self._each_has_own(skill):
             return weights[0, :, 0].copy()
         return np.moveaxis(weights, 2, 1).reshape(-1, weights.shape[1])[: self.agents].copy()
 
@@ -249,10 +252,10 @@ class Minds(Closed):
         Raises:
             ModelError: a wrong size, or a weight that is not a finite number.
         """
-        place = self._genome_of(skill)
+        weights = self._weights(skill)
         one = self.description.skills[skill]
         found = _numbers(genome, f"the genome of the skill {skill!r}")
-        if found.ndim == 2 and self.own_genomes:
+        if found.ndim == 2 and self._each_has_own(skill):
             if found.shape != (self.agents, one.genome_size):
                 raise one.refused(
                     f"with genomes of the shape {found.shape}",
@@ -260,17 +263,22 @@ class Minds(Closed):
                 )
             if not np.isfinite(found).all():
                 raise one.refused("with a weight that is not finite", "finite numbers")
-            weights = self.state_arrays.genome[:, place]
             for agent in range(0, self.agents, self.lanes):
                 some = found[agent : agent + self.lanes]
                 weights[agent // self.lanes, :, : len(some)] = some.T
         else:
-            self.state_arrays.genome[:, place] = one.fitting(found)[:, None]
+            weights[...] = one.fitting(found)[:, None]
         self.unset.discard(skill)
 
-    def _genome_of(self, skill: str) -> slice:
-        _place(self.assembly.skills, skill, "skill")
-        return self.assembly.genome_of(skill)
+    def _each_has_own(self, skill: str) -> bool:
+        own = self.own_genomes
+        return skill in own if isinstance(own, Collection) else own
+
+    def _weights(self, skill: str) -> NDArray[np.float64]:
+        """Return the weights of a skill as the state has them, (blocks, weights, lanes) or ones."""
+        number, state = _place(self.assembly.skills, skill, "skill"), self.state_arrays
+        common = state.common[number] != 0
+        return (state.first_genome if common else state.genome)[:, self.assembly.genome_of(skill)]
 
     # Worlds -----------------------------------------------------------------------------------
 
@@ -363,7 +371,7 @@ class Minds(Closed):
             ModelError: it is the state of other minds.
         """
         for name, own in zip(State._fields, self.state_arrays, strict=True):
-            found = own if name == "nodes" else state.get(name)
+            found = own if name in SETTINGS else state.get(name)
             if found is None or found.shape != own.shape:
                 raise ModelError(
                     f"a state without {name!r}" if found is None

@@ -1,6 +1,8 @@
 """Many agents at once: each as plain Python has it, and as a single hierarchy to the last bit."""
 
+import copy
 import random
+from contextlib import nullcontext
 from itertools import pairwise
 
 import numpy as np
@@ -8,6 +10,7 @@ import pytest
 from independent import Society
 from random_minds import MASTER, bits, other_genomes, random_mind, sensor_values, shuffled
 
+from socialmind.errors import ModelError
 from socialmind.mind import Hierarchy, Minds
 
 TICKS = 30
@@ -95,6 +98,36 @@ def test_each_agent_equals_a_single_hierarchy(seed, programs, agents, own_genome
             assert bits(variables) == bits(hierarchy.variables())
             influences = {name: many.influence(name)[number] for name in hierarchy.skills}
             assert bits(influences) == bits(hierarchy.influences())
+
+
+@pytest.mark.parametrize("seed", range(2060, 2070))
+@pytest.mark.parametrize("agents", [1, 19])
+def test_agents_may_have_weights_of_their_own_for_some_skills_alone(seed, agents):
+    draw = random.Random(seed)
+    description = random_mind(draw, programs=False)
+    learned = [name for name, skill in description.skills.items() if skill.genome_size][::2]
+    many = Minds(description, MASTER, agents, own_genomes=learned, lanes=8)
+    single = [Hierarchy(description, MASTER) for _ in range(agents)]
+    own, common = [other_genomes(description, draw) for _ in single], {}
+    for name in own[0]:
+        if name in learned:
+            many.set_genome(name, np.array([genome[name] for genome in own]))
+        else:
+            common[name] = own[0][name]
+            many.set_genome(name, common[name])
+            assert many.genome(name).tobytes() == common[name].tobytes()
+            with pytest.raises(ModelError) if len(common[name]) else nullcontext():
+                many.set_genome(name, np.array([genome[name] for genome in own * 2]))
+    for hierarchy, genome in zip(single, own, strict=True):
+        for name, weights in (genome | common).items():
+            hierarchy.skill(name).genome = weights
+    again = copy.deepcopy(many)
+    for values in sensed(description, draw, agents):
+        found = one_by_one(many.evaluate(together(values)), agents)
+        for number, hierarchy in enumerate(single):
+            assert bits(found[number]) == bits(hierarchy.evaluate(values[number]))
+        copied = one_by_one(again.evaluate(together(values)), agents)
+        assert [bits(one) for one in copied] == [bits(one) for one in found]
 
 
 @BOTH

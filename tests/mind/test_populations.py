@@ -344,7 +344,7 @@ def test_killed_and_resumed_is_uninterrupted(herd_folder, whole, tmp_path):
     out = tmp_path / "out"
     process = subprocess.Popen(
         [sys.executable, "-c", RUN_WITH_MANY_CHECKPOINTS],
-        cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(CHECKOUT), "PACE": "0.05"},
+        cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(CHECKOUT), "PACE": "0.2"},
     )  # fmt: skip
     limit = time.monotonic() + 60
     while process.poll() is None and not (out.exists() and Run(out).manifest.ticks_done):

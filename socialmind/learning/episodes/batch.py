@@ -89,7 +89,7 @@ class Batch:
             mind,
             led.master,
             lanes * robots,
-            own_genomes=mine and bool(episodes.skills),
+            own_genomes=episodes.skills if mine else (),
             drive=led.drive,
             instances=lanes * own.instances,
             lanes=min(lanes * robots, LANES),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 from zlib import crc32
 
@@ -26,7 +26,11 @@ OWN_STREAMS = 256
 
 
 def new_state(
-    assembly: Assembly, agents: int, lanes: int, own_genomes: bool, instances: int
+    assembly: Assembly,
+    agents: int,
+    lanes: int,
+    own_genomes: bool | Collection[str],
+    instances: int,
 ) -> State:
     """Return the state of agents before their first evaluation.
 
@@ -34,7 +38,7 @@ def new_state(
         assembly: the hierarchy.
         agents: how many.
         lanes: how many are evaluated in lockstep.
-        own_genomes: whether each has its own weights.
+        own_genomes: whether each has its own weights; or the skills of which each has.
         instances: how many instances of groups there are.
     """
     blocks = -(-agents // lanes)
@@ -43,6 +47,8 @@ def new_state(
     sensors, variables = int(sizes[layout.SENSORS]), int(sizes[layout.VARIABLES])
     actuators, skills = int(sizes[layout.ACTUATORS]), int(sizes[layout.SKILLS])
     entries, shared = len(structure.entry_skill), len(assembly.shared)
+
+    own = own_genomes if isinstance(own_genomes, Collection) else assembly.skills
 
     def zeros(rows: int) -> NDArray[np.float64]:
         return np.zeros((blocks, rows, lanes))
@@ -77,6 +83,7 @@ def new_state(
             (blocks if own_genomes else 1, assembly.genome_begin[-1], lanes if own_genomes else 1)
         ),
         first_genome=np.zeros((1, assembly.genome_begin[-1], 1)),
+        common=np.array([int(name not in own) for name in assembly.skills], np.int64),
         nodes=np.zeros((1, assembly.nodes, lanes)),
         group=np.full((blocks, shared, lanes), -1, np.int64),
         participation=np.ones((blocks, shared, lanes)),
@@ -213,10 +220,10 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
     """
     found = {}
     for name, (kind, _) in array_types(State).items():
-        if name == "nodes":
-            found[name] = state.nodes  # room for arithmetic, not state
-            continue
         own = getattr(state, name)
+        if name in layout.SETTINGS:
+            found[name] = own
+            continue
         array = np.ascontiguousarray(arrays[name]) if name in arrays else np.zeros(0, kind)
         rows = len(arrays["fresh"]) if name in layout.LIVES and "fresh" in arrays else len(own)
         if name == "genome" and array.ndim:
@@ -238,7 +245,9 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
 
 def kept(state: State, societies: Iterable[Society]) -> dict[str, NDArray[Any]]:
     """Return copies of all arrays that change, those of cogniton schemes too, by name."""
-    arrays = {n: one.copy() for n, one in state._asdict().items() if n != "nodes"}
+    arrays = {
+        name: one.copy() for name, one in state._asdict().items() if name not in layout.SETTINGS
+    }
     for number, society in enumerate(societies):
         arrays |= {f"scheme_{number}.{name}": one for name, one in society.state().items()}
     return arrays

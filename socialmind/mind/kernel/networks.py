@@ -30,8 +30,10 @@ def run_network(structure: Any, state: Any, block: int, lanes: int, skill: int) 
         skill: the skill's number.
     """
     nodes = state.nodes[0]
-    shared = state.genome.shape[2] == 1 and state.nodes.shape[2] > 1
     genome = state.genome[block if state.genome.shape[0] > 1 else 0]
+    if state.common[skill] != 0:
+        genome = state.first_genome[0]
+    shared = genome.shape[1] == 1
     remembered = state.remembered[block]
     for place in range(structure.step_begin[skill], structure.step_begin[skill + 1]):
         step = structure.steps[place]
