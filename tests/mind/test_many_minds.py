@@ -130,6 +130,26 @@ def test_agents_may_have_weights_of_their_own_for_some_skills_alone(seed, agents
         assert [bits(one) for one in copied] == [bits(one) for one in found]
 
 
+@pytest.mark.parametrize("seed", range(2070, 2080))
+@pytest.mark.parametrize("alike", [1, 5, 24, 150])
+def test_those_with_equal_weights_may_take_them_once(seed, alike):
+    """As where worlds run side by side, and the robots of several are one individual's."""
+    draw = random.Random(seed)
+    description = random_mind(draw, programs=False)
+    agents, lanes = 150, 64
+    apart, at_once = (
+        Minds(description, MASTER, agents, own_genomes=True, lanes=lanes) for _ in range(2)
+    )
+    bearers = np.arange(agents) // alike
+    genomes = [other_genomes(description, draw) for _ in range(bearers[-1] + 1)]
+    for name in genomes[0]:
+        weights = np.array([genomes[bearer][name] for bearer in bearers])
+        apart.set_genome(name, weights)
+        at_once.set_genome(name, weights)
+    at_once.state_arrays.bearer.reshape(-1)[:agents] = bearers
+    assert run(apart, description, agents, seed) == run(at_once, description, agents, seed)
+
+
 @BOTH
 @pytest.mark.parametrize("seed", range(2080, 2085))
 def test_each_of_a_crowd_equals_a_single_hierarchy(seed, own_genomes):

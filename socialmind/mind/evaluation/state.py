@@ -84,6 +84,7 @@ def new_state(
         ),
         first_genome=np.zeros((1, assembly.genome_begin[-1], 1)),
         common=np.array([int(name not in own) for name in assembly.skills], np.int64),
+        bearer=np.arange(blocks * lanes).reshape(blocks, lanes),
         nodes=np.zeros((1, assembly.nodes, lanes)),
         group=np.full((blocks, shared, lanes), -1, np.int64),
         participation=np.ones((blocks, shared, lanes)),

@@ -14,6 +14,10 @@ from socialmind.mind.functions.activations import activate, aggregate
 from socialmind.mind.functions.network import LINEAR, MEMORY_BOUND, RELU, SUM
 from socialmind.mind.kernel.layout import DENSE, GATHER, MIX, NEURONS, RECALL, REMEMBER
 
+LONG = 8
+"""How many lanes next to each other must have equal weights on the mean to take these once: weights
+of so many lanes fill a line of the cache."""
+
 _activate = register_jitable(activate)
 _aggregate = register_jitable(aggregate)
 
@@ -34,6 +38,8 @@ def run_network(structure: Any, state: Any, block: int, lanes: int, skill: int) 
     if state.common[skill] != 0:
         genome = state.first_genome[0]
     shared = genome.shape[1] == 1
+    bearer = state.bearer[block]
+    in_runs = not shared and _runs(bearer, lanes) * LONG <= lanes
     remembered = state.remembered[block]
     for place in range(structure.step_begin[skill], structure.step_begin[skill + 1]):
         step = structure.steps[place]
@@ -42,7 +48,13 @@ def run_network(structure: Any, state: Any, block: int, lanes: int, skill: int) 
             if lanes == 1:
                 _dense_alone(nodes, genome, step)
             elif shared:
-                _dense_shared(nodes, genome, step, lanes)
+                _dense_alike(nodes, genome, step, 0, lanes)
+            elif in_runs:
+                begin = 0
+                while begin < lanes:
+                    end = _end_of_run(bearer, begin, lanes)
+                    _dense_alike(nodes, genome, step, begin, end)
+                    begin = end
             else:
                 _dense_own(nodes, genome, step, lanes)
             for node in range(step[3], step[3] + step[4]):
@@ -81,13 +93,33 @@ def _activated(row: Any, activation: int, lanes: int) -> None:
 
 
 @register_jitable
-def _dense_shared(nodes: Any, genome: Any, step: Any, lanes: int) -> None:
-    """Fill a fully connected layer; all lanes have the same weights."""
+def _end_of_run(bearer: Any, begin: int, lanes: int) -> int:
+    """Return the first lane behind those from `begin` on that have equal weights."""
+    end = begin + 1
+    while end < lanes and bearer[end] == bearer[begin]:
+        end += 1
+    return end
+
+
+@register_jitable
+def _runs(bearer: Any, lanes: int) -> int:
+    """Return how many runs of lanes with equal weights there are."""
+    runs = 1
+    for lane in range(1, lanes):
+        if bearer[lane] != bearer[lane - 1]:
+            runs += 1
+    return runs
+
+
+@register_jitable
+def _dense_alike(nodes: Any, genome: Any, step: Any, begin: int, end: int) -> None:
+    """Fill a fully connected layer of lanes that all have the weights of the first of them."""
     source, sources, target = step[1], step[2], step[3]
-    weights = genome[:, 0]
+    weights = genome[:, begin]
+    lanes = end - begin
     for neuron in range(step[4]):
         first = step[5] + neuron * (sources + 1)
-        row = nodes[target + neuron]
+        row = nodes[target + neuron, begin:end]
         bias = weights[first + sources]
         for lane in range(lanes):
             row[lane] = bias
@@ -96,8 +128,8 @@ def _dense_shared(nodes: Any, genome: Any, step: Any, lanes: int) -> None:
         while i + 4 <= sources:
             w0, w1 = weights[first + i], weights[first + i + 1]
             w2, w3 = weights[first + i + 2], weights[first + i + 3]
-            x0, x1 = nodes[source + i], nodes[source + i + 1]
-            x2, x3 = nodes[source + i + 2], nodes[source + i + 3]
+            x0, x1 = nodes[source + i, begin:end], nodes[source + i + 1, begin:end]
+            x2, x3 = nodes[source + i + 2, begin:end], nodes[source + i + 3, begin:end]
             for lane in range(lanes):
                 row[lane] = (
                     row[lane] + w0 * x0[lane] + w1 * x1[lane] + w2 * x2[lane] + w3 * x3[lane]
@@ -105,7 +137,7 @@ def _dense_shared(nodes: Any, genome: Any, step: Any, lanes: int) -> None:
             i += 4
         while i < sources:
             w0 = weights[first + i]
-            x0 = nodes[source + i]
+            x0 = nodes[source + i, begin:end]
             for lane in range(lanes):
                 row[lane] += w0 * x0[lane]
             i += 1
