@@ -1,18 +1,23 @@
 """Foraging robots beside the same ones without signals, without sight of each other, at random.
 
-All are scored in the same worlds, so differences are taken world by world.
+All are scored in the same worlds, and all attempts of a training count: an interval over worlds
+alone would be about the minds at hand, not about what the next training comes to.
 """
 
 from __future__ import annotations
 
 import csv
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from socialmind.catalogue import load_model
-from socialmind.experiments.measures.intervals import Interval, interval_of
+from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
+from socialmind.experiments.measures.intervals import Interval
 from socialmind.experiments.scoring import score
 from socialmind.mind import MindDescription
 
@@ -40,24 +45,24 @@ class Condition:
 
     Attributes:
         name: what the table calls them.
-        training: the training that their mind is of; None for the mind of the model.
+        training: the training that their minds are of.
         parameters: of their worlds.
-        change: what is done to the mind.
+        change: what is done to the minds.
     """
 
     name: str
-    training: str | None = None
+    training: str = SHIPPED
     parameters: Mapping[str, float] = field(default_factory=dict)
     change: Change | None = None
 
 
 CONDITIONS = (
     Condition("foraging together"),
-    Condition("no signals", None, DEAF),
+    Condition("no signals", parameters=DEAF),
     Condition("no signals, learned without", "deaf", DEAF),
-    Condition("not seeing each other", None, BLIND),
+    Condition("not seeing each other", parameters=BLIND),
     Condition("not seeing each other, learned without", "blind", BLIND),
-    Condition("random walk", None, {}, MINDS.walking_at_random),
+    Condition("random walk", change=MINDS.walking_at_random),
     Condition("random walk, the rest learned with it", "random"),
 )
 """The first one is what the others are compared with."""
@@ -96,60 +101,79 @@ class Result:
 
     Attributes:
         condition: which.
-        whole: a row for each world of the whole task.
-        search: a row for each world without objects.
+        worlds: for each attempt a row for each world: its seed, and the measures.
+        best: the attempt that did best in the finals of its own last lesson.
     """
 
     condition: Condition
-    whole: pd.DataFrame
-    search: pd.DataFrame
+    worlds: Mapping[int, pd.DataFrame]
+    best: int
 
     def values(self, measured: Measured) -> Any:
-        """Return a measure in each world, as the table has it."""
-        frame = self.search if measured.searching else self.whole
-        return frame[measured.name].to_numpy(float) * measured.scale
+        """Return a measure as the table has it, (attempts, worlds)."""
+        frames = self.worlds.values()
+        return np.array([one[measured.name].to_numpy(float) for one in frames]) * measured.scale
 
     def mean(self, measured: Measured) -> Interval:
-        """Return the mean over worlds."""
-        return interval_of(self.values(measured))
+        """Return the mean over attempts and worlds."""
+        return crossed_interval(self.values(measured))
 
     def difference(self, measured: Measured, other: Result) -> Interval:
-        """Return by how much it is more than another's, world by world."""
-        return interval_of(self.values(measured) - other.values(measured))
+        """Return by how much it is more than another's.
+
+        Where both are the attempts of one training, attempt by attempt and world by world.
+        """
+        own, others = self.values(measured), other.values(measured)
+        if self.condition.training == other.condition.training:
+            return crossed_interval(own - others)
+        return crossed_difference(own, others)
 
 
 def result(condition: Condition, training: Training | None, worlds: int = WORLDS) -> Result | None:
-    """Score the robots of a condition.
+    """Score the robots of a condition, those of each attempt.
 
     Args:
         condition: which.
-        training: the one that it is of, if any.
+        training: the one that it is of.
         worlds: how many.
 
     Returns:
         None where the training is missing.
     """
-    mind: Any = None
-    if condition.training is not None:
-        if training is None:
-            return None
-        mind = training.mind(best_of(training))
-    if condition.change is not None:
-        known = MindDescription.load(load_model("foraging").folder() / "mind")
-        mind = condition.change(mind or known)
-    model, parameters = load_model("foraging"), dict(condition.parameters)
+    if training is None:
+        return None
+    found = {}
+    for attempt in training.finished:
+        mind = training.mind(attempt)
+        found[attempt] = measured_in(
+            mind if condition.change is None else condition.change(mind),
+            dict(condition.parameters),
+            worlds,
+        )
+    return Result(condition, found, best_of(training))
+
+
+def measured_in(mind: Any, parameters: Mapping[str, float], worlds: int) -> pd.DataFrame:
+    """Return what robots of a mind come to in each world, with and without objects."""
+    model, names = load_model("foraging"), {True: ["world"], False: []}
+    for one in MEASURED:
+        names[not one.searching].append(one.name)
     whole = score(model, mind, worlds, SEED, parameters=parameters)
     empty = score(model, mind, worlds, SEED, ticks=SEARCH_TICKS, parameters={**parameters, **EMPTY})
-    return Result(condition, whole.frame, empty.frame)
+    return whole.frame[names[True]].join(empty.frame[names[False]])
 
 
 # The table ----------------------------------------------------------------------------------------
 
+Results = Sequence[tuple[Condition, Result | None]]
+EACH = (
+    "Each attempt, the mean over worlds; in bold the one that did best in the finals of its own "
+    "last lesson:"
+)
 
-def write_table(
-    results: Sequence[tuple[Condition, Result | None]], lines: Sequence[str], out: Path
-) -> list[Path]:
-    """Write the table as Markdown and as CSV.
+
+def write_table(results: Results, lines: Sequence[str], out: Path) -> list[Path]:
+    """Write the table as Markdown and as CSV, and what each attempt came to in each world.
 
     Args:
         results: of all conditions; the first one is there.
@@ -157,24 +181,32 @@ def write_table(
         out: the folder.
     """
     out.mkdir(parents=True, exist_ok=True)
-    text = ["# Four robots forage", "", *lines, ""]
-    titles = [one.title for one in MEASURED]
-    text += ["| robots | " + " | ".join(titles) + " |", "|---" * (1 + len(titles)) + "|"]
-    text += [f"| {condition.name} | {_cells(found)} |" for condition, found in results]
+    titles = " | ".join(one.title for one in MEASURED)
+    rule = "|---" * (1 + len(MEASURED)) + "|"
     reference = results[0][1]
-    text += ["", "By how much more than foraging together, world by world:", ""]
-    text += ["| robots | " + " | ".join(titles) + " |", "|---" * (1 + len(titles)) + "|"]
+    text = ["# Four robots forage", "", *lines, "", f"| robots | {titles} |", rule]
+    text += [f"| {condition.name} | {_cells(found)} |" for condition, found in results]
+    text += ["", "By how much more than foraging together:", "", f"| robots | {titles} |", rule]
     text += [
         f"| {condition.name} | {_cells(found, reference)} |" for condition, found in results[1:]
     ]
-    page, numbers = out / "foraging.md", out / "foraging.csv"
+    text += ["", EACH, "", f"| robots, attempt | {titles} |", rule]
+    text += [line for _, found in results if found is not None for line in _attempts(found)]
+    page, numbers, worlds = (out / f"foraging{end}" for end in (".md", ".csv", "-worlds.csv"))
     page.write_text("\n".join(text) + "\n", "utf-8")
-    with numbers.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(["robots", "training", "measure", "compared", "mean", "low", "high",
-                         "worlds", "seed"])  # fmt: skip
-        writer.writerows(_rows(results))
-    return [page, numbers]
+    heads = ["robots", "training", "measure", "compared", "mean", "low", "high", "attempts",
+             "worlds", "seed"]  # fmt: skip
+    _write(numbers, heads, _rows(results))
+    names = [one.name for one in MEASURED]
+    _write(worlds, ["robots", "training", "attempt", "world", *names], _world_rows(results))
+    return [page, numbers, worlds]
+
+
+def _write(file: Path, heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
+    with file.open("w", newline="", encoding="utf-8") as opened:
+        writer = csv.writer(opened)
+        writer.writerow(heads)
+        writer.writerows(rows)
 
 
 def _cells(found: Result | None, reference: Result | None = None) -> str:
@@ -185,35 +217,66 @@ def _cells(found: Result | None, reference: Result | None = None) -> str:
         for one in MEASURED
     ]
     return " | ".join(
-        f"{one.mean:.{m.digits}f} ({one.low:.{m.digits}f} … {one.high:.{m.digits}f})"
-        for m, one in zip(MEASURED, intervals, strict=True)
+        _shown(one, measured.digits) for measured, one in zip(MEASURED, intervals, strict=True)
     )
 
 
-def _rows(results: Sequence[tuple[Condition, Result | None]]) -> list[list[Any]]:
+def _shown(one: Interval, digits: int) -> str:
+    """Return a mean and its interval, if there is one."""
+    if math.isnan(one.low):
+        return f"{one.mean:.{digits}f} (one attempt)"
+    return f"{one.mean:.{digits}f} ({one.low:.{digits}f} … {one.high:.{digits}f})"
+
+
+def _attempts(found: Result) -> list[str]:
+    """Return a line for each attempt."""
+    means = [found.values(one).mean(axis=1) for one in MEASURED]
+    lines = []
+    for place, attempt in enumerate(found.worlds):
+        mark = "**" if attempt == found.best else ""
+        numbers = [
+            f"{mark}{mean[place]:.{m.digits}f}{mark}"
+            for m, mean in zip(MEASURED, means, strict=True)
+        ]
+        lines.append(f"| {found.condition.name}, {attempt} | {' | '.join(numbers)} |")
+    return lines
+
+
+def _rows(results: Results) -> list[list[Any]]:
     reference, rows = results[0][1], []
     for condition, found in results:
         if found is None or reference is None:
             continue
-        worlds = len(found.whole)
+        attempts, worlds = found.values(MEASURED[0]).shape
         for measured in MEASURED:
             pairs = {"": found.mean(measured)}
             if found is not reference:
                 pairs["foraging together"] = found.difference(measured, reference)
             for compared, one in pairs.items():
                 numbers = [round(value, 4) for value in (one.mean, one.low, one.high)]
-                training = condition.training or SHIPPED
                 rows.append(
-                    [condition.name, training, measured.name, compared, *numbers, worlds, SEED]
-                )
+                    [condition.name, condition.training, measured.name, compared, *numbers,
+                     attempts, worlds, SEED]
+                )  # fmt: skip
     return rows
+
+
+def _world_rows(results: Results) -> list[list[Any]]:
+    names = ["world", *(one.name for one in MEASURED)]
+    return [
+        [condition.name, condition.training, attempt, *row]
+        for condition, found in results
+        if found is not None
+        for attempt, frame in found.worlds.items()
+        for row in frame[names].itertuples(index=False, name=None)
+    ]
 
 
 # The figure ---------------------------------------------------------------------------------------
 
 
-def draw(results: Sequence[tuple[Condition, Result | None]]) -> Figure:
-    """Draw the table: a panel for each measure, a row for each condition.
+def draw(results: Results) -> Figure:
+    """Draw the table: a panel for each measure, a row for each condition, a dot for each attempt.
 
     Args:
         results: of all conditions.
@@ -229,11 +292,17 @@ def draw(results: Sequence[tuple[Condition, Result | None]]) -> Figure:
                 interval = one.mean(measured)
                 colour = paper.BLUE if place == 0 else paper.INK
                 axes.plot([interval.low, interval.high], [place, place], color=colour)
-                axes.plot([interval.mean], [place], "o", color=colour, markersize=3.5)
+                axes.plot([interval.mean], [place], "|", color=colour, markersize=7)
+                for attempt, mean in zip(
+                    one.worlds, one.values(measured).mean(axis=1), strict=True
+                ):
+                    filled = colour if attempt == one.best else "white"
+                    axes.plot([mean], [place - 0.3], "o", color=colour, markersize=3,
+                              markerfacecolor=filled, markeredgewidth=0.7)  # fmt: skip
             axes.set_xlim(left=0)
             axes.set_xlabel(_broken(measured.title))
         panels[0].set_yticks(range(len(found)), [_broken(name, 24) for name, _ in found])
-        panels[0].set_ylim(len(found) - 0.5, -0.5)
+        panels[0].set_ylim(len(found) - 0.5, -0.6)
     return figure
 
 
@@ -247,7 +316,7 @@ def _broken(text: str, width: int = 20) -> str:
     return "\n".join(lines)
 
 
-def write_figure(results: Sequence[tuple[Condition, Result | None]], out: Path) -> list[Path]:
+def write_figure(results: Results, out: Path) -> list[Path]:
     """Write the figure as PDF and PNG."""
     from socialmind.drawing import style as paper
 

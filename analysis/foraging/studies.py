@@ -15,21 +15,19 @@ def make_comparison(way: Way, out: Path) -> list[Path]:
     from .trainings import PLANS
 
     worlds = QUICK_WORLDS if way is Way.QUICK else WORLDS
-    trainings = {
-        one.training: PLANS.training(one.training, way, out)
-        for one in CONDITIONS
-        if one.training is not None
-    }
+    names = dict.fromkeys(one.training for one in CONDITIONS)
+    trainings = {name: PLANS.training(name, way, out) for name in names}
     results = []
     for condition in CONDITIONS:
-        training = trainings[condition.training][0] if condition.training is not None else None
+        training = trainings[condition.training][0]
         results.append((condition, result(condition, training, worlds)))
         print(f"{condition.name}: scored", file=sys.stderr, flush=True)
     lines = [
-        f"{way.said('foraging-table', 'foraging')} Means over {worlds} worlds that "
-        f"no training has seen (seed {SEED}), the same ones for all; in brackets intervals of 95 "
-        "%. Robots without further note have the mind of the model; the others learned under the "
-        "same conditions, and their best attempt, by the finals of its own last lesson, is shown.",
+        f"{way.said('foraging-table', 'foraging')} Means over all attempts of a training and "
+        f"{worlds} worlds that no training has seen (seed {SEED}), the same ones for all; in "
+        "brackets intervals of 95 % over attempts and worlds, wide where attempts are few. "
+        "*Learned without* and *learned with* have trainings of their own; the others are the "
+        "attempts of `foraging`, from which something is taken.",
         "",
         *(f"- {line}" for _, line in trainings.values()),
     ]

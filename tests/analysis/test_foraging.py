@@ -75,35 +75,64 @@ def test_the_best_attempt_is_that_of_the_last_lessons_finals():
 # The table ----------------------------------------------------------------------------------------
 
 
-def result(condition, more=0.0):
-    """Return twenty worlds, in which a condition comes to so much more than the first one."""
-    draws = np.random.default_rng(3).random(20)
-    whole = pd.DataFrame(
-        {"objects": 10 * draws + more, "first_find": 1000 * draws, "collisions": draws}
-    )
-    return COMPARISON.Result(condition, whole, pd.DataFrame({"area": draws / 2}))
+WORLDS = 20
 
 
-def test_the_table_has_means_and_differences_world_by_world(tmp_path):
-    first, second, third = COMPARISON.CONDITIONS[:3]
-    results = [(first, result(first)), (second, result(second, -2.0)), (third, None)]
-    page, numbers = COMPARISON.write_table(results, ["Said above."], tmp_path)
+def result(condition, more=0.0, attempts=3):
+    """Return what attempts come to in some worlds; so much more than the first condition."""
+    draws = np.random.default_rng(3).random((attempts, WORLDS))
+    worlds = {
+        number: pd.DataFrame(
+            {
+                "world": range(WORLDS),
+                "objects": 10 * one + more,
+                "first_find": 1000 * one,
+                "collisions": one,
+                "area": one / 2,
+            }
+        )
+        for number, one in enumerate(draws, 1)
+    }
+    return COMPARISON.Result(condition, worlds, best=attempts)
+
+
+def test_the_table_has_means_over_attempts_and_worlds_and_differences(tmp_path):
+    first, second, third, _, fifth = COMPARISON.CONDITIONS[:5]
+    results = [
+        (first, result(first)),
+        (second, result(second, -2.0)),
+        (third, None),
+        (fifth, result(fifth, attempts=1)),
+    ]
+    page, numbers, worlds = COMPARISON.write_table(results, ["Said above."], tmp_path)
     text = page.read_text("utf-8")
     assert "Said above." in text
-    # Where all worlds differ by the same, the interval has no width.
+    # What is taken from the same minds is compared mind by mind, in the same worlds.
     assert "| no signals | -2.0 (-2.0 … -2.0) | 0 (0 … 0) |" in text
     assert "| no signals, learned without | not trained | not trained |" in text
+    draws = np.random.default_rng(3).random((3, WORLDS))
+    alone = np.random.default_rng(3).random((1, WORLDS))
+    assert f"learned without | {10 * alone.mean():.1f} (one attempt) |" in text
+    assert f"| foraging together, 3 | **{10 * draws[2].mean():.1f}** |" in text
+    assert f"| foraging together, 1 | {10 * draws[0].mean():.1f} |" in text
     with numbers.open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    assert len(rows) == 4 + 8
+    assert len(rows) == 4 + 8 + 8
     compared = [row for row in rows if row["compared"] and row["measure"] == "objects"]
-    assert [(row["robots"], float(row["mean"])) for row in compared] == [("no signals", -2.0)]
+    more = 10 * (alone.mean() - draws.mean())
+    assert [row["robots"] for row in compared] == [second.name, fifth.name]
+    assert [float(row["mean"]) for row in compared] == pytest.approx([-2.0, more], abs=1e-4)
     area = next(row for row in rows if row["measure"] == "area")
-    assert float(area["mean"]) == pytest.approx(
-        50 * np.random.default_rng(3).random(20).mean(), 1e-3
+    assert float(area["mean"]) == pytest.approx(50 * draws.mean(), abs=1e-4)
+    whole = COMPARISON.crossed_interval(50 * draws)
+    assert [float(area[end]) for end in ("low", "high")] == pytest.approx(
+        [whole.low, whole.high], abs=1e-4
     )
+    kept = pd.read_csv(worlds)
+    assert kept.groupby(["robots", "attempt"]).size().tolist() == [WORLDS] * 7
+    assert kept["objects"][:WORLDS].to_numpy() == pytest.approx(10 * draws[0])
     figure = COMPARISON.draw(results)
-    assert [len(axes.lines) for axes in figure.axes] == [4] * 4
+    assert [len(axes.lines) for axes in figure.axes] == [2 + 3 + 2 + 3 + 2 + 1] * 4
 
 
 def test_every_measure_of_the_table_is_one_of_the_model():
