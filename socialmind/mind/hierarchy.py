@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -328,7 +328,7 @@ class Hierarchy(Closed, Readings):
         return Hierarchy(description, master, self.seed, self.drive)
 
     def many(
-        self, agents: int, own_genomes: bool | Collection[str] = False, **settings: Any
+        self, agents: int, own_genomes: bool | Iterable[str] = False, **settings: Any
     ) -> Minds:
         """Return many agents with this hierarchy, evaluated together; see `Minds`."""
         from socialmind.mind.minds import Minds

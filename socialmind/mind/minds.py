@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -17,10 +17,11 @@ from socialmind.mind.description import MindDescription
 from socialmind.mind.evaluation import state as states
 from socialmind.mind.evaluation.arrays import Assembly, assemble, groups_of, master_of
 from socialmind.mind.evaluation.failures import failure_of, failure_of_drive, failure_of_regulation
-from socialmind.mind.kernel.layout import LIVES, SETTINGS, State
+from socialmind.mind.kernel.layout import LIVES, NOT_KEPT, State
 from socialmind.mind.kernel.record import A_REGULATION, RESTARTED
 from socialmind.mind.names import unknown
 from socialmind.mind.regulation import Counter
+from socialmind.names import several
 from socialmind.work.packing import packed, unpacked
 
 LANES = 256
@@ -63,7 +64,7 @@ class Minds(Closed):
         description: MindDescription,
         master: str | None = None,
         agents: int = 1,
-        own_genomes: bool | Collection[str] = False,
+        own_genomes: bool | Iterable[str] = False,
         seed: int = 0,
         drive: Callable[..., None] | None = None,
         instances: int = 0,
@@ -79,9 +80,12 @@ class Minds(Closed):
         self.assembly: Assembly = assemble(description, self.master, drive is not None)
         self.agents = int(agents)
         self.lanes = int(min(lanes, agents))
-        self.own_genomes = own_genomes
-        for name in own_genomes if isinstance(own_genomes, Collection) else ():
-            _place(self.assembly.skills, name, "skill")
+        if not isinstance(own_genomes, bool):
+            names = several(own_genomes, "own_genomes")
+            for name in names:
+                _place(self.assembly.skills, str(name), "skill")
+            own_genomes = names or False
+        self.own_genomes: bool | tuple[str, ...] = own_genomes
         self.seed = seed
         self.drive = drive
         skills = description.skills
@@ -236,7 +240,7 @@ class Minds(Closed):
     # Genomes ----------------------------------------------------------------------------------
 
     def genome(self, skill: str) -> NDArray[np.float64]:
-        """Return a skill's weights: (genome size,), or (agents, genome size) with own genomes."""
+        """Return a skill's weights: (genome size,), or (agents, genome size) of each its own."""
         weights = self._weights(skill)
         if not self._each_has_own(skill):
             return weights[0, :, 0].copy()
@@ -247,7 +251,7 @@ class Minds(Closed):
 
         Args:
             skill: its name.
-            genome: (genome size,) for all agents, or (agents, genome size) with own genomes.
+            genome: (genome size,) for all agents, or (agents, genome size) where each has its own.
 
         Raises:
             ModelError: a wrong size, or a weight that is not a finite number.
@@ -263,6 +267,7 @@ class Minds(Closed):
                 )
             if not np.isfinite(found).all():
                 raise one.refused("with a weight that is not finite", "finite numbers")
+            self._part_individuals()
             for agent in range(0, self.agents, self.lanes):
                 some = found[agent : agent + self.lanes]
                 weights[agent // self.lanes, :, : len(some)] = some.T
@@ -270,12 +275,17 @@ class Minds(Closed):
             weights[...] = one.fitting(found)[:, None]
         self.unset.discard(skill)
 
+    def _part_individuals(self) -> None:
+        """Let no two agents count as one individual any more: their weights may differ."""
+        numbers = self.state_arrays.individual
+        numbers[...] = np.arange(numbers.size).reshape(numbers.shape)
+
     def _each_has_own(self, skill: str) -> bool:
         own = self.own_genomes
-        return skill in own if isinstance(own, Collection) else own
+        return own if isinstance(own, bool) else skill in own
 
     def _weights(self, skill: str) -> NDArray[np.float64]:
-        """Return the weights of a skill as the state has them, (blocks, weights, lanes) or ones."""
+        """Return where a skill's weights are: (blocks, weights, lanes), or (1, weights, 1)."""
         number, state = _place(self.assembly.skills, skill, "skill"), self.state_arrays
         common = state.common[number] != 0
         return (state.first_genome if common else state.genome)[:, self.assembly.genome_of(skill)]
@@ -371,7 +381,7 @@ class Minds(Closed):
             ModelError: it is the state of other minds.
         """
         for name, own in zip(State._fields, self.state_arrays, strict=True):
-            found = own if name in SETTINGS else state.get(name)
+            found = own if name in (*NOT_KEPT, "common") else state.get(name)
             if found is None or found.shape != own.shape:
                 raise ModelError(
                     f"a state without {name!r}" if found is None
@@ -379,7 +389,14 @@ class Minds(Closed):
                     f"{own.shape}, that of {self!r}",
                     "restore a state of as many agents and lanes with the same hierarchy",
                 )  # fmt: skip
+        own = self.state_arrays.common
+        if not np.array_equal(state.get("common", np.zeros_like(own)), own):
+            raise ModelError(
+                "a state of minds with own genomes of other skills",
+                f"own_genomes={self.own_genomes!r}",
+            )
         self.state_arrays = states.restored(self.state_arrays, state)
+        self._part_individuals()
         states.restore_societies(self.societies, state)
         self._record.connect(self.agents, self.state_arrays, self.societies)
 

@@ -224,6 +224,9 @@ class Population:
             found = f"instances={shown(number)} for {self.name!r}"
             raise ModelError(found, "a whole number, 0 or more")
         self.instances = int(number)
+        if not isinstance(self.own_genomes, bool):
+            found = f"own_genomes={shown(self.own_genomes)} for {self.name!r}"
+            raise ModelError(found, "True or False")
         given = {"master": self.master, "drive": self.drive, "own_genomes": self.own_genomes,
                  "instances": number}  # fmt: skip
         for setting, value in given.items():

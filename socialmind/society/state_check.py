@@ -100,10 +100,10 @@ def _check_table(model: Running, name: str, table: Table, state: Arrays) -> None
         if not -1 <= steps.min() <= steps.max() < len(table.shape.steps.steps):
             raise _refused(model, f"{name}.rows", "steps that its plans lack")
     if table.minds is not None:
-        from socialmind.mind.kernel.layout import SETTINGS, State
+        from socialmind.mind.kernel.layout import NOT_KEPT, State
 
         for part in State._fields:
-            if part not in SETTINGS:
+            if part not in (*NOT_KEPT, "common"):
                 _check(state, f"{name}.hierarchy.{part}", None, None, model)
         if len(state[f"{name}.hierarchy.fresh"]) != capacity:
             raise _refused(model, f"{name}.hierarchy.fresh", "hierarchies of another number")

@@ -146,7 +146,7 @@ def test_those_with_equal_weights_may_take_them_once(seed, alike):
         weights = np.array([genomes[bearer][name] for bearer in bearers])
         apart.set_genome(name, weights)
         at_once.set_genome(name, weights)
-    at_once.state_arrays.bearer.reshape(-1)[:agents] = bearers
+    at_once.state_arrays.individual.reshape(-1)[:agents] = bearers
     assert run(apart, description, agents, seed) == run(at_once, description, agents, seed)
 
 

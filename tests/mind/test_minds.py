@@ -299,6 +299,17 @@ def test_a_state_of_others_is_refused():
     for other in others:
         refused(lambda other=other: minds.restore(other.state()), "a state")
     refused(lambda: minds.restore({}), "sensors")
+    first, *others = NET.skills
+    some = made(own_genomes=[first])
+    for given in (True, [others[0]], [first, others[0]]):
+        refused(lambda given=given: some.restore(made(own_genomes=given).state()), "own genomes")
+    some.restore(made(own_genomes=(name for name in [first])).state())
+    assert made(own_genomes=()).own_genomes is False
+    older = {name: one for name, one in made().state().items() if name != "common"}
+    made().restore(older)
+    refused(lambda: some.restore(older), "genome")
+    refused(lambda: made(own_genomes=first), f"own_genomes=['{first}']")
+    refused(lambda: made(own_genomes=["Nobody"]), "Nobody")
     other = mind([wired("Top", {"MO:M": "SE:A"})])
     refused(lambda: minds.restore(Minds(other, agents=5, lanes=1).state()), "shape")
 

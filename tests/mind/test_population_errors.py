@@ -149,6 +149,7 @@ def test_a_value_out_of_range(refused, rule, words):
         (", hierarchy=5", ("'crabs'", "found 5", "MindDescription")),
         (", hierarchy=MIND, instances=-1", ("instances=-1", "0 or more")),
         (", hierarchy=MIND, instances='n'", ("instances='n'", "0 or more")),
+        (", hierarchy=MIND, own_genomes=('Go',)", ("own_genomes=('Go',)", "True or False")),
         (", drive=rule", ("drive=", "no hierarchy")),
         (", master='Top'", ("master=", "no hierarchy")),
         (", own_genomes=True", ("own_genomes=", "no hierarchy")),

@@ -112,7 +112,7 @@ class Batch:
         words["seed_0"] = (keys & np.uint64(0xFFFFFFFF)).astype(np.int64)
         words["seed_1"] = (keys >> np.uint64(32)).astype(np.int64)
         minds = self.minds[episodes.population]
-        minds.state_arrays.bearer[...] = -1  # nobody's who is judged now
+        minds.state_arrays.individual[...] = -1  # nobody's who is judged now
         weights = np.array([n for s in episodes.skills for n in _places(minds, s)], np.int64)
         tables = [self.models[0].tables[name] for name in episodes.robots]
         rows: dict[str | None, NDArray[Any]] = {

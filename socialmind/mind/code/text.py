@@ -103,7 +103,7 @@ def renew(address, agent, parent):
         lanes = state.fresh.shape[1]
         _flow.start_lane(structure, state, agent // lanes, agent % lanes)
     elif parent < 0:
-        _flow.born_lane(structure, state, agent, mind.worlds == 1)
+        _flow.born_lane(structure, state, agent, mind.keys == 0)
     else:
         _flow.copy_lane(state, parent, agent)
     SCHEMES

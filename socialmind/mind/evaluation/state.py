@@ -84,7 +84,7 @@ def new_state(
         ),
         first_genome=np.zeros((1, assembly.genome_begin[-1], 1)),
         common=np.array([int(name not in own) for name in assembly.skills], np.int64),
-        bearer=np.arange(blocks * lanes).reshape(blocks, lanes),
+        individual=np.arange(blocks * lanes).reshape(blocks, lanes),
         nodes=np.zeros((1, assembly.nodes, lanes)),
         group=np.full((blocks, shared, lanes), -1, np.int64),
         participation=np.ones((blocks, shared, lanes)),
@@ -222,7 +222,7 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
     found = {}
     for name, (kind, _) in array_types(State).items():
         own = getattr(state, name)
-        if name in layout.SETTINGS:
+        if name in (*layout.NOT_KEPT, "common"):
             found[name] = own
             continue
         array = np.ascontiguousarray(arrays[name]) if name in arrays else np.zeros(0, kind)
@@ -247,7 +247,7 @@ def restored(state: State, arrays: Mapping[str, NDArray[Any]]) -> State:
 def kept(state: State, societies: Iterable[Society]) -> dict[str, NDArray[Any]]:
     """Return copies of all arrays that change, those of cogniton schemes too, by name."""
     arrays = {
-        name: one.copy() for name, one in state._asdict().items() if name not in layout.SETTINGS
+        name: one.copy() for name, one in state._asdict().items() if name not in layout.NOT_KEPT
     }
     for number, society in enumerate(societies):
         arrays |= {f"scheme_{number}.{name}": one for name, one in society.state().items()}

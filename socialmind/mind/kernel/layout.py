@@ -105,11 +105,9 @@ class State(NamedTuple):
     fresh: Ints2  # (blocks, lanes) 1 before the first evaluation
     clock: Ints1  # (blocks,) evaluations of the block
     genome: Floats3  # (1 or blocks, weights, 1 or lanes)
-    first_genome: Floats3  # (1, weights, 1) what those born with own genomes begin with
-    common: Ints1  # (skills,) 1 where all have the weights in `first_genome`, whoever has own ones
-    bearer: (
-        Ints2  # (blocks, lanes) whose weights are one's own: a number alike where they are equal
-    )
+    first_genome: Floats3  # (1, weights, 1) of those born with own genomes; the `common` weights
+    common: Ints1  # (skills,) 1 where all take the weights in `first_genome`, own genomes or not
+    individual: Ints2  # (blocks, lanes) who has one number as the lane before has its own genome
     nodes: Floats3  # (1, nodes, lanes) room for one skill's network
     group: Ints3  # (blocks, shared variables, lanes) instance that an agent is in, -1 for none
     participation: Floats3  # (blocks, shared variables, lanes)
@@ -123,8 +121,9 @@ LIVES = (
     "clock", "group", "participation",
 )  # fmt: skip
 """The arrays of state with a row for each block."""
-SETTINGS = ("nodes", "common", "bearer")
-"""The arrays of state that a copy leaves out: room for arithmetic, and what makes it faster."""
+NOT_KEPT = ("nodes", "individual")
+"""The arrays of state that a copy leaves out: room for arithmetic, and what saves some."""
+
 
 
 @cache

@@ -14,7 +14,7 @@ from socialmind.mind.functions.activations import activate, aggregate
 from socialmind.mind.functions.network import LINEAR, MEMORY_BOUND, RELU, SUM
 from socialmind.mind.kernel.layout import DENSE, GATHER, MIX, NEURONS, RECALL, REMEMBER
 
-LONG = 8
+LONG_RUN = 8
 """How many lanes next to each other must have equal weights on the mean to take these once: weights
 of so many lanes fill a line of the cache."""
 
@@ -38,8 +38,8 @@ def run_network(structure: Any, state: Any, block: int, lanes: int, skill: int) 
     if state.common[skill] != 0:
         genome = state.first_genome[0]
     shared = genome.shape[1] == 1
-    bearer = state.bearer[block]
-    in_runs = not shared and _runs(bearer, lanes) * LONG <= lanes
+    individual = state.individual[block]
+    in_runs = not shared and _runs(individual, lanes) * LONG_RUN <= lanes
     remembered = state.remembered[block]
     for place in range(structure.step_begin[skill], structure.step_begin[skill + 1]):
         step = structure.steps[place]
@@ -52,7 +52,7 @@ def run_network(structure: Any, state: Any, block: int, lanes: int, skill: int) 
             elif in_runs:
                 begin = 0
                 while begin < lanes:
-                    end = _end_of_run(bearer, begin, lanes)
+                    end = _end_of_run(individual, begin, lanes)
                     _dense_alike(nodes, genome, step, begin, end)
                     begin = end
             else:
@@ -93,20 +93,20 @@ def _activated(row: Any, activation: int, lanes: int) -> None:
 
 
 @register_jitable
-def _end_of_run(bearer: Any, begin: int, lanes: int) -> int:
+def _end_of_run(individual: Any, begin: int, lanes: int) -> int:
     """Return the first lane behind those from `begin` on that have equal weights."""
     end = begin + 1
-    while end < lanes and bearer[end] == bearer[begin]:
+    while end < lanes and individual[end] == individual[begin]:
         end += 1
     return end
 
 
 @register_jitable
-def _runs(bearer: Any, lanes: int) -> int:
+def _runs(individual: Any, lanes: int) -> int:
     """Return how many runs of lanes with equal weights there are."""
     runs = 1
     for lane in range(1, lanes):
-        if bearer[lane] != bearer[lane - 1]:
+        if individual[lane] != individual[lane - 1]:
             runs += 1
     return runs
 

@@ -3,6 +3,7 @@
 import signal
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -29,9 +30,9 @@ SEEDS = (3, 0, 2**63 + 11, 7, 5)
 RECORD = ("brought", "collisions", "scouts.generation", "clock", "born")
 
 
-def episodes(**changes):
+def episodes(model=MENAGERIE.Menagerie, **changes):
     given = {"skill": "Collect", "population": "collectors", "lanes": 4, "record": RECORD}
-    return Episodes(MENAGERIE.Menagerie, **{**given, **changes})
+    return Episodes(model, **{**given, **changes})
 
 
 @pytest.fixture(scope="module")
@@ -95,6 +96,42 @@ def test_worlds_differ_and_so_do_individuals(outcome):
 @pytest.mark.parametrize("lanes", [1, 2, 7, 64])
 def test_the_number_of_lanes_does_not_matter(lanes, genomes, outcome):
     assert same(episodes(lanes=lanes).run(genomes, SEEDS), outcome)
+
+
+def recruit(collector, model, rng):
+    """Let a collector be born, now and then."""
+    if len(model.collectors) < 90 and rng.random() < 0.02:
+        MENAGERIE.scatter(model.collectors.create(), model, rng)
+
+
+class Crowd(MENAGERIE.Menagerie):
+    """More collectors than one block of lanes holds, and others who are born to them."""
+
+    collectors = replace(MENAGERIE.Menagerie.collectors, size=70, own_genomes=False)
+    schedule = (*MENAGERIE.Menagerie.schedule, each(collectors, recruit))
+
+
+@pytest.mark.parametrize("lanes", [1, 3])
+def test_a_crowd_is_what_it_is_alone_those_born_to_it_too(lanes, genomes):
+    collect = MENAGERIE.COLLECTOR.skill("Collect").changed(genome=genomes[2])
+    mind = MENAGERIE.COLLECTOR.with_modules(skills=[collect])
+    one = episodes(
+        model=Crowd, lanes=lanes, ticks=12, record=("x", "spin"), hierarchy={"collectors": mind}
+    )
+    seeds = SEEDS[:3]
+    found = one.run(genomes[:2], seeds)
+    as_it_is = one.run(None, seeds)
+    for genome, outcome, row in (
+        *((genomes[row], found, row) for row in range(2)), (None, as_it_is, 0),
+    ):  # fmt: skip
+        for number, seed in enumerate(seeds):
+            alone = one.model(seed, genome)
+            alone.advance(12)
+            assert len(alone.collectors) > 75
+            for name in ("x", "spin"):
+                values = outcome.fields[name][row, number]
+                whole = [getattr(robot, name) for robot in alone.collectors]
+                assert values[: outcome.lived[name][row, number]].tolist() == whole
 
 
 @pytest.mark.parametrize("room", [(1, 4096), (4096, 1)])

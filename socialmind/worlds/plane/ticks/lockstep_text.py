@@ -85,7 +85,7 @@ def _learn_weights(work, state, first, count, individual):
     weights = _words(work.weights, size)
     lanes = state.fresh.shape[1]
     for number in range(first, first + count):
-        state.bearer[number // lanes, number % lanes] = individual
+        state.individual[number // lanes, number % lanes] = individual
         for place in range(size):
             state.genome[number // lanes, weights[place], number % lanes] = genome[place]
 
