@@ -16,7 +16,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, replay, resume, run
 from socialmind.mind import Hierarchy, MindDescription
 from socialmind.mind.files.layout import layout_file
-from socialmind.mind.kernel.layout import LIVES
+from socialmind.mind.kernel.layout import LIVES, NOT_KEPT
 from socialmind.runs.capsule import Capsule
 from socialmind.runs.sources import changes_since
 
@@ -40,8 +40,8 @@ def inside(society):
     for name, table in society.tables.items():
         state, slots = table.minds.state, table.slots
         for part, array in zip(state._fields, state, strict=True):
-            if part == "nodes":
-                continue  # room for arithmetic
+            if part in NOT_KEPT:
+                continue
             by_slot = part in LIVES or (part == "genome" and table.minds.own_genomes)
             seen[name, part] = (array[slots] if by_slot else array).tobytes()
         for number, nested in enumerate(table.minds.societies):
