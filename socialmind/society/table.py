@@ -558,7 +558,7 @@ class Table:
 
 
 def _more_slots(slots: int) -> int:
-    return max(2 * slots, 128)
+    return max(2 * slots, 256)
 
 
 def _more_identities(identities: int) -> int:

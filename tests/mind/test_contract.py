@@ -94,7 +94,7 @@ def test_room_is_made_and_nobody_changes(society):
     before = [inside(society, slot) for slot in table.slots]
     table.grow()
     assert [inside(society, slot) for slot in table.slots] == before
-    assert len(table.rows) == 128
+    assert len(table.rows) == 256
 
 
 def test_a_slot_that_is_taken_again_keeps_nothing(society):

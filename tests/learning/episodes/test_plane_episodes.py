@@ -140,7 +140,7 @@ def test_births_may_lack_slots_or_identities_alone(room, genomes, outcome):
     one._room = dict.fromkeys(["balls", "scouts"], room)
     assert same(one.run(genomes, SEEDS), outcome)
     found = {name: one._batch.models[0].tables[name].room for name in ("balls", "scouts")}
-    assert found == dict.fromkeys(found, (max(room[0], 128), max(room[1], 2048)))
+    assert found == dict.fromkeys(found, (max(room[0], 256), max(room[1], 2048)))
 
 
 def test_order_and_company_do_not_matter(genomes, outcome):
