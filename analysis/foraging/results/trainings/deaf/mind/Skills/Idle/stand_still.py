@@ -1,0 +1,3 @@
+def stand_still():
+    """Stop both wheels."""
+    return 0.5, 0.5
