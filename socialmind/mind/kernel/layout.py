@@ -125,7 +125,6 @@ NOT_KEPT = ("nodes", "individual")
 """The arrays of state that a copy leaves out: room for arithmetic, and what saves some."""
 
 
-
 @cache
 def array_types(kind: type) -> dict[str, tuple[str, int]]:
     """Return the NumPy type and the dimensions of each array of `Structure` or `State`."""
