@@ -110,7 +110,8 @@ def _model_class(module: ModuleType) -> type[Model]:
     from socialmind.model import Model
 
     chosen = getattr(module, "model", None)
-    if chosen is not None:
+    # `from .model import …` leaves the file beside it there, which chooses nothing.
+    if chosen is not None and not isinstance(chosen, ModuleType):
         if isinstance(chosen, type) and issubclass(chosen, Model):
             return chosen
         raise ModelError(

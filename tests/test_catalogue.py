@@ -104,6 +104,12 @@ def test_the_model_can_be_named_among_several(tmp_path):
     assert load_model(write(tmp_path / "alias", model=MODEL + "\nVillage = Town\n")).ticks == 7
 
 
+def test_a_file_beside_the_model_that_builds_on_it_is_a_model_too(tmp_path):
+    variant = "from .model import Town\n\nclass Hamlet(Town):\n    ticks = 3\n"
+    folder = write(tmp_path / "town", model=MODEL, hamlet=variant)
+    assert load_model(folder / "hamlet.py").ticks == 3
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -28,6 +28,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from socialmind.catalogue import load_file
 from socialmind.learning import Training
@@ -90,6 +91,16 @@ def settles(
 ) -> float:
     """Return the share of worlds within one robot of the wanted split all through the last quarter.
 
+    The arguments are those of `each_settles`.
+    """
+    return float(each_settles(mind, parameters, worlds, ticks).mean())
+
+
+def each_settles(
+    mind: MindDescription, parameters: Mapping[str, int], worlds: range, ticks: int = TICKS
+) -> NDArray[np.bool_]:
+    """Return, world by world, whether it stays within one robot all through the last quarter.
+
     Args:
         mind: the robots'.
         parameters: of the model.
@@ -101,7 +112,7 @@ def settles(
         record=("last_beyond",),
     )  # fmt: skip
     beyond = np.asarray(episodes.run(None, worlds).fields["last_beyond"])[0, :, 0]
-    return float((beyond < 0.75 * ticks).mean())
+    return beyond < 0.75 * ticks
 
 
 def judge(path: Path = OUT) -> pd.DataFrame:

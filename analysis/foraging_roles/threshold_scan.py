@@ -4,7 +4,8 @@ python -m analysis.foraging_roles.threshold_scan [--quick]
 
 Tried are the range of thresholds and, for reinforced ones, how fast they fall and rise, in the
 worlds for choosing. What comes of it is kept in `results/threshold_scan.csv`. The best of each
-kind, by the worlds within one robot of the wanted split over all conditions, are `CONTROLLERS`.
+kind, by the worlds within one robot of the wanted split over all conditions, are those of the
+model's `fixed_thresholds.py` and `reinforced_thresholds.py`.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from socialmind.catalogue import load_file
+from socialmind.catalogue import load_file, load_model
 
 from .results import IN_THE_ECONOMY
 from .scheme_scan import TRIED
@@ -35,8 +36,9 @@ RATES = (0.01, 0.03, 0.1)
 FEW = 4
 NUMBERS = ("lowest_threshold", "highest_threshold", "variety", "learning", "forgetting")
 CONTROLLERS: Mapping[str, Mapping[str, float]] = {
-    "fixed_thresholds": dict(zip(NUMBERS, (0.2, 1.0, 1.0, 0.0, 0.0), strict=True)),
-    "reinforced_thresholds": dict(zip(NUMBERS, (0.02, 0.5, 0.0, 0.01, 0.03), strict=True)),
+    name: {number: known[number].default for number in NUMBERS}
+    for name in ("fixed_thresholds", "reinforced_thresholds")
+    for known in [load_model(MODEL / f"{name}.py").parameters]
 }
 """Parameters of `ForagingByThresholds` by controller."""
 

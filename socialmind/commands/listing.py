@@ -56,7 +56,7 @@ def print_model(name: str) -> None:
         from socialmind.experiments.scoring import measures_of
 
         facts.append(("measures", ", ".join(measures_of(model_class))))
-    facts += [("lessons", ", ".join(_lessons(folder))), ("folder", str(folder))]
+    facts += [*_taught(folder), ("folder", str(folder))]
     tables.append(indented([fact for fact in facts if fact[1]]))
     for table in tables:
         typer.echo("\n".join(["", *table]))
@@ -84,14 +84,21 @@ def _world(model_class: type[Model]) -> str:
     return "" if world is None else str(world)
 
 
-def _lessons(folder: Path) -> list[str]:
-    """Return the names of the lessons that a model's folder holds."""
-    from socialmind.learning.training.course import LESSONS_FILE, curriculum_of
+def _taught(folder: Path) -> list[tuple[str, str]]:
+    """Return the curricula of a model's folder, where they have names, and the first one's lessons.
+
+    `--lesson` of `socialmind learn` takes all of these names.
+    """
+    from socialmind.learning.training.course import LESSONS_FILE, curricula_of, curriculum_of
 
     if not (folder / LESSONS_FILE).is_file():
-        return []
+        return [("lessons", "")]
+    names = [name for name in curricula_of(folder) if name]
     curriculum, _ = curriculum_of(folder)
-    return list(dict.fromkeys(lesson.name for lesson in curriculum.lessons))
+    lessons = "; ".join(dict.fromkeys(lesson.name for lesson in curriculum.lessons))
+    if not names:
+        return [("lessons", lessons.replace(";", ","))]
+    return [("curricula", ", ".join(names)), (f"of {names[0]}", lessons)]
 
 
 def description(name: str, model_class: type[Model]) -> str:

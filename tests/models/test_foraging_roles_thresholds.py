@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from socialmind.catalogue import load_model
 from socialmind.experiments.studies import topics
 from socialmind.sources.folders import model_folder
 from socialmind.sources.loading import load_file
@@ -66,7 +67,7 @@ def test_thresholds_begin_alike_or_apart():
 @pytest.mark.parametrize("controller", list(scanning.CONTROLLERS))
 def test_the_controllers_run_in_bodies(controller):
     given = scanning.CONTROLLERS[controller]
-    one = RULES.ForagingByThresholds(seed=2, start=0, foragers=3, add_at=10, shift=1, **given)
+    one = load_model(FOLDER / f"{controller}.py")(seed=2, start=0, foragers=3, add_at=10, shift=1)
     one.advance(3000)
     robots = one.robots
     assert len(robots) == 4

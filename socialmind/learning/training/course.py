@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -21,6 +21,7 @@ from socialmind.sources.folders import file_of_class, model_folder
 from socialmind.sources.loading import load_file
 
 LESSONS_FILE = "lessons.py"
+CURRICULA_FILE = "curricula.py"
 SIMBATCH = ".simbatch"
 
 
@@ -53,6 +54,34 @@ def lessons_module(folder: Path) -> ModuleType | None:
     return load_file(path) if path.is_file() else None
 
 
+def curricula_of(folder: Path | None) -> Mapping[str, Curriculum]:
+    """Return the curricula of a model by name, the one that is taught where none is named first.
+
+    They are the `curricula` of its `curricula.py`, or else the one `curriculum` of its
+    `lessons.py`, which has no name.
+
+    Raises:
+        SocialmindError: there are none.
+        ModelError: what stands in their place is something else.
+    """
+    path = None if folder is None else folder / CURRICULA_FILE
+    if folder is None or path is None or not path.is_file():
+        return {"": _own(None if folder is None else lessons_module(folder), folder)}
+    curricula = getattr(load_file(path), "curricula", None)
+    if (
+        isinstance(curricula, Mapping)
+        and curricula
+        and all(isinstance(one, Curriculum) for one in curricula.values())
+    ):
+        return curricula
+    raise ModelError(
+        "no curricula" if curricula is None else f"`curricula` set to {curricula!r}",
+        'curricula = {"a name": Curriculum(...), ...}',
+        "write it at the end",
+        path,
+    )
+
+
 def curriculum_of(
     model: str | Path | type[Model] | None, lessons: Any = None
 ) -> tuple[Curriculum, Path | None]:
@@ -60,8 +89,9 @@ def curriculum_of(
 
     Args:
         model: a model's name or folder, or its class; None where the lessons say all.
-        lessons: a curriculum, a lesson or several; names of lessons of the model's own curriculum,
-            or paths of `.simbatch` files; the model's whole curriculum where none are given.
+        lessons: a curriculum, a lesson or several; the name of one of the model's curricula, names
+            of lessons of one of them, or paths of `.simbatch` files; the model's first curriculum
+            where none are given.
 
     Raises:
         SocialmindError: there are no lessons, or none of a name.
@@ -69,14 +99,6 @@ def curriculum_of(
     """
     folder = _folder_of(model)
     module = None if folder is None else lessons_module(folder)
-    if isinstance(lessons, Lesson | Cycle | str | Path):
-        lessons = [lessons]
-    if lessons is None:
-        curriculum = _own(module, folder)
-    elif isinstance(lessons, Curriculum):
-        curriculum = lessons
-    else:
-        curriculum = _chosen(list(lessons), module, folder)
     finder = _finder(module, folder)
 
     def whole(one: Lesson | str | Path) -> Lesson:
@@ -89,6 +111,17 @@ def curriculum_of(
             return one.changed(environment=finder(one.environment, one.refused))
         return one
 
+    if isinstance(lessons, Lesson | Cycle | str | Path):
+        lessons = [lessons]
+    if isinstance(lessons, Curriculum):
+        curriculum = lessons
+    elif lessons is None:
+        curriculum = next(iter(curricula_of(folder).values()))
+    elif names := [one for one in lessons if isinstance(one, str) and not one.endswith(SIMBATCH)]:
+        known = {name: one.with_lessons(whole) for name, one in curricula_of(folder).items()}
+        curriculum = _named(names, list(lessons), known)
+    else:
+        curriculum = Curriculum(lessons, getattr(getattr(module, "curriculum", None), "mind", None))
     return curriculum.with_lessons(whole), folder
 
 
@@ -120,17 +153,36 @@ def _own(module: ModuleType | None, folder: Path | None) -> Curriculum:
     return curriculum
 
 
-def _chosen(lessons: list[Any], module: ModuleType | None, folder: Path | None) -> Curriculum:
-    """Return the curriculum of lessons, names of lessons and paths."""
-    names = [one for one in lessons if isinstance(one, str) and not one.endswith(SIMBATCH)]
-    if not names:
-        mind = getattr(getattr(module, "curriculum", None), "mind", None)
-        return Curriculum(lessons, mind)
-    own, _ = curriculum_of(folder)
+def _named(
+    names: Sequence[str], lessons: Sequence[Any], curricula: Mapping[str, Curriculum]
+) -> Curriculum:
+    """Return the curriculum of a name, or that of names of lessons, and lessons between them.
+
+    Args:
+        names: those among the lessons.
+        lessons: what was asked for.
+        curricula: of the model, whose lessons are whole.
+    """
+    if len(lessons) == 1 and names[0] in curricula:
+        return curricula[names[0]]
+    own = _with_lessons(names, curricula).only(names)
     if len(names) == len(lessons):
-        return own.only(names)
-    known = {one.name: one for one in own.only(names).lessons}
+        return own
+    known = {one.name: one for one in own.lessons}
     return Curriculum([known.get(one, one) for one in lessons], own.mind)
+
+
+def _with_lessons(names: Sequence[str], curricula: Mapping[str, Curriculum]) -> Curriculum:
+    """Return the first curriculum that has all lessons of these names."""
+    for one in curricula.values():
+        if {*names} <= {lesson.name for lesson in one.lessons}:
+            return one
+    lessons = [lesson.name for one in curricula.values() for lesson in one.lessons]
+    known = [name for name in dict.fromkeys([*curricula, *lessons]) if name]
+    for name in names:
+        if name not in lessons:
+            raise SocialmindError(f"no lesson called {name!r}; {nearest(name, known)}")
+    raise SocialmindError(f"the lessons {', '.join(names)} are not all of one curriculum")
 
 
 def _finder(module: ModuleType | None, folder: Path | None) -> Callable[..., Any]:

@@ -4,7 +4,12 @@ import pytest
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum
-from socialmind.learning.training.course import TrainingCourse, curriculum_of, mind_of
+from socialmind.learning.training.course import (
+    TrainingCourse,
+    curricula_of,
+    curriculum_of,
+    mind_of,
+)
 
 MODEL = """
 from socialmind import Agent, Model, Population
@@ -34,6 +39,44 @@ def test_a_model_without_lessons_says_so(empty):
         curriculum_of(empty)
     (empty / "lessons.py").write_text("")
     with pytest.raises(ModelError, match="no curriculum"):
+        curriculum_of(empty)
+
+
+CURRICULA = """
+from socialmind.learning import Curriculum, Lesson
+
+class Field:
+    def run(self):
+        pass
+
+def taught(*names):
+    return Curriculum([Lesson(name, Field) for name in names])
+
+curricula = {"long": taught("Go", "Turn"), "short": taught("Go"), "other": taught("Stop")}
+"""
+
+
+def test_a_model_with_several_curricula_has_them_and_their_lessons_by_name(empty):
+    (empty / "curricula.py").write_text(CURRICULA)
+
+    def names(lessons=None):
+        return [one.name for one in curriculum_of(empty, lessons)[0].lessons]
+
+    assert list(curricula_of(empty)) == ["long", "short", "other"]
+    assert names() == ["Go", "Turn"], "the first"
+    assert names("short") == ["Go"]
+    assert names("Stop") == ["Stop"], "of whichever has it"
+    assert names(["Turn", "Go"]) == ["Go", "Turn"]
+    with pytest.raises(SocialmindError, match="no lesson called 'shrt'; did you mean 'short'"):
+        names("shrt")
+    with pytest.raises(SocialmindError, match="the lessons Go, Stop are not all of one curricul"):
+        names(["Go", "Stop"])
+
+
+@pytest.mark.parametrize("text", ["", "curricula = {}", "curricula = [1]", "curricula = {'a': 1}"])
+def test_what_are_no_curricula_is_refused(empty, text):
+    (empty / "curricula.py").write_text(text)
+    with pytest.raises(ModelError, match=r"curricula.*; expected curricula = {"):
         curriculum_of(empty)
 
 
