@@ -41,6 +41,8 @@ from .worlds import CHOOSING, REPORTED
 NAME = "chosen_again"
 OUT = choosing.OUT.with_name(f"{NAME}.csv")
 REPORT = OUT.with_name(f"{NAME}_reported.csv")
+FIRST_LOOK, BEFORE = OUT.with_name("chosen_reported_before.csv"), 20
+"""What was chosen in 12 worlds, of twelve trainings, came to in as many worlds for reporting."""
 FINALISTS = 4
 SECOND = CHOOSING[WORLDS : 2 * WORLDS]
 FURTHER = REPORTED[100:140]
@@ -165,6 +167,12 @@ def report(path: Path = REPORT) -> pd.DataFrame:
         pd.DataFrame(rows).to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
         print(*rows[-1].values(), file=sys.stderr, flush=True)
     return pd.DataFrame(rows)
+
+
+def before(path: Path = FIRST_LOOK) -> pd.DataFrame:
+    """Return the shares of the first look, in columns as those of `both`."""
+    table = pd.read_csv(path).rename(columns={name: f"{name}_reported" for name in NAMES})
+    return table.assign(choice="before")
 
 
 def both(path: Path = OUT) -> pd.DataFrame:

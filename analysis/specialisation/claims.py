@@ -21,9 +21,9 @@ check does not hold, in another run or with other seeds, the page says so in the
 
 Numbers are `MEASURE SOCIETY CONDITION`, a mean with its interval; `worst …` and `best …`, those of
 the attempts with the least and the most; `difference …`, from the programmed society, or `… than
-OTHER`; `attempts SOCIETY`; `shares CHOICE`, how many shares in further worlds there are of what was
-chosen in bodies, for all attempts and conditions, and `unsure X CHOICE`, of how many the interval
-holds less than X. The condition `farmers` stands for the societies of farmers and artisans, which
+OTHER`; `attempts SOCIETY`; `ticks SOCIETY`, the median attempt's; `shares CHOICE`, how many shares
+in further worlds there are of what was chosen in bodies, for all attempts and conditions, and
+`unsure X CHOICE`, of how many the interval holds less than X. The condition `farmers` stands for the societies of farmers and artisans, which
 are compared with the learned one; `kinds`, with a condition in the place of the society, for
 programmed robots less learned ones of one society.
 """
@@ -37,13 +37,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pandas as pd
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.measures.intervals import share_interval
 
 from . import farmers
+from .reading import unsure
 from .societies import REFERENCE
 from .tables import FURTHER, MEASURED
 from .words import number, percent, spread
@@ -177,6 +176,9 @@ def _number(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
     if first == "attempts":
         means = tables["means"]
         return str(int(means.loc[means["society"] == rest, "attempts"].iloc[0]))
+    if first == "ticks":
+        budgets = tables["budgets"].set_index("society")
+        return number(float(budgets.loc[rest, "median"]), 1)
     if first in ("unsure", "shares"):
         return _counted(rest, tables)
     if first in ("worst", "best", "difference"):
@@ -209,5 +211,4 @@ def _counted(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
         return str(len(shares))
     means = tables["means"]
     worlds = int(means.loc[means["society"] == FURTHER.format(choice), "worlds"].iloc[0])
-    lows = [share_interval(np.arange(worlds) < round(one * worlds)).low for one in shares]
-    return str(sum(low < float(bound[0]) for low in lows))
+    return str(sum(unsure(one, float(bound[0]), worlds) for one in shares))

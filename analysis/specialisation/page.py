@@ -19,6 +19,7 @@ from socialmind.mind import MindDescription
 from . import farmers
 from .claims import claims_of, told
 from .plots import KINDS
+from .reading import REFERENCES, WORDS, unsure
 from .societies import CONDITIONS, FULL, REFERENCE, SEED, SOCIETIES, Size
 from .tables import MEASURED
 from .words import capital, number, one_of, percent, spread
@@ -52,10 +53,11 @@ def page_of(
     top = [
         html.paragraph(
             "Nine robots forage objects of two kinds, of which twice as many B are wanted as A. "
-            "Who fetches which? A programmed mind, a learned one, and others that fall short of "
-            "both decide about it in the same worlds, with the same market and the same decay; the "
-            "same trained skills carry out what they decide. Then both minds in one society; then "
-            "the farmers and artisans, with a learned mind in the place of their scheme.",
+            "Who fetches which? A programmed mind, learned ones, and rules that fall short of "
+            "both decide about it in the same worlds; the same trained skills carry out what they "
+            "decide. Then both kinds of minds in one society; then farmers and artisans, with a "
+            "learned mind in the place of their programmed one. Terms are explained under "
+            "“Words”, at the end.",
             lead=True,
         ),
         found("summary", tables, size),
@@ -78,8 +80,10 @@ def page_of(
                      _farmers(tables, figures, size), "farmers"),
         html.section("What is measured", _definitions(), "measures"),
         html.section("How it was made", _made(tables, size, command, seeds), "method"),
+        html.section("Words", [html.table(WORDS)], "words"),
         html.section("What this does not say", [found("limits", tables, size) or html.paragraph(
             "See the full study.")], "limits"),
+        html.section("References", [html.bullets(REFERENCES)], "references"),
     ]  # fmt: skip
     return html.page(TITLE, top, sections)
 
@@ -103,8 +107,11 @@ def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
         ),
         html.picture(
             figures["programmed"],
-            "Figure 1. The scheme of the programmed robots: cognitons at the left, plans at the "
-            "right. Numbers are the links’ weights.",
+            "Figure 1. The scheme of the programmed robots: cognitons at the left, each with its "
+            "own colour, plans at the right. Numbers are the links’ weights; in gold, what is "
+            "added to a cogniton when a plan is carried out and pays, and taken from it when it "
+            "does not. A plan that a cogniton opens is considered only where there is that "
+            "cogniton.",
             "A cognitive scheme of four cognitons and two plans.",
         ),
     ]
@@ -118,7 +125,10 @@ def _attempts(
         own = tables["attempts"][tables["attempts"]["society"] == one.name]
         for attempt, part in own.groupby("attempt", sort=False):
             by = part.set_index("condition")
-            row: dict[str, object] = {"society": one.title, "attempt": attempt or "–"}
+            row: dict[str, object] = {
+                "society": one.title, "attempt": attempt or "–",
+                "worlds": int(by.loc["undisturbed", "worlds"]),
+            }  # fmt: skip
             for name, condition in CONDITIONS.items():
                 row[condition.title] = percent(by.loc[name, "within"])
             row["changes of roles"] = number(by.loc["undisturbed", "changes"])
@@ -136,7 +146,8 @@ def _attempts(
         ),
         html.table(
             rows,
-            "Table 1. Every attempt; none is left out. Shares of worlds within one robot of the "
+            "Table 1. Every attempt; of those chosen in bodies ten of nineteen trainings, by the "
+            "rule of Table 2. Shares of worlds within one robot of the "
             "wanted split; in the last two columns, undisturbed, changes of roles for each robot "
             "and 10,000 ticks, and objects brought home.",
             numbers=True,
@@ -151,15 +162,19 @@ def _choices(table: pd.DataFrame) -> str:
         str(choice): own.set_index("attempt") for choice, own in table.groupby("choice", sort=False)
     }
     conditions = [one for one in CONDITIONS if one in table]
+    choosing_keys = ["training", "lesson", "what"]
     rows = []
+    minds = [own[choosing_keys] for own in parts.values()]
+    anew = (minds[0] != minds[1]).any(axis=1)
     for attempt in parts["first"].index:
-        row: dict[str, object] = {"attempt": attempt}
+        row: dict[str, object] = {"attempt": f"{attempt} *" if anew[attempt] else attempt}
         for choice, own in parts.items():
             one = own.loc[attempt]
             row[f"{TIMES[choice]}:\nleast when chosen"] = percent(one[conditions].min())
             for name in conditions:
-                row[f"{TIMES[choice]}:\n{CONDITIONS[name].title}"] = percent(
-                    one[f"{name}_reported"]
+                share = one[f"{name}_reported"]
+                row[f"{TIMES[choice]}:\n{CONDITIONS[name].title}"] = percent(share) + (
+                    " ‡" if unsure(share) else ""
                 )
         rows.append(row)
     worlds = parts["again"]["worlds"]
@@ -170,7 +185,8 @@ def _choices(table: pd.DataFrame) -> str:
         "Table 2. The attempts whose minds were chosen in bodies, first in 36 worlds for choosing, "
         f"then, of those that had been the best, in 72{few}. For each choice: the least share of "
         "worlds, over three conditions, with which the mind was chosen; and its shares in forty "
-        "worlds in which nothing was chosen, others for each choice.",
+        "worlds in which nothing was chosen, others for each choice. *, another mind than by the "
+        "first choice; ‡, the interval of 95 % (Wilson’s) reaches below 75 %.",
         numbers=True,
     )
 
@@ -182,10 +198,12 @@ def _calm(
         found("undisturbed", tables, size),
         html.picture(
             figures["course"],
-            "Figure 3. Distance to the wanted split (a–d), and the share of robots that are "
-            "specialised (e–h), over time: means over all attempts and worlds, the dashed line "
-            "being the shock. i–l, the distance where roles are fixed, drawn, greedy, or judged "
-            "by the counts. A robot counts as in A until it has brought a B.",
+            "Figure 3. Distance to the wanted split over time, of what nobody learned (a–d), of "
+            "learned robots beside the programmed ones (e–h), and where roles are fixed, drawn, "
+            "greedy, or judged by the counts (m–p); i–l, the share of robots that are "
+            "specialised. Means over all attempts and worlds, the vertical line being the "
+            "shock; their intervals are in Tables 3 to 6. A robot counts as in A until it has "
+            "brought a B, so that all begin 6 robots away, where a–h are cut off.",
             "Distance to the wanted split over time, for each society and condition.",
         ),
         _comparison(tables, "undisturbed", "Table 3. Undisturbed."),
@@ -212,7 +230,9 @@ def _shocked(
         ),
         html.picture(
             figures["measures"],
-            "Figure 5. Every measure: means with intervals of 95 % over attempts and worlds. Grey "
+            "Figure 5. Every measure: means with intervals of 95 % over attempts and worlds. In c "
+            f"a world that never settles counts with {number(size.ticks, 0)} ticks undisturbed "
+            f"and {number(size.half, 0)} after a shock. Grey "
             "strokes in g: what luck alone gives.",
             "Means with intervals of nine measures, for each society and condition.",
         ),
@@ -237,7 +257,8 @@ def _comparison(tables: Mapping[str, pd.DataFrame], condition: str, caption: str
         rows,
         f"{caption} Means with intervals of 95 %; Δ is the difference from the programmed society "
         "in the worlds that both have met, which are fewer where a lesson has attempts: so it need "
-        "not be the difference of the means shown.",
+        "not be the difference of the means shown. Fixed roles have changes since every robot "
+        "counts as in A until its first B.",
         numbers=True,
     )
 
@@ -264,8 +285,10 @@ def _mixed(
         html.picture(
             figures["mixed"],
             "Figure 6. Over the share of programmed robots; the others are “learned by "
-            "deliveries”. Above: societies. Below: what becomes of either kind of robots. Means "
-            "with intervals of 95 % over attempts and worlds.",
+            "deliveries”, each of their attempts in the first "
+            f"{size.mixed_worlds} worlds. Above: societies. Below: what becomes of either kind "
+            "of robots; h does not begin at 0. Means with intervals of 95 % over attempts and "
+            "worlds.",
             "Measures of mixed societies over the share of programmed robots.",
         ),
         html.table(rows, "Table 7. Programmed and learned robots in one society: differences with "
@@ -290,7 +313,9 @@ def _farmers(
         html.paragraph(
             "Where trade confirms callings, farmers and artisans specialise by the scheme that "
             "somebody wrote. Here a mind that was taught for wheat alone weighs the same plans, "
-            "from the same cognitons; and from what it does a scheme of few links is distilled. "
+            "from the same cognitons; and from what it does a scheme of few links is distilled: "
+            "the few links with which a scheme chooses most nearly as the mind does. It is one "
+            "training, so that intervals are over seeds alone, and say nothing of another. "
             f"{size.farmers} seeds, {number(size.farmers_ticks, 0)} ticks."
         ),
         found("farmers", tables, size),
@@ -302,15 +327,17 @@ def _farmers(
         ),
         html.table(
             rows,
-            "Table 8. Means with intervals of 95 %. Changes of roles after settling are known of "
-            "the seeds that settled, whose number is told where it is not all.",
+            "Table 8. Means with intervals of 95 % over seeds. Changes of roles while settled are "
+            "known of the seeds that settle, whose number is told where it is not all; unknown "
+            "where none does.",
             numbers=True,
         ),
         html.picture(
             figures["schemes"],
             "Figure 8. The scheme that was written, and the one distilled from the learned mind: "
-            "cognitons at the left, plans at the right. Numbers are the links’ weights; a line is "
-            "the broader the larger its weight is beside the scheme’s largest.",
+            "cognitons at the left, plans at the right, as in Figure 1; Habit is a cogniton that "
+            "always is there. A line is the broader the larger its weight is beside the "
+            "scheme’s largest.",
             "Two cognitive schemes with their links.",
         ),
     ]  # fmt: skip
@@ -370,19 +397,31 @@ def _made(tables: Mapping[str, pd.DataFrame], size: Size, command: str, seeds: s
         ),
         html.paragraph(
             "Lessons and their attempts, of seed 8. `analysis/foraging_roles` has what they were "
-            "judged by, their budgets, and the commands that make them again."
+            "judged by, and the commands that make them again. Budgets are not equal: a lesson "
+            "that begins anew until it succeeds has had more ticks."
         ),
         html.table(
             [
                 {
-                    "society": society.title,
-                    "lesson, or choice": society.lesson,
-                    "attempts": int(part["attempt"].nunique()),
+                    "society": SOCIETIES[row["society"]].title,
+                    "lesson, or choice": row["lesson"],
+                    "attempts": row["attempts"],
+                    "trainings": row["trainings"],
+                    "ticks of an attempt, thousand million": number(row["median"], 1)
+                    + (
+                        f" ({number(row['least'], 1)} to {number(row['greatest'], 1)})"
+                        if row["least"] < row["greatest"]
+                        else ""
+                    ),
                 }
-                for society in SOCIETIES.values()
-                if society.lesson
-                for part in [tables["attempts"][tables["attempts"]["society"] == society.name]]
-            ]
+                for row in tables["budgets"].to_dict("records")
+            ],
+            "Table 9. What lessons were given: the median attempt, in brackets the least and the "
+            "greatest, with all starts and trainings of theirs that were given up. Ticks are those "
+            "of worlds of the economy. By deliveries, chosen: in bodies another "
+            f"{number(1000 * tables['budgets']['choosing'].max(), 0)} million ticks an attempt "
+            "were run to choose. Supervised, picked, is one attempt more, of another seed.",
+            numbers=True,
         ),
         html.paragraph(
             "The tables stand beside this page as CSV, the figures as PDF, in the folder "

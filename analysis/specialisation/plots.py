@@ -31,9 +31,11 @@ A, B = paper.GOLD, paper.PURPLE
 COLOURS = {"programmed": paper.RED, "learned": paper.BLUE}
 """Of both kinds of robots in one society; marks of the latter are hollow."""
 FARMERS = {"written": paper.RED, "learned": paper.BLUE, "distilled": paper.PURPLE}
-LETTERS = "abcdefghijkl"
+LETTERS = "abcdefghijklmnop"
 ACROSS = 4
 """Panels of robots side by side."""
+BEGINNING = 2_000
+"""Ticks in which most robots have brought nothing yet, and count as in A."""
 
 
 def attempts(each: pd.DataFrame, table: pd.DataFrame) -> Figure:
@@ -94,8 +96,13 @@ def course(over_time: pd.DataFrame, size: Size) -> Figure:
         size: of the study.
     """
     settling = [one for one in SOCIETIES if one not in FALL_SHORT]
-    rows = (("distance", settling), ("specialised", settling), ("distance", FALL_SHORT))
-    figure = paper.figure(paper.PAGE, 148)
+    learned = [one for one in settling if one in (REFERENCE, "picked") or SOCIETIES[one].lesson]
+    rules = [REFERENCE, *(one for one in settling if one not in learned)]
+    rows = (
+        ("distance", rules), ("distance", learned), ("specialised", settling),
+        ("distance", FALL_SHORT),
+    )  # fmt: skip
+    figure = paper.figure(paper.PAGE, 190)
     panels = figure.subplots(len(rows), len(CONDITIONS), sharey="row", sharex=True)
     letters = iter(LETTERS)
     for row, (measure, societies) in zip(panels, rows, strict=True):
@@ -104,7 +111,8 @@ def course(over_time: pd.DataFrame, size: Size) -> Figure:
             paper.panel_title(axes, next(letters), condition.title)
             _over_time(axes, own, measure, condition, size)
         if measure == "distance":
-            row[0].set_ylim(*paper.limits_with_zero(own["distance"].tolist()))
+            seen = own if societies is FALL_SHORT else own[own["tick"] > BEGINNING]
+            row[0].set_ylim(*paper.limits_with_zero(seen["distance"].tolist()))
             row[0].set_ylabel("distance (robots)")
         else:
             row[0].set_ylim(-0.03, 1.04)
@@ -284,7 +292,7 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
                 ].sort_values("share")
                 hollow = kind == "learned"
                 _over_share(axes, own, colour, condition, (sign + aside) * nudge, hollow)
-        _upwards(axes, kinds[kinds["measure"] == name])
+        _upwards(axes, kinds[kinds["measure"] == name], zero=name != "delivered")
         axes.set_ylabel(unit)
         axes.set_xlabel("programmed (share)")
         axes.set_xlim(-0.05, 1.05)
@@ -304,9 +312,13 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
     return figure
 
 
-def _upwards(axes: Axes, own: pd.DataFrame) -> None:
-    """Set the y axis so that all means with their intervals are seen, and 0."""
-    low, high = paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]])
+def _upwards(axes: Axes, own: pd.DataFrame, zero: bool = True) -> None:
+    """Set the y axis so that all means with their intervals are seen, and 0 where asked for."""
+    values = [*own["low"], *own["high"], *own["mean"]]
+    if zero:
+        low, high = paper.limits_with_zero(values)
+    else:
+        low, high = np.nanmin(values), np.nanmax(values)
     air = 0.03 * (high - low)  # so that a mark at 0, and the longest interval, are whole
     axes.set_ylim(low - air, high + air)
     axes.yaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))

@@ -14,6 +14,7 @@ from socialmind.drawing import style as paper
 from socialmind.experiments.measures.effects import comparisons
 
 from . import farmers, plots
+from .budgets import budgets
 from .page import page_of
 from .societies import FULL, MIXED, MIXED_WITH, SEED, TRAINED, Size
 from .tables import (
@@ -98,11 +99,13 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
     against = comparisons(villagers.drop(columns="attempt"), "learned", measures=of_villagers)
     of_robots, choices = means(alone, BOTH, measures), CHOOSING.both()
     if size == FULL:
-        of_robots = pd.concat([of_robots, further(choices, len(CHOOSING.FURTHER))])
+        looks = [(CHOOSING.before(), CHOOSING.BEFORE), (choices, len(CHOOSING.FURTHER))]
+        of_robots = pd.concat([of_robots, *(further(table, worlds) for table, worlds in looks)])
     return {
         "worlds": worlds,
         "attempts": attempts(alone),
         "chosen": choices,
+        "budgets": budgets(size),
         "means": of_robots,
         "differences": differences(alone),
         "course": over_time(records.course[records.course["society"] != "mixed"], BOTH),

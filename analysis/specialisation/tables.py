@@ -12,7 +12,7 @@ import pandas as pd
 from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
 from socialmind.experiments.measures.intervals import Interval, interval_of, share_interval
 
-from .societies import LESSON_BEFORE, REFERENCE
+from .societies import BESIDE, REFERENCE
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,8 @@ MEASURED = {
 OVER_SHARES = ("last_distance", "settled_after", "changes", "agents_to_tasks")
 """Those that are looked at over the share of programmed robots."""
 FURTHER = "chosen_{}"
-"""The society of the attempts that were chosen in bodies, first or again, in further worlds."""
+"""The society of the attempts that were chosen in bodies, before, first or again, in further
+worlds."""
 RUN = ("society", "attempt", "share", "condition", "seed")
 
 
@@ -209,13 +210,15 @@ def further(choices: pd.DataFrame, worlds: int) -> pd.DataFrame:
 
 
 def attempts(worlds: pd.DataFrame) -> pd.DataFrame:
-    """Return what each attempt came to: the means of measures over its worlds."""
-    by = ["society", "attempt", "condition"]
-    return worlds.groupby(by, sort=False)[list(MEASURED)].mean().reset_index()
+    """Return what each attempt came to in how many `worlds`: the means of measures over them."""
+    groups = worlds.groupby(["society", "attempt", "condition"], sort=False)
+    means = groups[list(MEASURED)].mean()
+    means.insert(0, "worlds", groups.size())
+    return means.reset_index()
 
 
 def differences(worlds: pd.DataFrame) -> pd.DataFrame:
-    """Compare societies with the programmed one, and lessons with the one before, in equal worlds.
+    """Compare societies with the programmed one, and lessons with each other, in equal worlds.
 
     Args:
         worlds: `society`, `attempt`, `condition`, `seed` and measures.
@@ -229,7 +232,7 @@ def differences(worlds: pd.DataFrame) -> pd.DataFrame:
     for condition, part in worlds.groupby("condition", sort=False):
         parts = dict(tuple(part.groupby("society", sort=False)))
         pairs = [(one, REFERENCE) for one in parts if one != REFERENCE]
-        pairs += [pair for pair in LESSON_BEFORE.items() if set(pair) <= set(parts)]
+        pairs += [pair for pair in BESIDE.items() if set(pair) <= set(parts)]
         for society, reference in pairs:
             for name in MEASURED:
                 found = _difference(parts[society], parts[reference], name)

@@ -272,7 +272,7 @@ def test_kinds_are_compared_within_their_society():
 @pytest.fixture
 def made_up(monkeypatch):
     """Tables in which the society `a` has 1 more than the programmed one, and `b` 2 more."""
-    monkeypatch.setattr(tables, "LESSON_BEFORE", {"b": "a"})
+    monkeypatch.setattr(tables, "BESIDE", {"b": "a"})
     worlds = pd.concat(
         [
             runs_of("programmed", [[0.2, 0.4, 0.3]]),
