@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from socialmind.experiments.overview import Finding, Result, rows_of
+from socialmind.experiments.trainings.budgets import budget_of
 
 KEPT = Path(__file__).parent / "results"
 THESIS = (0.0, 0.1, 0.1, 0.2, 0.0)
@@ -60,7 +61,18 @@ def several() -> Finding:
     )
 
 
+def budget() -> str:
+    return budget_of(KEPT / "trainings" / "counter")
+
+
 results = (
-    Result("figure 7.5", "a robot that counts, steps 1 to 3", "figure-7.5", first_steps),
-    Result("figure 7.6", "steps 4 and 5", "figure-7.5", last_steps),
+    Result(
+        "figure 7.5",
+        "a robot that counts, steps 1 to 3",
+        "figure-7.5",
+        first_steps,
+        "not told",
+        budget,
+    ),
+    Result("figure 7.6", "steps 4 and 5", "figure-7.5", last_steps, "not told", budget),
 )

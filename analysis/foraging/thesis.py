@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from socialmind.experiments.overview import Finding, Result, row_of, rows_of
+from socialmind.experiments.trainings.budgets import budget_of
 
 KEPT = Path(__file__).parent / "results"
 BARELY = 0.1
@@ -93,8 +94,13 @@ def last_steps() -> list[Finding]:
     ]
 
 
+def budget() -> str:
+    return budget_of(KEPT / "trainings" / "foraging")
+
+
 results = (
     Result("figure 8.3", "a robot that forages with others, steps 1 to 4", "figure-8.3",
-           first_steps, trainings=("foraging",)),
-    Result("figure 8.4", "steps 5 to 8", "figure-8.3", last_steps, trainings=("foraging",)),
+           first_steps, "not told", budget, trainings=("foraging",)),
+    Result("figure 8.4", "steps 5 to 8", "figure-8.3", last_steps, "not told", budget,
+           trainings=("foraging",)),
 )  # fmt: skip

@@ -49,7 +49,8 @@ def collapse() -> list[Finding]:
             "steps 3 and 4, the payoff of A drops, and a minority remains in it",
             "2 of 9",
             f"down to {back} of {robots} in A before it rises again",
-            back < robots / 2,
+            0 < back < robots / 2,
+            why="all of them change in this run; the lesson is ours, in an economy without bodies",
         ),
     ]
 
@@ -85,7 +86,8 @@ def budget() -> str:
     lesson = LESSONS.lesson
     return (
         f"{ATTEMPTS} attempts of {lesson.generations} generations, "
-        f"{lesson.settings['population']} individuals in {lesson.repetitions} worlds each"
+        f"{lesson.settings['population']} individuals in {lesson.repetitions} worlds each, at a "
+        "lesson of ours in an economy without bodies"
     )
 
 

@@ -23,8 +23,9 @@ Numbers are `MEASURE SOCIETY CONDITION`, a mean with its interval; `worst …` a
 the attempts with the least and the most; `difference …`, from the programmed society, or `… than
 OTHER`; `attempts SOCIETY`; `ticks SOCIETY`, the median attempt's; `shares CHOICE`, how many shares
 in further worlds there are of what was chosen in bodies, for all attempts and conditions, and
-`unsure X CHOICE`, of how many the interval holds less than X. The condition `farmers` stands for the societies of farmers and artisans, which
-are compared with the learned one; `kinds`, with a condition in the place of the society, for
+`unsure X CHOICE`, of how many the interval holds less than X. The condition `farmers` stands for
+the societies of farmers and artisans, which are compared with the learned one; `kinds`, with a
+condition in the place of the society, for
 programmed robots less learned ones of one society.
 """
 
