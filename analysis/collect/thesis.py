@@ -313,7 +313,8 @@ def retraining() -> list[Finding]:
             objects.low > 0,
             why="the curriculum's Avoid is better here to begin with, and the winner is chosen in "
             "32 worlds, which is little where scores are this close; all skills in context, on the "
-            f"best of these attempts, come to {told('table-6.2', 'all skills in context')}",
+            "best of these attempts, come to "
+            + told("table-6.2", "all skills in context (best attempt)"),
         ),
         Finding(
             "and lets the robot survive for much longer",

@@ -64,7 +64,8 @@ PAIRS = (
     ("supervised_role", 3, "programmed", 0),
     ("delivered_narrow", 2, "supervised_role", 2),
 )
-"""Way and attempt of one and of the other; each is focal with three and with six of nine robots."""
+"""Way and attempt of one and of the other, picked by what they come to alone: of deliveries those
+that succeed. Each is focal with three and with six of nine robots."""
 MET = (TURNED, "nine robots")
 """The situations of pairs."""
 SHARES = (3, 6)

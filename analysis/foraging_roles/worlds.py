@@ -14,8 +14,9 @@ TRAINING = 8
 CHOOSING = range(3001, 3101)
 """Worlds in bodies in which attempts and parameters are chosen."""
 REPORTED = range(6001, 6141)
-"""Worlds in bodies of which results tell; the first 50 are those of `analysis/specialisation`, the
-last 40 those of what was chosen again."""
+"""Worlds in bodies of which results tell: the first 20 are those of `analysis/specialisation`, 6021
+to 6040 of what was chosen at first, 6051 to 6090 of the second choice, 6101 to 6140 of the third
+and of the lessons that `further_worlds` holds beside it."""
 CHOOSING_ECONOMY = range(10_000, 10_128)
 """Worlds of the economy in which parameters are chosen."""
 REPORTED_ECONOMY = range(256)
