@@ -281,13 +281,16 @@ def draw(results: Results) -> Figure:
     Args:
         results: of all conditions.
     """
+    from matplotlib.lines import Line2D
+
     from socialmind.drawing import style as paper
 
     found = [(condition.name, one) for condition, one in results if one is not None]
     with paper.style():
-        figure = paper.figure(paper.PAGE, 22 + 7 * len(found))
+        figure = paper.figure(paper.PAGE, 30 + 7 * len(found))
         panels = figure.subplots(1, len(MEASURED), sharey=True)
-        for axes, measured in zip(panels, MEASURED, strict=True):
+        for letter, axes, measured in zip("abcdefg", panels, MEASURED, strict=False):
+            paper.panel_title(axes, letter, "")
             for place, (_, one) in enumerate(found):
                 interval = one.mean(measured)
                 colour = paper.BLUE if place == 0 else paper.INK
@@ -303,6 +306,17 @@ def draw(results: Results) -> Figure:
             axes.set_xlabel(_broken(measured.title))
         panels[0].set_yticks(range(len(found)), [_broken(name, 24) for name, _ in found])
         panels[0].set_ylim(len(found) - 0.5, -0.6)
+        dot: dict[str, Any] = {
+            "color": paper.INK, "marker": "o", "markersize": 3, "markeredgewidth": 0.7,
+            "linestyle": "",
+        }  # fmt: skip
+        marks = [
+            Line2D([], [], **dot, markerfacecolor="white", label="an attempt"),
+            Line2D([], [], **dot, label="the best by its own finals"),
+            Line2D([], [], color=paper.INK, marker="|", markersize=7,
+                   label="mean with its interval of 95 %"),
+        ]  # fmt: skip
+        figure.legend(handles=marks, loc="outside lower center", ncols=len(marks))
     return figure
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 from socialmind.learning import Training
@@ -15,6 +16,7 @@ from .trainings import kept, mind_of
 CHOICES: Mapping[str, Any] = {one.NAME: one for one in (choosing, choosing_again)}
 
 
+@cache
 def minds_of(lesson: str) -> Mapping[int, MindDescription]:
     """Return the minds of a lesson's attempts by their numbers; none where none is kept.
 

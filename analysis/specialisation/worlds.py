@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,6 +24,7 @@ if TYPE_CHECKING:
     from socialmind import Model
 
 RULES = load_file(model_folder("foraging_roles") / "thresholds.py")
+MINDS = load_file(TRAINED / "minds.py")
 """The model by whose robots all are measured alike, by what they bring home."""
 B = 2
 EVERY = 100
@@ -57,7 +57,7 @@ def lived(
         learned; `spells`, the roles of each robot.
     """
     half = ticks // 2
-    mind = _minds(lesson)[attempt] if lesson else None
+    mind = MINDS.minds_of(lesson)[attempt] if lesson else None
     model = RULES.ForagingByThresholds(seed=seed, hierarchy=mind, **parameters)
     before = watched(model, range(0, half, EVERY))
     model.advance(half - 1 - model.tick)  # what happens does so in the tick that ends at half-time
@@ -100,11 +100,6 @@ def looked_at(seen: pd.DataFrame, what: Condition, half: int) -> dict[str, list[
         "kinds": kinds(seen, tasks, course.last),
         "spells": spells(seen),
     }
-
-
-@cache
-def _minds(lesson: str) -> Any:
-    return load_file(TRAINED / "minds.py").minds_of(lesson)
 
 
 def watched(model: Model, ticks: Iterable[int]) -> pd.DataFrame:

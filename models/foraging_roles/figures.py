@@ -136,7 +136,7 @@ def steps(run: Run) -> Figure:
         Line2D(
             [],
             [],
-            marker="o",
+            marker="^",
             linewidth=0,
             color=colour,
             markeredgecolor=paper.INK,
@@ -150,13 +150,16 @@ def steps(run: Run) -> Figure:
 
 
 def _colour_by_role(axes: Axes, model: Model) -> None:
-    """Draw the robots in the colours of their roles, and larger than they are."""
+    """Draw the robots as triangles in the colours of their roles, and larger than they are."""
     robots = model.tables["robots"].columns
     at = np.column_stack([robots["x"], robots["y"]])
     size = np.full(len(at), 2 * RADIUS)
-    colours = [B if one else A for one in robots["is_b"].tolist()]
-    discs = EllipseCollection(
+    ground = EllipseCollection(
         size, size, np.zeros(len(at)), units="xy", offsets=at, offset_transform=axes.transData,
-        facecolors=colours, edgecolors=paper.INK, linewidths=0.5, zorder=5,
+        facecolors="white", edgecolors="white", linewidths=0.5, zorder=5,
     )  # fmt: skip
-    axes.add_collection(discs, autolim=False)
+    axes.add_collection(ground, autolim=False)
+    is_b = robots["is_b"].astype(bool)
+    for colour, own in ((A, at[~is_b]), (B, at[is_b])):
+        axes.plot(*own.T, "^", color=colour, markersize=4.6, mec=paper.INK, mew=0.7, zorder=5.1,
+                  scalex=False, scaley=False)  # fmt: skip

@@ -73,7 +73,7 @@ def draw_profiles(fit: Fit) -> Figure:
         if luck is not None:
             axes.axhline(luck, color=paper.GOLD, linewidth=0.8, label="plausible below")
         _scaled(axes, one)
-        axes.set_ylim(0, top)
+        axes.set_ylim(-0.04 * top, top)  # a surface that comes to nothing is seen
         axes.set_xlabel(_in_lines(name))
         axes.set_ylabel("distance")
     handles, labels = panels[0].get_legend_handles_labels()
