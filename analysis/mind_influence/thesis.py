@@ -5,6 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from socialmind.experiments.overview import Finding, Result, row_of
+from socialmind.learning.training.course import curriculum_of
+from socialmind.mind import MindDescription
+from socialmind.sources.folders import model_folder
 
 KEPT = Path(__file__).parent / "results"
 ALONE = 0.1
@@ -70,7 +73,18 @@ def steps() -> list[Finding]:
     ]
 
 
+def budget() -> str:
+    lessons = curriculum_of("collect")[0].lessons
+    known = MindDescription.load(model_folder("collect") / "mind_constant")
+    taught = [one for one in lessons if known.skill(one.name).genome is not None]
+    generations = sum(one.generations for one in taught)
+    return (
+        f"one training, not compared with others: {len(taught)} lessons of `collect`, "
+        f"{generations:,} generations"
+    )
+
+
 results = (
     Result("figure 6.6", "a robot on constant base skills goes round an obstacle", "figure-6.6",
-           steps),
+           steps, "not told", budget),
 )  # fmt: skip
