@@ -184,7 +184,7 @@ def both(path: Path = OUT) -> pd.DataFrame:
         worlds.
     """
     first = choosing.read().set_index(KEYS)[NAMES]
-    before = pd.DataFrame(
+    at_first = pd.DataFrame(
         [
             {
                 "attempt": attempt,
@@ -197,7 +197,7 @@ def both(path: Path = OUT) -> pd.DataFrame:
     )
     parts = []
     for choice, table, reported in (
-        ("first", before, choosing.REPORT),
+        ("first", at_first, choosing.REPORT),
         ("again", chosen(path), REPORT),
     ):
         whole = table.merge(pd.read_csv(reported), on="attempt", suffixes=("", "_reported"))

@@ -1,4 +1,4 @@
-"""What each lesson of the page was given: attempts, trainings, and ticks of a robot."""
+"""What each lesson of the page was given: attempts, trainings, and ticks of worlds."""
 
 from __future__ import annotations
 
@@ -13,15 +13,13 @@ from .societies import SOCIETIES, TRAINED, Size
 CHOOSING = load_file(TRAINED / "choosing_again.py")
 TRAININGS = load_file(TRAINED / "trainings.py")
 FIRST = CHOOSING.choosing
-IN_BODIES, CHOSEN = 60_000, "chosen_again"
-"""Ticks of a world in which minds are chosen; the lesson whose minds are."""
 
 
 def budgets(size: Size) -> pd.DataFrame:
     """Return what the lessons of societies were given, in thousand million ticks of a world.
 
     Args:
-        size: of the study; attempts are those that it has.
+        size: of the study: of how many attempts, the first ones, is told.
 
     Returns:
         A row for each society that learned: `lesson`, `attempts`, `trainings` (more than attempts
@@ -34,14 +32,13 @@ def budgets(size: Size) -> pd.DataFrame:
         lesson = "learned" if one.name == "picked" else one.lesson
         if not lesson:
             continue
-        ticks, trainings, chosen = given(lesson)
-        if one.name == "picked":
-            ticks, trainings = ticks[:1], 1
-        attempts = min(len(ticks), size.attempts or len(ticks))
+        own, chosen = given(lesson)
+        own = own[: 1 if one.name == "picked" else size.attempts]
+        ticks = np.array([sum(one) for one in own])
         rows.append(
             {
-                "society": one.name, "lesson": lesson, "attempts": attempts,
-                "trainings": trainings, "least": ticks.min() / 1e9,
+                "society": one.name, "lesson": lesson, "attempts": len(own),
+                "trainings": sum(map(len, own)), "least": ticks.min() / 1e9,
                 "median": np.median(ticks) / 1e9, "greatest": ticks.max() / 1e9,
                 "choosing": chosen / 1e9,
             }
@@ -49,26 +46,29 @@ def budgets(size: Size) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def given(lesson: str) -> tuple[np.ndarray, int, float]:
-    """Return the ticks of each attempt at a lesson, how many trainings, and ticks of choosing."""
+def given(lesson: str) -> tuple[list[list[float]], float]:
+    """Return the ticks of each attempt's trainings, and those in which its mind was chosen."""
     plans = FIRST.PLANS
-    if lesson == CHOSEN:
-        kept = Training(plans.kept / FIRST.TRAINED).lessons.groupby("attempt")["ticks"].sum()
-        own = FIRST.trainings_of(FIRST.read())
-        ticks = np.array([kept.loc[several].sum() for several in own.values()])
-        return ticks, sum(map(len, own.values())), _ticks_of_choosing() / len(own)
+    if lesson == CHOOSING.NAME:
+        kept = _ticks(FIRST.TRAINED)
+        own = FIRST.trainings_of(FIRST.read()).values()
+        return [[kept[one] for one in several] for several in own], _ticks_of_choosing() / len(own)
     if lesson in plans:
-        kept = Training(plans.kept / lesson).lessons.groupby("attempt")["ticks"].sum()
-        return kept.to_numpy(), len(kept), 0.0
-    attempts = len(TRAININGS.kept().get(lesson, [])) or 1
-    return np.full(attempts, _ticks_of_plan()), attempts, 0.0
+        return [[one] for one in _ticks(lesson).values()], 0.0
+    return [[_ticks_of_plan()]] * (len(TRAININGS.kept().get(lesson, [])) or 1), 0.0
+
+
+def _ticks(trained: str) -> dict[int, float]:
+    """The ticks of each kept training of a plan, by its number."""
+    lessons = Training(FIRST.PLANS.kept / trained).lessons
+    return {int(number): float(part["ticks"].sum()) for number, part in lessons.groupby("attempt")}
 
 
 def _ticks_of_choosing() -> float:
     """The ticks of all worlds in which minds were chosen: each condition that was judged."""
     judged = (FIRST.read(), CHOOSING.read())
     conditions = sum(int(table[list(FIRST.CONDITIONS)].notna().sum().sum()) for table in judged)
-    return conditions * float(FIRST.WORLDS) * IN_BODIES
+    return conditions * float(FIRST.WORLDS) * FIRST.TICKS
 
 
 def _ticks_of_plan() -> float:

@@ -146,8 +146,8 @@ def _attempts(
         ),
         html.table(
             rows,
-            "Table 1. Every attempt; of those chosen in bodies ten of nineteen trainings, by the "
-            "rule of Table 2. Shares of worlds within one robot of the "
+            "Table 1. Every attempt. Of those chosen in bodies some had several trainings, of "
+            "which one counts (Table 9). Shares of worlds within one robot of the "
             "wanted split; in the last two columns, undisturbed, changes of roles for each robot "
             "and 10,000 ticks, and objects brought home.",
             numbers=True,
@@ -420,7 +420,8 @@ def _made(tables: Mapping[str, pd.DataFrame], size: Size, command: str, seeds: s
             "greatest, with all starts and trainings of theirs that were given up. Ticks are those "
             "of worlds of the economy. By deliveries, chosen: in bodies another "
             f"{number(1000 * tables['budgets']['choosing'].max(), 0)} million ticks an attempt "
-            "were run to choose. Supervised, picked, is one attempt more, of another seed.",
+            "were run to choose. Supervised, picked, is one attempt more, of another seed, at what "
+            "`analysis/foraging_roles` calls `learned` where it is the model's.",
             numbers=True,
         ),
         html.paragraph(

@@ -121,7 +121,7 @@ FALL_SHORT = ("counts", "fixed", "random", "greedy")
 """The societies that are there to show what does not settle, or does not follow."""
 REFERENCE = "programmed"
 """The society that the others are compared with."""
-BESIDE = {"chosen": "delivered", "delivered": "supervised"}
+COMPARED_WITH = {"chosen": "delivered", "delivered": "supervised"}
 """The lesson that another one is compared with: that which it was to mend, that which looks into
 minds."""
 MIXED_WITH = "delivered"

@@ -12,7 +12,7 @@ import pandas as pd
 from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
 from socialmind.experiments.measures.intervals import Interval, interval_of, share_interval
 
-from .societies import BESIDE, REFERENCE
+from .societies import COMPARED_WITH, REFERENCE
 
 
 @dataclass(frozen=True)
@@ -232,7 +232,7 @@ def differences(worlds: pd.DataFrame) -> pd.DataFrame:
     for condition, part in worlds.groupby("condition", sort=False):
         parts = dict(tuple(part.groupby("society", sort=False)))
         pairs = [(one, REFERENCE) for one in parts if one != REFERENCE]
-        pairs += [pair for pair in BESIDE.items() if set(pair) <= set(parts)]
+        pairs += [pair for pair in COMPARED_WITH.items() if set(pair) <= set(parts)]
         for society, reference in pairs:
             for name in MEASURED:
                 found = _difference(parts[society], parts[reference], name)

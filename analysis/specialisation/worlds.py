@@ -23,8 +23,8 @@ from .societies import CONDITIONS, TRAINED, Condition
 if TYPE_CHECKING:
     from socialmind import Model
 
-RULES = load_file(model_folder("foraging_roles") / "thresholds.py")
 MINDS = load_file(TRAINED / "minds.py")
+RULES = load_file(model_folder("foraging_roles") / "thresholds.py")
 """The model by whose robots all are measured alike, by what they bring home."""
 B = 2
 EVERY = 100

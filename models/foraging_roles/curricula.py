@@ -5,16 +5,14 @@ learned before. The model's own mind was learned by `supervised_role`, whose los
 variable ROLE.
 """
 
-from socialmind.learning import Curriculum
-
-from .lessons import foraging
-from .role_lessons import anew, delivered, known, narrow, supervised_role, thesis, together
+from .lessons import curriculum
+from .role_lessons import anew, delivered, narrow, thesis, together
 
 curricula = {
     "delivered_anew": anew,
     "delivered_role": delivered,
     "delivered_narrow": narrow,
     "at_once": together,
-    "supervised_role": Curriculum((supervised_role,), mind=foraging(known())),
+    "supervised_role": curriculum,
     "thesis_role": thesis,
 }

@@ -1,11 +1,10 @@
-"""Three ways to teach roles: with a look into the mind, by what is brought home, as in the thesis.
+"""Ways to teach roles: with a look into the mind, by what is brought home, as in the thesis.
 
 `supervised_role` is the lesson of `lessons.py`, by which the model's own mind was learned: its loss
 counts the variable ROLE, and what ROLE means is a program's. `delivered_role` judges by what robots
 bring home alone, and CollectSelect is learned before; `at_once` both together. `thesis_role` is the
-lesson of section 8.2: in bodies, with one society that begins undecided.
-
-They stand beside the model's own curriculum, which stays what kept minds were learned by.
+lesson of section 8.2: in bodies, with one society that begins undecided. `curricula.py` has their
+names.
 """
 
 from socialmind import each, once
@@ -100,7 +99,7 @@ class ForageInBodies(ForagingByDeliveries):
 # Lessons ----------------------------------------------------------------------------------------
 
 supervised_role = lesson
-"""Today's: its name in trainings is that of the skill, on which its worlds hang."""
+"""Its name in trainings is that of the skill, on which its worlds hang."""
 
 choose = Lesson(
     CHOICE,

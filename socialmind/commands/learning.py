@@ -25,7 +25,9 @@ def learn(
     model: options.ModelUnlessResumed = None,
     lesson: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME|FILE", help="A lesson, or a .simbatch file (the curriculum)."),
+        typer.Option(
+            metavar="NAME|FILE", help="A lesson, a curriculum or a .simbatch file (all lessons)."
+        ),
     ] = None,
     attempts: Annotated[
         int | None, typer.Option(**options.FROM_1, help="Independent attempts (1).")

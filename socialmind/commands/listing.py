@@ -89,16 +89,16 @@ def _taught(folder: Path) -> list[tuple[str, str]]:
 
     `--lesson` of `socialmind learn` takes all of these names.
     """
-    from socialmind.learning.training.course import LESSONS_FILE, curricula_of, curriculum_of
+    from socialmind.learning.training.course import can_be_taught, curricula_of, curriculum_of
 
-    if not (folder / LESSONS_FILE).is_file():
-        return [("lessons", "")]
+    if not can_be_taught(folder):
+        return []
     names = [name for name in curricula_of(folder) if name]
     curriculum, _ = curriculum_of(folder)
-    lessons = "; ".join(dict.fromkeys(lesson.name for lesson in curriculum.lessons))
+    lessons = dict.fromkeys(lesson.name for lesson in curriculum.lessons)
     if not names:
-        return [("lessons", lessons.replace(";", ","))]
-    return [("curricula", ", ".join(names)), (f"of {names[0]}", lessons)]
+        return [("lessons", ", ".join(lessons))]
+    return [("curricula", ", ".join(names)), (f"of {names[0]}", "; ".join(lessons))]
 
 
 def description(name: str, model_class: type[Model]) -> str:

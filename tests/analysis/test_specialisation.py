@@ -12,14 +12,25 @@ import pytest
 from socialmind.errors import SocialmindError
 from socialmind.experiments.measures import crossed, intervals
 from socialmind.experiments.studies import studies_in
+from socialmind.learning import Training
 from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "specialisation"
 making = load_file(FOLDER / "making.py")
 PACKAGE = making.__name__
-claims, farmers, page_module, report, runs, societies, tables, worlds = (
+budgets, claims, farmers, page_module, report, runs, societies, tables, worlds = (
     sys.modules[f"{PACKAGE}.{name}"]
-    for name in ("claims", "farmers", "page", "report", "runs", "societies", "tables", "worlds")
+    for name in (
+        "budgets",
+        "claims",
+        "farmers",
+        "page",
+        "report",
+        "runs",
+        "societies",
+        "tables",
+        "worlds",
+    )
 )
 RESAMPLES = 200  # enough to see that intervals are the same
 TINY = societies.Size(2, 2, 2000, 2, (3,), 2, 2, 1500)
@@ -272,7 +283,7 @@ def test_kinds_are_compared_within_their_society():
 @pytest.fixture
 def made_up(monkeypatch):
     """Tables in which the society `a` has 1 more than the programmed one, and `b` 2 more."""
-    monkeypatch.setattr(tables, "BESIDE", {"b": "a"})
+    monkeypatch.setattr(tables, "COMPARED_WITH", {"b": "a"})
     worlds = pd.concat(
         [
             runs_of("programmed", [[0.2, 0.4, 0.3]]),
@@ -352,3 +363,25 @@ def test_all_that_is_said_holds_of_the_kept_tables_and_stands_on_the_kept_page(p
     page = (kept / "specialisation.html").read_text(encoding="utf-8")
     for one in said:
         assert page_module.html.bullets([one.text])[5:-6] in page
+
+
+# Budgets ------------------------------------------------------------------------------------------
+
+
+def test_an_attempt_that_had_several_trainings_had_the_ticks_of_all():
+    table = budgets.budgets(societies.FULL).set_index("society")
+    lessons = Training(budgets.FIRST.PLANS.kept / "like_bodies").lessons
+    ticks = lessons.groupby("attempt")["ticks"].sum()
+    own = budgets.FIRST.trainings_of(budgets.FIRST.read())
+    each = [sum(ticks[one] for one in several) / 1e9 for several in own.values()]
+    assert table.loc["chosen", ["least", "greatest"]].tolist() == [min(each), max(each)]
+    assert table.loc["chosen", "trainings"] == sum(map(len, own.values())) > 10
+    # Of the lesson as declared: individuals x worlds x generations, and the finals.
+    assert table.loc["picked", "median"] == pytest.approx((40 * 16 * 300 + 20 * 256) * 6e4 / 1e9)
+    assert table.loc["supervised", "median"] == table.loc["picked", "median"]
+
+
+def test_a_small_study_tells_the_budget_of_its_own_attempts():
+    table = budgets.budgets(TINY).set_index("society")
+    assert table["attempts"].tolist() == [2, 2, 2, 1, 2]
+    assert (table["trainings"] >= table["attempts"]).all()

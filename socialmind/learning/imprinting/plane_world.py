@@ -116,6 +116,9 @@ class PlaneWorld:
             ModelError: a lesson of several skills, or whose environment is no model.
         """
         curriculum, folder = curriculum_of(model, lesson)
+        if len(curriculum.lessons) > 1:
+            names = ", ".join(one.name for one in curriculum.lessons)
+            raise SocialmindError(f"{lesson} is a curriculum; expected one of its lessons, {names}")
         (found,) = curriculum.lessons
         if len(found.skills) > 1:
             raise found.refused(f"with the skills {', '.join(found.skills)}", "one, which is shown")

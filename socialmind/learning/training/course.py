@@ -54,6 +54,11 @@ def lessons_module(folder: Path) -> ModuleType | None:
     return load_file(path) if path.is_file() else None
 
 
+def can_be_taught(folder: Path) -> bool:
+    """Return whether a model's folder holds lessons."""
+    return (folder / LESSONS_FILE).is_file() or bool(_several(folder))
+
+
 def curricula_of(folder: Path | None) -> Mapping[str, Curriculum]:
     """Return the curricula of a model by name, the one that is taught where none is named first.
 
@@ -64,18 +69,22 @@ def curricula_of(folder: Path | None) -> Mapping[str, Curriculum]:
         SocialmindError: there are none.
         ModelError: what stands in their place is something else.
     """
-    path = None if folder is None else folder / CURRICULA_FILE
-    if folder is None or path is None or not path.is_file():
-        return {"": _own(None if folder is None else lessons_module(folder), folder)}
-    curricula = getattr(load_file(path), "curricula", None)
-    if (
-        isinstance(curricula, Mapping)
-        and curricula
-        and all(isinstance(one, Curriculum) for one in curricula.values())
-    ):
-        return curricula
+    if folder is None:
+        return {"": _own(None, None)}
+    return _several(folder) or {"": _own(lessons_module(folder), folder)}
+
+
+def _several(folder: Path) -> Mapping[str, Curriculum]:
+    """The `curricula` of a model's `curricula.py`; none where it sets none, or there is no file."""
+    path = folder / CURRICULA_FILE
+    curricula = getattr(load_file(path), "curricula", None) if path.is_file() else None
+    if curricula is None:
+        return {}
+    values = list(curricula.values()) if isinstance(curricula, Mapping) else []
+    if values and all(isinstance(one, Curriculum) for one in values):
+        return dict(curricula)
     raise ModelError(
-        "no curricula" if curricula is None else f"`curricula` set to {curricula!r}",
+        f"`curricula` set to {curricula!r}",
         'curricula = {"a name": Curriculum(...), ...}',
         "write it at the end",
         path,
@@ -118,10 +127,11 @@ def curriculum_of(
     elif lessons is None:
         curriculum = next(iter(curricula_of(folder).values()))
     elif names := [one for one in lessons if isinstance(one, str) and not one.endswith(SIMBATCH)]:
-        known = {name: one.with_lessons(whole) for name, one in curricula_of(folder).items()}
-        curriculum = _named(names, list(lessons), known)
+        curriculum = _named(names, list(lessons), curricula_of(folder), whole)
     else:
-        curriculum = Curriculum(lessons, getattr(getattr(module, "curriculum", None), "mind", None))
+        several = {} if folder is None else _several(folder)
+        first = next(iter(several.values()), getattr(module, "curriculum", None))
+        curriculum = Curriculum(lessons, getattr(first, "mind", None))
     return curriculum.with_lessons(whole), folder
 
 
@@ -154,34 +164,46 @@ def _own(module: ModuleType | None, folder: Path | None) -> Curriculum:
 
 
 def _named(
-    names: Sequence[str], lessons: Sequence[Any], curricula: Mapping[str, Curriculum]
+    names: Sequence[str],
+    lessons: Sequence[Any],
+    curricula: Mapping[str, Curriculum],
+    whole: Callable[[Any], Lesson],
 ) -> Curriculum:
     """Return the curriculum of a name, or that of names of lessons, and lessons between them.
 
     Args:
         names: those among the lessons.
         lessons: what was asked for.
-        curricula: of the model, whose lessons are whole.
+        curricula: of the model.
+        whole: gives the lesson of a path.
     """
     if len(lessons) == 1 and names[0] in curricula:
         return curricula[names[0]]
-    own = _with_lessons(names, curricula).only(names)
+    own = _with_lessons(names, curricula, whole).only(names)
     if len(names) == len(lessons):
         return own
     known = {one.name: one for one in own.lessons}
     return Curriculum([known.get(one, one) for one in lessons], own.mind)
 
 
-def _with_lessons(names: Sequence[str], curricula: Mapping[str, Curriculum]) -> Curriculum:
+def _with_lessons(
+    names: Sequence[str], curricula: Mapping[str, Curriculum], whole: Callable[[Any], Lesson]
+) -> Curriculum:
     """Return the first curriculum that has all lessons of these names."""
+    lessons: list[str] = []
     for one in curricula.values():
-        if {*names} <= {lesson.name for lesson in one.lessons}:
-            return one
-    lessons = [lesson.name for one in curricula.values() for lesson in one.lessons]
+        curriculum = one.with_lessons(whole)
+        own = [lesson.name for lesson in curriculum.lessons]
+        if {*names} <= {*own}:
+            return curriculum
+        lessons += own
     known = [name for name in dict.fromkeys([*curricula, *lessons]) if name]
     for name in names:
-        if name not in lessons:
-            raise SocialmindError(f"no lesson called {name!r}; {nearest(name, known)}")
+        if name in lessons:
+            continue
+        if name in curricula:
+            raise SocialmindError(f"{name} is a whole curriculum; name it alone, or its lessons")
+        raise SocialmindError(f"no lesson called {name!r}; {nearest(name, known)}")
     raise SocialmindError(f"the lessons {', '.join(names)} are not all of one curriculum")
 
 

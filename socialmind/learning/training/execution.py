@@ -107,8 +107,9 @@ def learn(
 
     Args:
         model: a model's name or folder, or its class; None where the lessons say all.
-        lessons: a `Curriculum`, a `Lesson` or several; or names of lessons of the model's
-            `lessons.py`, or paths of `.simbatch` files. The model's whole curriculum by default.
+        lessons: a `Curriculum`, a `Lesson` or several; or names of the model's lessons or the name
+            of one of its curricula, or paths of `.simbatch` files. By default the model's whole
+            curriculum, the first where it has several.
         mind: the mind to begin from; by default the curriculum's, or that of the model's robots.
         attempts: how many independent attempts, 1 or more.
         seed: of every draw, 0 … 2**64 − 1.

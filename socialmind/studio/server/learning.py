@@ -9,7 +9,7 @@ from starlette.routing import Route
 
 from socialmind.catalogue import catalogue
 from socialmind.errors import SocialmindError
-from socialmind.learning.training.course import LESSONS_FILE
+from socialmind.learning.training.course import can_be_taught
 from socialmind.studio.learning.following import Follower
 from socialmind.studio.learning.listing import summary, trainings_below
 from socialmind.studio.learning.processes import OPTIONS, LearningProcesses
@@ -49,7 +49,7 @@ def routes(folders: Folders, learning: LearningProcesses) -> list[Route]:
                     for one in found
                 ),
             ],
-            "models": [name for name, one in catalogue().items() if (one / LESSONS_FILE).is_file()],
+            "models": [name for name, one in catalogue().items() if can_be_taught(one)],
         }
 
     def followed(asked: Asked) -> Asked:

@@ -49,6 +49,11 @@ def scored(world, source, seeds):
     return found
 
 
+def test_a_curriculum_is_no_lesson():
+    with pytest.raises(SocialmindError, match="delivered_anew is a curriculum; expected one of it"):
+        PlaneWorld.of("foraging_roles", "delivered_anew")
+
+
 # An episode ---------------------------------------------------------------------------------------
 
 

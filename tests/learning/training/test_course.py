@@ -6,6 +6,7 @@ from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum
 from socialmind.learning.training.course import (
     TrainingCourse,
+    can_be_taught,
     curricula_of,
     curriculum_of,
     mind_of,
@@ -71,9 +72,31 @@ def test_a_model_with_several_curricula_has_them_and_their_lessons_by_name(empty
         names("shrt")
     with pytest.raises(SocialmindError, match="the lessons Go, Stop are not all of one curricul"):
         names(["Go", "Stop"])
+    with pytest.raises(SocialmindError, match="short is a whole curriculum; name it alone"):
+        names(["short", "Turn"])
 
 
-@pytest.mark.parametrize("text", ["", "curricula = {}", "curricula = [1]", "curricula = {'a': 1}"])
+def test_other_curricula_need_not_be_whole(empty):
+    (empty / "curricula.py").write_text(
+        CURRICULA.replace('"other": taught("Stop")', '"other": Curriculum(["lost.simbatch"])')
+    )
+    for name in ("short", "Turn"):
+        assert [one.name for one in curriculum_of(empty, name)[0].lessons][-1] in ("Go", "Turn")
+    with pytest.raises(SocialmindError, match="lost"):
+        curriculum_of(empty, "other")
+
+
+def test_a_file_of_that_name_that_sets_none_is_no_matter(empty, lesson):
+    assert not can_be_taught(empty)
+    (empty / "curricula.py").write_text("def taught():\n    pass\n")
+    assert not can_be_taught(empty)
+    with pytest.raises(SocialmindError, match=r"no lessons\.py"):
+        curriculum_of(empty)
+    (empty / "curricula.py").write_text(CURRICULA)
+    assert can_be_taught(empty)
+
+
+@pytest.mark.parametrize("text", ["curricula = {}", "curricula = [1]", "curricula = {'a': 1}"])
 def test_what_are_no_curricula_is_refused(empty, text):
     (empty / "curricula.py").write_text(text)
     with pytest.raises(ModelError, match=r"curricula.*; expected curricula = {"):
