@@ -111,7 +111,7 @@ def draw(all_learned: Sequence[Learned]) -> Figure:
             own = all_learned[place]
             failed = short_of(list(own.finals.values()))
             paper.attempts(axes, list(own.curves.values()), failed, step=STEP)
-            axes.set_ylim(bottom=0)
+            axes.set_ylim(bottom=-0.03 * axes.get_ylim()[1])  # who learns nothing is seen
             axes.set_xlabel("million ticks of the lesson")
             axes.set_ylabel("" if place % 2 else "score, common worlds")
             paper.panel_title(axes, "abcd"[place], own.title)

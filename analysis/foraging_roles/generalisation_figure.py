@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 
 from socialmind.drawing import style as paper
+from socialmind.experiments.measures.intervals import share_interval
 from socialmind.experiments.studies import write_figure
 
 from .contestants import PICKED
@@ -30,7 +32,7 @@ COLOURS = {
 }
 LEGEND = {
     "the model's mind (picked)": (paper.INK, "o"),
-    "learned by ROLE": (paper.BLUE, "o"),
+    "learned, supervised": (paper.BLUE, "o"),
     "learned by deliveries": (paper.PURPLE, "s"),
     "scheme, written or evolved": (paper.RED, "^"),
     "thresholds": (paper.GOLD, "D"),
@@ -45,8 +47,8 @@ CASES = {
 """Gain, and whether trips are even, of panel b."""
 PARTNERED = {
     "picked / programmed": (PICKED, 1, "programmed", 0),
-    "ROLE 1 / programmed": ("supervised_role", 1, "programmed", 0),
-    "ROLE 1 / ROLE 3": ("supervised_role", 1, "supervised_role", 3),
+    "supervised 1 / programmed": ("supervised_role", 1, "programmed", 0),
+    "supervised 1 / supervised 3": ("supervised_role", 1, "supervised_role", 3),
     "deliveries 1 / programmed": ("delivered_narrow", 1, "programmed", 0),
 }
 LINES = ("-", "-", "--", "-")
@@ -96,7 +98,7 @@ def causes(axes: Axes, table: pd.DataFrame) -> None:
 
 def partners(axes: Axes, table: pd.DataFrame, alone: pd.DataFrame) -> None:
     """Show how many worlds settle again among partners never met, by how many robots are focal."""
-    for line, (label, pair_of) in zip(LINES, PARTNERED.items(), strict=True):
+    for place, (line, (label, pair_of)) in enumerate(zip(LINES, PARTNERED.items(), strict=True)):
         way, attempt, other, other_attempt = pair_of
         pair = table[
             (table["way"] == way) & (table["attempt"] == attempt) & (table["partner"] == other)
@@ -115,8 +117,15 @@ def partners(axes: Axes, table: pd.DataFrame, alone: pd.DataFrame) -> None:
         found = found.sort_index()
         colour = COLOURS[way]
         given = {"color": colour, "marker": MARKERS[colour], "markersize": 3, "lw": 0.8}
-        axes.plot(found.index, 100 * found, line, label=label, **given)
-    axes.legend(loc="lower left", frameon=False)
+        aside = 0.12 * (place - 1.5)
+        axes.plot(found.index + aside, 100 * found, line, label=label, **given)
+        for focal, share in found.items():
+            worlds = np.arange(pair["world"].nunique())
+            known = share_interval(worlds < round(share * len(worlds)))
+            axes.plot(
+                [focal + aside] * 2, [100 * known.low, 100 * known.high], lw=0.6, color=colour
+            )
+    axes.legend(loc="lower left", frameon=False, handlelength=1.4, handletextpad=0.4, borderpad=0)
     axes.set_xticks([0, 3, 6, 9])
     axes.set_xlabel("focal robots of nine")
     axes.set_ylabel("worlds within one after\nthe ratio has turned (%)")
@@ -143,7 +152,8 @@ def draw(out: Path = RESULTS) -> list[Path]:
         for name, (colour, marker) in LEGEND.items():
             second.plot([], [], color=colour, marker=marker, markersize=3, lw=0, label=name)
         handles, names = second.get_legend_handles_labels()
-        figure.legend(handles, names, loc="outside lower center", ncols=5, frameon=False)
+        figure.legend(handles, names, loc="outside lower center", ncols=5, frameon=False,
+                      columnspacing=1.0, handletextpad=0.2)  # fmt: skip
         shown = large.groupby(
             ["way", "attempt", "robots", "ticks", "gain", "even"], sort=False
         )["off"].mean()  # fmt: skip
