@@ -13,11 +13,11 @@ import itertools
 from typing import Any
 
 from socialmind.compiling.aggregates import aggregate_name
-from socialmind.compiling.counting import counted, counting_on_patches
+from socialmind.compiling.lowering_loops import LOOPS
+from socialmind.compiling.pieces import call_of, expression, name_of
 from socialmind.fields import Field, presence
 from socialmind.language.program import Program, TypedFunction
 from socialmind.language.shape import ModelShape
-from socialmind.language.syntax import parsed
 
 PLACES = ("x", "y")
 """The fields of an agent that are kept in the world wherever they are set."""
@@ -72,25 +72,13 @@ def _once(node: ast.expr) -> bool:
     return isinstance(node, ast.Name)
 
 
-def _name(name: str) -> ast.Name:
-    return ast.Name(name, ast.Load())
-
-
-def _call(name: str, *arguments: ast.expr) -> ast.Call:
-    return ast.Call(_name(name), [_name("_model"), *arguments], [])
-
-
 def _is_text(node: ast.expr) -> bool:
     return isinstance(node, ast.Constant) and isinstance(node.value, str)
 
 
 def _widened(value: ast.expr, field: Field) -> ast.expr:
     """Return the reading of a field; small whole numbers are read as large ones."""
-    return value if field.limits is None else ast.Call(_name("_int64"), [value], [])
-
-
-def _parsed(text: str) -> Any:
-    return parsed(text, "eval").body
+    return value if field.limits is None else ast.Call(name_of("_int64"), [value], [])
 
 
 class _Lowering(ast.NodeTransformer):
@@ -107,10 +95,12 @@ class _Lowering(ast.NodeTransformer):
 
     def visit(self, node: ast.AST) -> Any:
         mark = getattr(node, "mark", None)
-        handler = None if mark is None else getattr(self, f"lower_{mark[0]}", None)
-        if handler is not None:
-            return handler(node, mark)
-        return super().visit(node)
+        if mark is None:
+            return super().visit(node)
+        if mark[0] in LOOPS:
+            return LOOPS[mark[0]](self, node, mark)
+        handler = getattr(self, f"lower_{mark[0]}", None)
+        return super().visit(node) if handler is None else handler(node, mark)
 
     # Fields -----------------------------------------------------------------------------------
 
@@ -118,9 +108,9 @@ class _Lowering(ast.NodeTransformer):
         """Return the record that holds a field."""
         base = self.visit(node.value)
         if mark[0] == "model":
-            return _name("_model")
+            return name_of("_model")
         if mark[0] == "patch":
-            return ast.Subscript(_call("_patches"), base, ast.Load())
+            return ast.Subscript(call_of("_patches"), base, ast.Load())
         return base
 
     def lower_field(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
@@ -132,7 +122,7 @@ class _Lowering(ast.NodeTransformer):
     def lower_present(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         place: Any = node.args[0]
         field: Field = place.mark[-1]
-        made = ast.Call(_name(f"_some_{field.name}"), [self.holder(place, place.mark)], [])
+        made = ast.Call(name_of(f"_some_{field.name}"), [self.holder(place, place.mark)], [])
         return _widened(made, field)
 
     def keeping(self) -> str:
@@ -161,7 +151,7 @@ class _Lowering(ast.NodeTransformer):
             holder = self.visit(place.value)
             if field is None:
                 return [ast.Assign([ast.Attribute(holder, "_plan", ast.Store())], value)]
-            return [ast.Expr(ast.Call(_name(f"_begin_plan_{field}"), [value, holder], []))]
+            return [ast.Expr(ast.Call(name_of(f"_begin_plan_{field}"), [value, holder], []))]
         if place.mark[0] == "agent":
             value = self.kept_within(place.mark[1], field.name, value)
         holder = self.holder(place, place.mark)
@@ -173,9 +163,10 @@ class _Lowering(ast.NodeTransformer):
                 ast.Assign([ast.Name(f"{kept}_value", ast.Store())], value),
                 ast.Assign([ast.Name(kept, ast.Store())], holder),
                 ast.Assign(
-                    [ast.Attribute(_name(kept), place.attr, ast.Store())], _name(f"{kept}_value")
+                    [ast.Attribute(name_of(kept), place.attr, ast.Store())],
+                    name_of(f"{kept}_value"),
                 ),
-                ast.Expr(_call(f"_near_moved_{place.mark[1]}", _name(kept))),
+                ast.Expr(call_of(f"_near_moved_{place.mark[1]}", name_of(kept))),
             ]
         if not field.optional:
             return [ast.Assign([ast.Attribute(holder, place.attr, ast.Store())], value)]
@@ -187,7 +178,7 @@ class _Lowering(ast.NodeTransformer):
                 ast.Assign([ast.Name(f"{kept}_value", ast.Store())], value),
                 ast.Assign([ast.Name(kept, ast.Store())], holder),
             ]
-            holder, value = _name(kept), _name(f"{kept}_value")
+            holder, value = name_of(kept), name_of(f"{kept}_value")
         if mark[1]:
             value = ast.Constant(field.kind(0))
         there = ast.Attribute(holder, presence(place.attr), ast.Store())
@@ -201,14 +192,14 @@ class _Lowering(ast.NodeTransformer):
         """Return a new place or heading as agents keep it (`rows` has the interpreted twin)."""
         keeping = () if self.world is None else self.world.kept_within(population, name)
         if keeping:
-            return ast.Call(_name(keeping[0]), [value, *map(_parsed, keeping[1:])], [])
+            return ast.Call(name_of(keeping[0]), [value, *map(expression, keeping[1:])], [])
         if self.turns and name == "heading":
-            return ast.Call(_name("_turned"), [value], [])
+            return ast.Call(name_of("_turned"), [value], [])
         return value
 
     def visit_Constant(self, node: ast.Constant) -> ast.expr:
         is_nan = isinstance(node.value, float) and node.value != node.value
-        return _name("_nan") if is_nan else node
+        return name_of("_nan") if is_nan else node
 
     def lower_choice(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
         return ast.Constant(mark[1])
@@ -216,10 +207,10 @@ class _Lowering(ast.NodeTransformer):
     # The model and its world ------------------------------------------------------------------
 
     def lower_tick(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
-        return _parsed("_model._tick")
+        return expression("_model._tick")
 
     def lower_population(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
-        return _name("_model")
+        return name_of("_model")
 
     lower_world = lower_population
 
@@ -228,7 +219,7 @@ class _Lowering(ast.NodeTransformer):
 
     def world_number(self, name: str) -> Any:
         """Return how compiled code finds a number of the world."""
-        return _parsed(self.world.numbers[name])  # type: ignore[union-attr]  # rules of a world
+        return expression(self.world.numbers[name])  # type: ignore[union-attr]  # rules of a world
 
     def space(self) -> list[ast.expr]:
         """Return where the patches are, as the functions that look for them take it."""
@@ -241,12 +232,12 @@ class _Lowering(ast.NodeTransformer):
 
     def lower_patch_at(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]
-        return ast.Call(_name("_patch_index"), [*arguments, *self.space()], [])
+        return ast.Call(name_of("_patch_index"), [*arguments, *self.space()], [])
 
     def lower_world_call(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower a call of the world's by a function of its name; texts are part of the name."""
         arguments = [self.visit(one) for one in node.args if not _is_text(one)]
-        return _call("_".join(("_world", *mark[1:])), *arguments)
+        return call_of("_".join(("_world", *mark[1:])), *arguments)
 
     def lower_element(self, node: ast.expr, mark: tuple[Any, ...]) -> Any:
         """Lower an element of an array; truth values are bytes there."""
@@ -268,13 +259,13 @@ class _Lowering(ast.NodeTransformer):
         return ast.Constant(-1)
 
     def lower_name(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.Subscript(_call(f"_names_{mark[1]}"), ast.Constant(mark[2]), ast.Load())
+        return ast.Subscript(call_of(f"_names_{mark[1]}"), ast.Constant(mark[2]), ast.Load())
 
     def lower_agent_of(self, node: ast.Subscript, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_agent_{mark[1]}", self.visit(node.slice))
+        return call_of(f"_agent_{mark[1]}", self.visit(node.slice))
 
     def lower_count(self, node: ast.AST, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_living_{mark[1]}")
+        return call_of(f"_living_{mark[1]}")
 
     def lower_method(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower what an agent or a population does by a function of the same name."""
@@ -283,62 +274,34 @@ class _Lowering(ast.NodeTransformer):
         owner = [] if mark[0] in alone else [self.visit(node.func.value)]
         if mark[0] == "run_plan":
             arguments = arguments[1:]  # the model goes first anyway
-        return _call(f"_{mark[0]}_{mark[1]}", *owner, *arguments)
+        return call_of(f"_{mark[0]}_{mark[1]}", *owner, *arguments)
 
     lower_die = lower_hatch = lower_create = lower_one_of = lower_contains = lower_method
     lower_run_plan = lower_reconsider_plan = lower_send = lower_method
 
     def lower_network(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower what a network is asked by a function of the same name."""
-        return _call(f"_network_{mark[2]}_{mark[1]}", *map(self.visit, node.args))
+        return call_of(f"_network_{mark[2]}_{mark[1]}", *map(self.visit, node.args))
 
     def lower_count_linked(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         of: Any = node.args[0]
-        return _call(f"_network_degree_{'_'.join(of.mark[1:3])}", self.visit(of.args[2]))
+        return call_of(f"_network_degree_{'_'.join(of.mark[1:3])}", self.visit(of.args[2]))
 
     def lower_one_linked(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         of = node.func.value
         who, rng = self.visit(of.args[2]), self.visit(node.args[0])
-        return _call(f"_network_one_{'_'.join(of.mark[1:])}", who, rng)
-
-    def lower_linked_loop(self, node: ast.For, mark: tuple[Any, ...]) -> list[ast.stmt]:
-        """Lower a loop over what is linked: a walk from link to link, which may end meanwhile."""
-        asked: Any = node.iter
-        _, net, side, what = asked.mark
-        self.loops += 1
-        names = ("whose", "at", "last", "born", "over")
-        whose, at, last, born, over = (f"_{one}_{self.loops}" for one in names)
-        lines = parsed(
-            f"{whose} = WHO\n"
-            f"{at} = {last} = -1\n"
-            f"{born} = _network_born_{net}(_model)\n"
-            f"{over} = False\n"
-            f"while True:\n"
-            f"    {at} = _network_step_{net}_{side}(_model, {whose}, {at}, {last}, {born})\n"
-            f"    if {at} < 0:\n"
-            f"        {over} = True\n"
-            f"        break\n"
-            f"    {last} = _network_link_at_{net}_{side}(_model, {whose}, {at})\n"
-            f"    {ast.unparse(node.target)} = "
-            f"_network_{what}_{net}_{side}(_model, {whose}, {at})\n"
-            f"if {over}:\n"
-            f"    pass\n"
-        ).body
-        lines[0].value = ast.Attribute(self.visit(asked.args[2]), "_slot", ast.Load())
-        lines[4].body += self.block(node.body)
-        lines[5].body += self.block(node.orelse)
-        return list(lines[: 6 if node.orelse else 5])
+        return call_of(f"_network_one_{'_'.join(of.mark[1:])}", who, rng)
 
     def lower_link_end(self, node: ast.Attribute, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_link_{mark[2]}_{mark[1]}", self.visit(node.value))
+        return call_of(f"_link_{mark[2]}_{mark[1]}", self.visit(node.value))
 
     def lower_link_other(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         link, agent = self.visit(node.func.value), self.visit(node.args[0])
-        return _call(f"_link_other_{mark[1]}{mark[2]}", link, agent)
+        return call_of(f"_link_other_{mark[1]}{mark[2]}", link, agent)
 
     def lower_aggregate(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         population, what, field = mark[1:]
-        return _call(aggregate_name(population, what, field))
+        return call_of(aggregate_name(population, what, field))
 
     def lower_mind(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         """Lower a mind or a hierarchy, or what it is asked by a function of the same name."""
@@ -353,7 +316,7 @@ class _Lowering(ast.NodeTransformer):
             else self.lower_name(node, ("name", population, place))
             for argument, place in zip(node.args, places, strict=True)
         ]
-        return _call(f"_{kind}_{method}_{population}", self.visit(node.func.value), *arguments)
+        return call_of(f"_{kind}_{method}_{population}", self.visit(node.func.value), *arguments)
 
     lower_hierarchy = lower_mind
 
@@ -364,25 +327,25 @@ class _Lowering(ast.NodeTransformer):
             for population, place in zip((learner, other), places, strict=False)
         ]
         agents = self.visit(node.func.value), self.visit(node.args[-1])
-        return _call(f"_{command}_{learner}_{other}", *agents, *names)
+        return call_of(f"_{command}_{learner}_{other}", *agents, *names)
 
     def lower_outcome(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         *sides, stream = (self.visit(argument) for argument in node.args)
         records = [
-            ast.Subscript(_call("_patches"), side, ast.Load()) if patch else side
+            ast.Subscript(call_of("_patches"), side, ast.Load()) if patch else side
             for side, patch in zip(sides, mark[2], strict=True)
         ]
-        return _call(f"_outcome_{mark[1]}", *records, stream)
+        return call_of(f"_outcome_{mark[1]}", *records, stream)
 
     def lower_draw(self, node: Any, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args]
         if mark[1:] == ("integers", 1):
             arguments.insert(0, ast.Constant(0))
         stream = self.visit(node.func.value)
-        return ast.Call(_name(f"_rng_{mark[1]}"), [stream, *arguments], [])
+        return ast.Call(name_of(f"_rng_{mark[1]}"), [stream, *arguments], [])
 
     def lower_helper(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        made = _call(mark[1], *[self.visit(argument) for argument in node.args])
+        made = call_of(mark[1], *[self.visit(argument) for argument in node.args])
         made.keywords = [ast.keyword(one.arg, self.visit(one.value)) for one in node.keywords]
         return made
 
@@ -396,7 +359,7 @@ class _Lowering(ast.NodeTransformer):
         return ast.Attribute(self.visit(node.args[0]), "_slot", ast.Load())
 
     def lower_agent_there(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_there_{mark[1]}", self.visit(node.args[0]))
+        return call_of(f"_there_{mark[1]}", self.visit(node.args[0]))
 
     def lower_none_agent(self, node: ast.Compare, mark: tuple[Any, ...]) -> ast.expr:
         operator = ast.GtE() if mark[1] else ast.Lt()
@@ -407,64 +370,26 @@ class _Lowering(ast.NodeTransformer):
         _, population, what, asker = mark
         if what in ("members", "asking"):
             group = self.lower_name(node, ("name", population, asker))
-            return _call(f"_{what}_of_{population}", group, self.visit(node.args[2]))
+            return call_of(f"_{what}_of_{population}", group, self.visit(node.args[2]))
         arguments = [self.visit(argument) for argument in node.args[1:]]
         if what == "near":
-            return _call(f"_near_{population}_{asker}", *arguments)
+            return call_of(f"_near_{population}_{asker}", *arguments)
         steps = arguments[1] if what == "neighbours" else ast.Constant(int(what == "neighbours4"))
         kind = ast.Constant({"on": 0, "neighbours": 8, "neighbours4": 4}[what])
-        return _call(f"_near_patches_{population}_{asker}", arguments[0], steps, kind)
+        return call_of(f"_near_patches_{population}_{asker}", arguments[0], steps, kind)
 
     def lower_nearest(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         arguments = [self.visit(argument) for argument in node.args[1:]]
-        radius = arguments[1:] or [_parsed("np.inf")]
-        return _call(f"_near_first_{mark[1]}_{mark[2]}", arguments[0], *radius)
+        radius = arguments[1:] or [expression("np.inf")]
+        return call_of(f"_near_first_{mark[1]}_{mark[2]}", arguments[0], *radius)
 
     def lower_count_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return ast.BinOp(self.visit(node.args[0]), ast.Sub(), _call(f"_{mark[2]}_begin_{mark[1]}"))
+        return ast.BinOp(
+            self.visit(node.args[0]), ast.Sub(), call_of(f"_{mark[2]}_begin_{mark[1]}")
+        )
 
     def lower_one_found(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
-        return _call(f"_{mark[2]}_one_{mark[1]}", *[self.visit(one) for one in node.args])
-
-    def lower_found_loop(self, node: ast.For, mark: tuple[Any, ...]) -> list[ast.stmt]:
-        """Lower a loop over what is found, which stands on the stack for as long as it runs."""
-        _, population, ordered, by = mark
-        self.loops += 1
-        begin, end, place = (f"_{one}_{self.loops}" for one in ("begin", "end", "place"))
-        called: Any = node.iter
-        value = self.visit(called.args[0])
-        keep, slot = f"_{by}_keep_{population}(_model, {begin}, {end}, {ordered})", "slot"
-        taken = "" if ordered or self.world is None else self.world.taken_by(population)
-        if taken and value.func.id.startswith("_near_patches_"):
-            if counting := None if node.orelse else counted(self.block(copy.deepcopy(node.body))):
-                target = ast.unparse(node.target)
-                return counting_on_patches(population, value, target, counting, self.loops)
-            # In any order, and patches know who stands on them: no places in the order of birth.
-            value.func.id = value.func.id.replace("_near_patches_", "_near_slots_", 1)
-            keep = f"_near_keep_slots_{population}(_model, {begin}, {end})"
-            slot = "slot_as_it_is"
-        dead = ""
-        if self.program is None or self.program.effects.may_kill(node.body, population):
-            dead = (
-                f"    if not _alive_{population}(_model)[_found_{self.loops}]:\n        continue\n"
-            )
-        lines = parsed(
-            f"{begin} = _{by}_begin_{population}(_model)\n"
-            f"{end} = FOUND\n"
-            f"{keep}\n"
-            f"for {place} in _range({begin}, {end}):\n"
-            f"    _found_{self.loops} = _{by}_{slot}_{population}(_model, {place})\n"
-            f"{dead}"
-            f"    {ast.unparse(node.target)} = "
-            f"_rows_{population}(_model)[_index(_found_{self.loops})]\n"
-            f"_{by}_leave_{population}(_model, {begin})\n"
-        ).body
-        lines[1].value = value
-        self.open.append((by, population, begin))
-        lines[3].body += self.block(node.body)
-        self.open.pop()
-        lines[3].orelse = self.block(node.orelse)
-        return list(lines)
+        return call_of(f"_{mark[2]}_one_{mark[1]}", *[self.visit(one) for one in node.args])
 
     def block(self, statements: list[ast.stmt]) -> list[ast.stmt]:
         """Return statements for numba."""
@@ -484,31 +409,12 @@ class _Lowering(ast.NodeTransformer):
     def lower_count_patches(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         what, asker, arguments = self.patches_asked(node.args[0])
         name = "within" if what == "in_radius" else "count"
-        return _call(f"_patches_{name}_{asker}", *arguments)
+        return call_of(f"_patches_{name}_{asker}", *arguments)
 
     def lower_one_patch(self, node: ast.Call, mark: tuple[Any, ...]) -> ast.expr:
         what, asker, arguments = self.patches_asked(node.args[0])
         name = "one_within" if what == "in_radius" else "one"
-        return _call(f"_patches_{name}_{asker}", *arguments, self.visit(node.args[1]))
-
-    def lower_patches_loop(self, node: ast.For, mark: tuple[Any, ...]) -> list[ast.stmt]:
-        """Lower a loop over the patches around somebody, one number after another."""
-        _, asker, (who, steps, four) = self.patches_asked(node.iter)
-        self.loops += 1
-        whose, reach, number = (f"_{one}_{self.loops}" for one in ("who", "steps", "number"))
-        lines = parsed(
-            f"{whose} = 0\n"
-            f"{reach} = 0\n"
-            f"for {number} in _range(_patches_count_{asker}(_model, {whose}, {reach}, 0)):\n"
-            f"    {ast.unparse(node.target)} = "
-            f"_patches_nth_{asker}(_model, {whose}, {reach}, 0, {number})\n"
-        ).body
-        lines[0].value, lines[1].value = who, steps
-        lines[2].iter.args[0].args[3] = four
-        lines[2].body[0].value.args[3] = four
-        lines[2].body += self.block(node.body)
-        lines[2].orelse = self.block(node.orelse)
-        return list(lines)
+        return call_of(f"_patches_{name}_{asker}", *arguments, self.visit(node.args[1]))
 
     def visit_Return(self, node: ast.Return) -> Any:
         """Leave the loops over what was found that a function returns from."""
@@ -521,64 +427,7 @@ class _Lowering(ast.NodeTransformer):
         value = None if node.value is None else self.visit(node.value)
         if value is not None:
             lines.append(ast.Assign([ast.Name("_result", ast.Store())], value))
-            value = _name("_result")
+            value = name_of("_result")
         for (by, population), begin in outermost.items():
-            lines.append(ast.Expr(_call(f"_{by}_leave_{population}", _name(begin))))
+            lines.append(ast.Expr(call_of(f"_{by}_leave_{population}", name_of(begin))))
         return [*lines, ast.Return(value)]
-
-    # Loops ------------------------------------------------------------------------------------
-
-    def lower_elements(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
-        self.generic_visit(node)
-        if mark[1]:
-            self.loops += 1
-            byte = f"_byte_{self.loops}"
-            value = ast.Compare(_name(byte), [ast.NotEq()], [ast.Constant(0)])
-            node.body.insert(0, ast.Assign([node.target], value))
-            node.target = ast.Name(byte, ast.Store())
-        return node
-
-    def lower_agents(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
-        population = mark[1]
-        self.loops += 1
-        place = f"_place_{self.loops}"
-        head: Any = parsed(
-            f"for {place} in _range(_entries_{population}(_model)):\n"
-            f"    if not _is_living_{population}(_model, {place}):\n"
-            f"        continue\n"
-            f"    {ast.unparse(node.target)} = _entry_{population}(_model, {place})\n"
-        ).body[0]
-        self.generic_visit(node)
-        head.body += node.body
-        head.orelse = node.orelse
-        return head
-
-    def lower_mailbox(self, node: Any, mark: tuple[Any, ...]) -> list[ast.stmt]:
-        population = mark[1]
-        self.loops += 1
-        ahead, slot = f"_ahead_{self.loops}", f"_message_{self.loops}"
-        first = ast.Attribute(self.visit(node.iter.args[0]), f"_first_{population}", ast.Load())
-        head: Any = parsed(
-            f"while {ahead} >= 0:\n"
-            f"    {slot} = {ahead}\n"
-            f"    {ahead} = _rows_{population}(_model)[{slot}]._next\n"
-            f"    if not _alive_{population}(_model)[{slot}]:\n"
-            f"        continue\n"
-            f"    {ast.unparse(node.target)} = _rows_{population}(_model)[{slot}]\n"
-        ).body[0]
-        node.iter = ast.Constant(0)
-        self.generic_visit(node)
-        head.body += node.body
-        head.orelse = node.orelse
-        return [ast.Assign([ast.Name(ahead, ast.Store())], first), head]
-
-    def lower_patches(self, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
-        self.generic_visit(node)
-        call: Any = node.iter
-        if call.func.id == "_all_patches":
-            width, height = self.world_number("width"), self.world_number("height")
-            node.iter = ast.Call(_name("_range"), [ast.BinOp(width, ast.Mult(), height)], [])
-        else:
-            arguments = [*call.args[1:], *self.space()]
-            node.iter = ast.Call(_name("_patches_in_radius"), arguments, [])
-        return node
