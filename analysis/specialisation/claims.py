@@ -31,7 +31,6 @@ programmed robots less learned ones of one society.
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -46,7 +45,7 @@ from . import farmers
 from .reading import unsure
 from .societies import REFERENCE
 from .tables import FURTHER, MEASURED
-from .words import number, percent, spread
+from .words import number, percent, shares, spread
 
 FILE = Path(__file__).with_name("claims.md")
 _LINE = re.compile(r"- \[(?P<checks>[^\]]+)\] (?P<text>.+)")
@@ -197,19 +196,16 @@ def _number(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
         return percent(value) if share else number(value, digits)
     if not share:
         return spread(row, digits)
-    low, high = float(row["low"]), float(row["high"])
-    if not math.isfinite(low) or low == high:
-        return percent(row["mean"])
-    return f"{percent(row['mean'])} ({percent(low)} to {percent(high)})"
+    return shares(row)
 
 
 def _counted(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
     """Of the shares of a choice in further worlds, how many there are, or may be below a bound."""
     *bound, choice = text.split()
     own = tables["chosen"][tables["chosen"]["choice"] == choice]
-    shares = own[[name for name in own if name.endswith("_reported")]].to_numpy(float).ravel()
+    found = own[[name for name in own if name.endswith("_reported")]].to_numpy(float).ravel()
     if not bound:
-        return str(len(shares))
+        return str(len(found))
     means = tables["means"]
     worlds = int(means.loc[means["society"] == FURTHER.format(choice), "worlds"].iloc[0])
-    return str(sum(unsure(one, float(bound[0]), worlds) for one in shares))
+    return str(sum(unsure(one, float(bound[0]), worlds) for one in found))

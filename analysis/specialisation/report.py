@@ -25,6 +25,7 @@ from .tables import (
     further,
     judged,
     means,
+    named_further,
     over_time,
     with_changes,
 )
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from .runs import Records
 
 CHOOSING = load_file(TRAINED / "choosing_again.py")
+LATER = load_file(TRAINED / "further_worlds.py")
 BOTH = ("society", "condition")
 SCHEME = "scheme.yaml"
 COMPARED = {
@@ -82,8 +84,8 @@ def made(
 def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str, pd.DataFrame]:
     """Return all tables by name.
 
-    What the attempts that were chosen come to in further worlds is as `analysis/foraging_roles`
-    keeps it; means of the whole study have it too.
+    What attempts come to in further worlds is as `analysis/foraging_roles` keeps it; means and
+    differences of the whole study have it too.
     """
     worlds = judged(with_changes(records.worlds, records.kinds))
     alone = worlds[worlds["society"] != "mixed"]
@@ -98,16 +100,23 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
     of_villagers = [*farmers.MEASURED, "agents_to_tasks_by_chance", "beyond_chance"]
     against = comparisons(villagers.drop(columns="attempt"), "learned", measures=of_villagers)
     of_robots, choices = means(alone, BOTH, measures), CHOOSING.both()
+    away = differences(alone)
     if size == FULL:
-        looks = [(CHOOSING.before(), CHOOSING.BEFORE), (choices, len(CHOOSING.FURTHER))]
-        of_robots = pd.concat([of_robots, *(further(table, worlds) for table, worlds in looks)])
+        kept = LATER.read()
+        first = choices[choices["choice"] == "first"]
+        looks = [(CHOOSING.before(), CHOOSING.BEFORE), (first, len(CHOOSING.FURTHER))]
+        looked_at = [further(table, worlds) for table, worlds in looks]
+        later = named_further(LATER.means(kept)).assign(worlds=len(LATER.WORLDS))
+        of_robots = pd.concat([of_robots, *looked_at, later])
+        told = LATER.differences(kept).rename(columns={"mean": "difference"})
+        away = pd.concat([away, named_further(told)])
     return {
         "worlds": worlds,
         "attempts": attempts(alone),
         "chosen": choices,
         "budgets": budgets(size),
         "means": of_robots,
-        "differences": differences(alone),
+        "differences": away,
         "course": over_time(records.course[records.course["society"] != "mixed"], BOTH),
         "robots": first_spells(records.spells),
         "mixed-means": means(mixed, ["condition", "share"], measures),

@@ -90,6 +90,30 @@ OVER_SHARES = ("last_distance", "settled_after", "changes", "agents_to_tasks")
 FURTHER = "chosen_{}"
 """The society of the attempts that were chosen in bodies, before, first or again, in further
 worlds."""
+FURTHER_WAYS = {
+    "delivered_anew": "delivered_further",
+    "chosen_again": FURTHER.format("again"),
+    "like_bodies": "unchosen_further",
+    "supervised_role": "supervised_further",
+}
+"""Societies of the ways of `further_worlds`."""
+FURTHER_TITLES = dict(
+    zip(
+        FURTHER_WAYS.values(),
+        (
+            "learned by deliveries",
+            "by deliveries, chosen",
+            "the lesson of those chosen, every training, nothing chosen",
+            "learned, supervised",
+        ),
+        strict=True,
+    )
+)
+FURTHER_PAIRS = (
+    ("chosen_again", "delivered_further"),
+    ("unchosen_further", "delivered_further"),
+    ("delivered_further", "supervised_further"),
+)
 RUN = ("society", "attempt", "share", "condition", "seed")
 
 
@@ -207,6 +231,19 @@ def further(choices: pd.DataFrame, worlds: int) -> pd.DataFrame:
             if name.endswith("_reported")
         ]
     )  # fmt: skip
+
+
+def named_further(table: pd.DataFrame) -> pd.DataFrame:
+    """Return means or differences of `further_worlds` as rows of these tables.
+
+    >>> found = pd.DataFrame({"way": ["delivered_anew"], "condition": ["turned"], "mean": [0.5]})
+    >>> named_further(found)[["society", "condition", "measure", "mean"]]
+                 society condition measure  mean
+    0  delivered_further    turned  within   0.5
+    """
+    names = {"way": "society", "than": "reference"}
+    told = table.replace({old: FURTHER_WAYS for old in names if old in table})
+    return told.rename(columns=names).assign(measure="within")
 
 
 def attempts(worlds: pd.DataFrame) -> pd.DataFrame:

@@ -51,6 +51,18 @@ def percent(share: float) -> str:
     return f"{100 * share:.1f} %" if halves % 2 == 1 else f"{round(100 * share)} %"
 
 
+def shares(row: Mapping[str, Any]) -> str:
+    """A mean share with its interval.
+
+    >>> shares({"mean": 0.5, "low": 0.4, "high": 0.62}), shares({"mean": 1.0, "low": 1, "high": 1})
+    ('50 % (40 % to 62 %)', '100 %')
+    """
+    low, high = float(row["low"]), float(row["high"])
+    if not math.isfinite(low) or low == high:
+        return percent(float(row["mean"]))
+    return f"{percent(float(row['mean']))} ({percent(low)} to {percent(high)})"
+
+
 def one_of(table: pd.DataFrame, measure: str, **where: Any) -> dict[str, Any]:
     """The row of a measure; where several columns are given, that with these values."""
     found = table[table["measure"] == measure]

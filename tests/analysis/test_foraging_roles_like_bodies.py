@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from socialmind.errors import SocialmindError
 from socialmind.learning.lessons.keys import seeds_for
 from socialmind.sources.loading import load_file
 
@@ -17,6 +18,7 @@ choosing, again, like_bodies = (
     sys.modules[f"{PACKAGE}.{name}"]
     for name in ("choosing", "choosing_again", "economy_like_bodies")
 )
+later = load_file(FOLDER / "further_worlds.py")
 trips_in_bodies = load_file(FOLDER / "trips_in_bodies.py")
 worlds = load_file(FOLDER / "worlds.py")
 TICKS = 12_000
@@ -232,3 +234,44 @@ def test_trips_are_measured_from_delivery_to_delivery():
         assert (own["took"].cumsum() == own["tick"]).all()
     assert found[["a", "b"]].to_numpy().min() > 0.25
     assert set(found["kind"]) <= {"A", "B"}
+
+
+# Further worlds -----------------------------------------------------------------------------------
+
+
+def test_what_was_chosen_comes_to_in_further_worlds_what_was_reported_of_it():
+    own = later.read().xs("chosen_again", level="way")
+    reported = pd.read_csv(again.REPORT).set_index("attempt")
+    assert list(own) == [str(seed) for seed in again.FURTHER]
+    for condition in later.CONDITIONS:
+        shares = own.xs(condition, level="condition").mean(axis=1)
+        assert shares.tolist() == pytest.approx(reported[condition].tolist())
+
+
+def test_ways_are_compared_in_the_same_worlds_and_only_whole_ones(tmp_path, monkeypatch):
+    attempts = {"delivered_anew": (1, 2), "chosen_again": (1, 2)}
+    monkeypatch.setattr(later, "minds_of", lambda way: dict.fromkeys(attempts.get(way, ()), "a"))
+    rows = [
+        [way, attempt, condition, *([0, 1] if way == "delivered_anew" else [1, 1])]
+        for way, several in attempts.items()
+        for attempt in several
+        for condition in later.CONDITIONS
+    ]
+    path = tmp_path / "worlds.csv"
+    table = pd.DataFrame(rows, columns=[*later.KEYS, "1", "2"])
+    table.to_csv(path, index=False)
+    known = later.read(path)
+    assert later.complete(known) == ["delivered_anew", "chosen_again"]
+    means = later.means(known).set_index(["way", "condition"])
+    assert means.loc[("delivered_anew", "turned"), "mean"] == 0.5
+    assert means.loc[("chosen_again", "turned"), "least"] == 1.0
+    (away,) = {round(one, 9) for one in later.differences(known)["mean"]}
+    assert away == 0.5
+    table.iloc[:-1].to_csv(path, index=False)
+    assert later.complete(later.read(path)) == ["delivered_anew"]
+    assert later.differences(later.read(path)).empty
+
+
+def test_a_way_that_there_is_not_is_refused(tmp_path):
+    with pytest.raises(SocialmindError, match="no way called 'delivered'; did you mean 'delivered"):
+        later.run(["delivered"], tmp_path / "worlds.csv")

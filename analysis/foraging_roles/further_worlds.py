@@ -1,0 +1,132 @@
+"""Lessons, and minds chosen in bodies, in forty worlds that had no part in any design.
+
+python -m analysis.foraging_roles.further_worlds                     # runs what is not run yet
+python -m analysis.foraging_roles.further_worlds delivered_anew      # of some ways alone
+python -m analysis.foraging_roles.further_worlds table               # then the table of it
+
+That minds of the economy fail in bodies was seen in the worlds of `analysis/specialisation`, and
+the lesson `like_bodies` was made because of it: there it has an advantage that is luck's. In these
+worlds, in which nothing was looked at before but what was chosen again, all stand alike. Of
+`like_bodies` all trainings are here, as their last lesson left them: those that had been replaced,
+as another one was better, count too.
+
+A row of `results/further_worlds.csv` is a way, an attempt (of `like_bodies` a training) and a
+condition, a column a world: 1 where nine robots stay within one of the wanted split all through the
+last quarter, by what they bring home.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Mapping
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from socialmind.errors import SocialmindError, nearest
+from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
+from socialmind.experiments.measures.intervals import Interval
+
+from . import choosing, choosing_again
+from .minds import minds_of
+
+OUT = Path(__file__).parent / "results" / "further_worlds.csv"
+WORLDS = choosing_again.FURTHER
+CONDITIONS = tuple(reversed(choosing.CONDITIONS))
+KEYS = ["way", "attempt", "condition"]
+WAYS: Mapping[str, str] = {
+    "delivered_anew": "by deliveries",
+    "chosen_again": "by deliveries like bodies, chosen in bodies",
+    "like_bodies": "by deliveries like bodies, every training, nothing chosen",
+    "supervised_role": "supervised",
+}
+"""What they are called in the table."""
+COMPARED = (
+    ("chosen_again", "delivered_anew"),
+    ("like_bodies", "delivered_anew"),
+    ("delivered_anew", "supervised_role"),
+)
+"""Ways, and those that they are held against."""
+
+
+def run(ways: Iterable[str], path: Path = OUT) -> None:
+    """Run what is not run yet, and keep each row as it comes."""
+    for way in ways:
+        if way not in WAYS:
+            raise SocialmindError(f"no way called {way!r}; {nearest(way, WAYS)}")
+        for attempt, mind in minds_of(way).items():
+            for condition in CONDITIONS:
+                if (way, attempt, condition) in read(path).index:
+                    continue
+                within = choosing.each_settles(mind, choosing.CONDITIONS[condition], WORLDS)
+                row = ",".join([way, str(attempt), condition, *map(str, within.astype(int))])
+                begun = path.is_file()
+                with path.open("a", encoding="utf-8", newline="") as file:
+                    if not begun:
+                        file.write(",".join([*KEYS, *map(str, WORLDS)]) + "\n")
+                    file.write(row + "\n")
+                print(way, attempt, condition, within.mean(), file=sys.stderr, flush=True)
+
+
+def read(path: Path = OUT) -> pd.DataFrame:
+    """Return what is kept, by way, attempt and condition, a column a world."""
+    if not path.is_file():
+        return pd.DataFrame(index=pd.MultiIndex.from_tuples([], names=KEYS))
+    return pd.read_csv(path).set_index(KEYS).sort_index()
+
+
+def complete(table: pd.DataFrame) -> list[str]:
+    """Return the ways of which all attempts were run."""
+    known = set(table.index)
+    return [
+        way
+        for way in WAYS
+        if known.issuperset(product([way], minds_of(way), CONDITIONS)) and minds_of(way)
+    ]
+
+
+def within(table: pd.DataFrame, way: str, condition: str) -> np.ndarray:
+    """Return what became of each attempt in each world, (attempts, worlds)."""
+    return table.xs((way, condition), level=("way", "condition")).to_numpy(float)
+
+
+def means(table: pd.DataFrame) -> pd.DataFrame:
+    """Return shares of worlds with their intervals over attempts and worlds.
+
+    Returns:
+        A row for each way and condition: `attempts`, `mean`, `low`, `high`, `least`, `most`.
+    """
+    rows = []
+    for way in complete(table):
+        for condition in CONDITIONS:
+            each = within(table, way, condition)
+            shares = each.mean(axis=1)
+            rows.append(
+                {
+                    "way": way, "condition": condition, "attempts": len(each),
+                    **vars(crossed_interval(each)), "least": shares.min(), "most": shares.max(),
+                }
+            )  # fmt: skip
+    return pd.DataFrame(rows)
+
+
+def differences(table: pd.DataFrame) -> pd.DataFrame:
+    """Return how much more of the worlds one way comes to than another, in the same worlds."""
+    rows, known = [], complete(table)
+    for way, other in (pair for pair in COMPARED if {*pair} <= {*known}):
+        for condition in CONDITIONS:
+            one, two = (within(table, name, condition) for name in (way, other))
+            found: Interval = crossed_difference(one, two)
+            rows.append({"way": way, "than": other, "condition": condition, **vars(found)})
+    return pd.DataFrame(rows)
+
+
+if __name__ == "__main__":
+    asked = sys.argv[1:] or list(WAYS)
+    if asked == ["table"]:
+        read().reset_index().to_csv(OUT, index=False, lineterminator="\n")
+        print(means(read()).to_string(), differences(read()).to_string(), sep="\n")
+    else:
+        run(asked)
