@@ -408,9 +408,8 @@ def _definitions() -> list[str]:
             "formula (1927). Societies are compared in the same worlds; two lessons too, whose "
             "attempts are drawn each on their own. Where all attempts come to the same in all "
             "worlds, a bootstrap gives no interval and none is told: that others would come to the "
-            "same is not said by it. Shares in further worlds, of what was chosen in bodies, have "
-            "intervals over attempts; those of single attempts are Wilson’s. An interval that "
-            "holds 0 does not show that there is no difference: it "
+            "same is not said by it. Intervals of single attempts in further worlds are Wilson’s. "
+            "An interval that holds 0 does not show that there is no difference: it "
             "says how large one could be. Nothing is corrected for the number of comparisons."
         ),
     ]
