@@ -8,14 +8,45 @@ from __future__ import annotations
 import ast
 import copy
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from socialmind.compiling.counting import counted, counting_on_patches
 from socialmind.compiling.pieces import name_of
 from socialmind.language.syntax import parsed
 
-if TYPE_CHECKING:
-    from socialmind.compiling.lowering import _Lowering as Lowering
+
+class Lowering(Protocol):
+    """What rewrites the rest of a rule, and knows which loops are open.
+
+    Attributes:
+        program: the model's typed rules.
+        world: what the model's world says of itself.
+        loops: how many loops there were until now, by which names differ.
+        open: the loops over what was found that are open, from the outermost.
+    """
+
+    program: Any
+    world: Any
+    loops: int
+    open: list[tuple[str, str, str]]
+
+    def visit(self, node: ast.AST) -> Any:
+        """Rewrite a node."""
+
+    def generic_visit(self, node: ast.AST) -> ast.AST:
+        """Rewrite what is below a node."""
+
+    def block(self, statements: list[ast.stmt]) -> list[ast.stmt]:
+        """Return statements for numba."""
+
+    def space(self) -> list[ast.expr]:
+        """Return the numbers of a world that say where its patches are."""
+
+    def world_number(self, name: str) -> Any:
+        """Return one of them."""
+
+    def patches_asked(self, node: Any) -> tuple[str, str, list[ast.expr]]:
+        """Return what patches are around whom, by whom it is asked, and with what."""
 
 
 def agents(lowering: Lowering, node: ast.For, mark: tuple[Any, ...]) -> ast.For:
