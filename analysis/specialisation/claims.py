@@ -40,16 +40,18 @@ from typing import Any
 import pandas as pd
 
 from socialmind.errors import SocialmindError
+from socialmind.experiments import html
 
 from . import farmers
 from .reading import unsure
-from .societies import REFERENCE
+from .societies import FULL, REFERENCE, Size
 from .tables import FURTHER, MEASURED
 from .words import number, percent, shares, spread
 
 FILE = Path(__file__).with_name("claims.md")
 _LINE = re.compile(r"- \[(?P<checks>[^\]]+)\] (?P<text>.+)")
 UNCHECKED = "unchecked"
+NOT_SO = "Said of the study as it was kept, and not so in this run:"
 _CHECK = re.compile(
     r"(?:(?P<worst>worst )?at (?P<side>least|most) (?P<bound>[\d.]+)|(?P<way>more|less|untold)) "
     r"(?P<place>.+)"
@@ -98,6 +100,17 @@ def claims_of(section: str, file: Path = FILE) -> list[Claim]:
             raise SocialmindError(f"{file.name}: {line!r}; expected - [checks] text")
         found.append(Claim(tuple(match["checks"].split("; ")), match["text"]))
     return found
+
+
+def found(section: str, tables: Mapping[str, pd.DataFrame], size: Size) -> str:
+    """Return what is said about a part of the page, as a list; of a small study nothing is."""
+    if size != FULL:
+        return ""
+    lines = []
+    for claim in claims_of(section):
+        one = told(claim, tables)
+        lines.append(one.text if one.holds else f"{NOT_SO} {one.text}")
+    return html.bullets(lines)
 
 
 def told(claim: Claim, tables: Mapping[str, pd.DataFrame]) -> Told:

@@ -17,12 +17,13 @@ from socialmind.experiments import html
 from socialmind.mind import MindDescription
 
 from . import farmers
-from .claims import claims_of, told
+from .claims import found
+from .every_attempt import attempts
 from .plots import KINDS
-from .reading import REFERENCES, WORDS, unsure
+from .reading import REFERENCES, WORDS
 from .societies import CONDITIONS, FULL, REFERENCE, SEED, SOCIETIES, Size
-from .tables import FURTHER_PAIRS, FURTHER_TITLES, MEASURED
-from .words import capital, number, one_of, percent, shares, spread
+from .tables import MEASURED
+from .words import capital, number, one_of, spread
 from .worlds import EVERY
 
 if TYPE_CHECKING:
@@ -30,19 +31,6 @@ if TYPE_CHECKING:
 
 
 TITLE = "Programmed and learned specialisation"
-TIMES = {"first": "first choice", "again": "second"}
-NOT_SO = "Said of the study as it was kept, and not so in this run:"
-
-
-def found(section: str, tables: Mapping[str, pd.DataFrame], size: Size) -> str:
-    """Return what is said about a part of the page, as a list; of a small study nothing is."""
-    if size != FULL:
-        return ""
-    lines = []
-    for claim in claims_of(section):
-        one = told(claim, tables)
-        lines.append(one.text if one.holds else f"{NOT_SO} {one.text}")
-    return html.bullets(lines)
 
 
 def page_of(
@@ -72,7 +60,7 @@ def page_of(
         )
     sections = [
         html.section("Who is compared", _compared(figures, size), "societies"),
-        html.section("Every attempt", _attempts(tables, figures, size), "attempts"),
+        html.section("Every attempt", attempts(tables, figures, size), "attempts"),
         html.section("Left alone", _calm(tables, figures, size), "left-alone"),
         html.section("After shocks", _shocked(tables, figures, size), "shocks"),
         html.section("Both minds in one society", _mixed(tables, figures, size), "mixed"),
@@ -114,121 +102,6 @@ def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
             "cogniton.",
             "A cognitive scheme of four cognitons and two plans.",
         ),
-    ]
-
-
-def _attempts(
-    tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size
-) -> list[str]:
-    rows = []
-    for one in SOCIETIES.values():
-        own = tables["attempts"][tables["attempts"]["society"] == one.name]
-        for attempt, part in own.groupby("attempt", sort=False):
-            by = part.set_index("condition")
-            row: dict[str, object] = {
-                "society": one.title, "attempt": attempt or "–",
-                "worlds": int(by.loc["undisturbed", "worlds"]),
-            }  # fmt: skip
-            for name, condition in CONDITIONS.items():
-                row[condition.title] = percent(by.loc[name, "within"])
-            row["changes of roles"] = number(by.loc["undisturbed", "changes"])
-            row["objects"] = number(by.loc["undisturbed", "delivered"], 0)
-            rows.append(row)
-    return [
-        found("attempts", tables, size),
-        html.picture(
-            figures["attempts"],
-            "Figure 2. The share of worlds all through whose last quarter the split stays within "
-            "one robot of the wanted one. A dot is an attempt at a lesson; a line the mean with "
-            "its interval of 95 %, over attempts and worlds where there are attempts, over worlds "
-            "where nothing was learned.",
-            "Shares of worlds of every attempt, for each society and condition.",
-        ),
-        html.table(
-            rows,
-            "Table 1. Every attempt. Of those chosen in bodies some had several trainings, of "
-            "which one counts (Table 10). Shares of worlds within one robot of the "
-            "wanted split; in the last two columns, undisturbed, changes of roles for each robot "
-            "and 10,000 ticks, and objects brought home.",
-            numbers=True,
-        ),
-        _choices(tables["chosen"]),
-        *_further(tables),
-    ]
-
-
-def _choices(table: pd.DataFrame) -> str:
-    """A table of what each attempt's minds come to that were chosen in bodies, by both choices."""
-    parts = {
-        str(choice): own.set_index("attempt") for choice, own in table.groupby("choice", sort=False)
-    }
-    conditions = [one for one in CONDITIONS if one in table]
-    choosing_keys = ["training", "lesson", "what"]
-    rows = []
-    minds = [own[choosing_keys] for own in parts.values()]
-    anew = (minds[0] != minds[1]).any(axis=1)
-    for attempt in parts["first"].index:
-        row: dict[str, object] = {"attempt": f"{attempt} *" if anew[attempt] else attempt}
-        for choice, own in parts.items():
-            one = own.loc[attempt]
-            row[f"{TIMES[choice]}:\nleast when chosen"] = percent(one[conditions].min())
-            for name in conditions:
-                share = one[f"{name}_reported"]
-                row[f"{TIMES[choice]}:\n{CONDITIONS[name].title}"] = percent(share) + (
-                    " ‡" if unsure(share) else ""
-                )
-        rows.append(row)
-    worlds = parts["again"]["worlds"]
-    alone = ", ".join(map(str, worlds.index[worlds < worlds.max()]))
-    few = f" (attempts {alone}, with one such mind each, in {worlds.min()})" if alone else ""
-    return html.table(
-        rows,
-        "Table 2. The attempts whose minds were chosen in bodies, first in 36 worlds for choosing, "
-        f"then, of those that had been the best, in 72{few}. For each choice: the least share of "
-        "worlds, over three conditions, with which the mind was chosen; and its shares in forty "
-        "worlds in which nothing was chosen, others for each choice. *, another mind than by the "
-        "first choice; ‡, the interval of 95 % (Wilson’s) reaches below 75 %.",
-        numbers=True,
-    )
-
-
-def _further(tables: Mapping[str, pd.DataFrame]) -> list[str]:
-    """Tables of the worlds that had no part in any design; none of a small study."""
-    means = tables["means"][tables["means"]["society"].isin(FURTHER_TITLES)]
-    if means.empty:
-        return []
-    conditions = [one for one in CONDITIONS if one in set(means["condition"])]
-    rows: list[dict[str, object]] = []
-    for society, title in FURTHER_TITLES.items():
-        row: dict[str, object] = {"society": title}
-        for name in conditions:
-            found = one_of(means, "within", society=society, condition=name)
-            row["attempts"] = int(found["attempts"])
-            row[CONDITIONS[name].title] = (
-                f"{shares(found)}\n{percent(found['least'])} … {percent(found['most'])}"
-            )
-        rows.append(row)
-    away = tables["differences"]
-    apart = [
-        {
-            "beside each other": f"{FURTHER_TITLES[one]} – {FURTHER_TITLES[other]}",
-            **{
-                CONDITIONS[name].title: spread({**row, "mean": row["difference"]})
-                for name in conditions
-                for row in [one_of(away, "within", society=one, reference=other, condition=name)]
-            },
-        }
-        for one, other in FURTHER_PAIRS
-    ]
-    return [
-        html.table(
-            rows,
-            "Table 3. The same forty worlds for all, seeds 6101 … 6140, which had no part in any "
-            "design: shares within one robot with intervals of 95 % over attempts and worlds, and "
-            "the worst and the best attempt. Adding three was not run.",
-            numbers=True,
-        ),
-        html.table(apart, "", numbers=True),
     ]
 
 

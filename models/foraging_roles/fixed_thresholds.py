@@ -17,6 +17,3 @@ class FixedThresholds(ForagingByThresholds):
 
     lowest_threshold: float = replace(KNOWN["lowest_threshold"], default=0.2)
     highest_threshold: float = replace(KNOWN["highest_threshold"], default=1.0)
-    variety: float = replace(KNOWN["variety"], default=1.0)
-    learning: float = replace(KNOWN["learning"], default=0.0)
-    forgetting: float = replace(KNOWN["forgetting"], default=0.0)
