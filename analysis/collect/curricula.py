@@ -5,11 +5,13 @@ curriculum. The curriculum of `collect` is shorter. So there are lessons of equa
 both structures spend the same ticks on each of the six, on the first five what the hierarchy spends
 on them in the curriculum, and on the last one `COLLECTING` ticks; who learns the final task alone
 spends as many in all. They are judged on common worlds too (`validation`), so that one sees in the
-curve against ticks whether it has levelled off.
+curve against ticks whether it has levelled off. The monolith had not; so both go on with Collect
+for `LONGER` ticks, in a lesson of its own that begins with large steps again.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from socialmind.catalogue import load_file, model_folder
@@ -23,7 +25,7 @@ SIX = tuple(LESSONS.curriculum.items)
 CONTEXT, *FURTHER = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
 """Avoid, as in the thesis (6.2.2), and then more of the hierarchy, learned while Collect steers."""
 MORE = "More of Collect"
-"""The monolith's lesson in place of the first."""
+"""The monolith's lesson in place of the first, and the last one where ticks are equal."""
 AT_ONCE = 320_000_000
 """Ticks of the six lessons together, for learning all at once."""
 LONG = 0.98
@@ -41,6 +43,10 @@ EQUAL = {
     "Collect": COLLECTING,
 }
 """Ticks of each lesson where the structures have equal ones."""
+LONGER = 400_000_000
+"""Ticks of Collect in the lesson behind those, with steps that come to the same in the end."""
+SHORTER = 0.97
+"""How steps narrow in it."""
 ENDLESS = 10_000
 """Generations that no lesson comes to: its ticks end it."""
 
@@ -122,9 +128,17 @@ def by_ticks(lesson: Lesson) -> Lesson:
     return changed.changed(validation=COMMON, settings={**lesson.settings, "narrowing": LONG})
 
 
+def and_more(lessons: Sequence[Lesson]) -> Curriculum:
+    """Return lessons of equal length, and more of the last one."""
+    *_, last = lessons
+    settings = {**last.settings, "narrowing": SHORTER}
+    more = replace(last, name=MORE, budget=LONGER, start="known", settings=settings)
+    return Curriculum((*lessons, more))
+
+
 def equal() -> Curriculum:
-    """Return the six lessons of equal length, for the hierarchy."""
-    return Curriculum(tuple(by_ticks(lesson) for lesson in SIX))
+    """Return the lessons of equal length, for the hierarchy."""
+    return and_more([by_ticks(lesson) for lesson in SIX])
 
 
 def equal_for_monolith() -> Curriculum:
@@ -133,4 +147,4 @@ def equal_for_monolith() -> Curriculum:
     for place, lesson in enumerate(SIX):
         taught = by_monolith(lesson, place == 0)
         six.append(by_ticks(replace(taught, name=lesson.name)))
-    return Curriculum(tuple(six))
+    return and_more(six)

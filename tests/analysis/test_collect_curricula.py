@@ -34,12 +34,21 @@ def test_both_have_the_same_ticks_in_each_lesson_and_are_ended_by_them():
         for lesson in (one, two):
             generation = lesson.settings["population"] * lesson.repetitions
             assert lesson.generations * generation * lesson.episode_ticks > 10 * lesson.budget
-    assert [one.name for one in ours] == list(curricula.EQUAL)
+    assert [one.name for one in ours] == [*curricula.EQUAL, curricula.MORE]
 
 
-def test_the_final_task_alone_has_the_ticks_of_all_lessons():
+def test_the_final_task_alone_has_the_ticks_of_the_six_lessons():
     for name in PLANS:
-        assert sum(one.budget for one in PLANS[name].curriculum().lessons) == 866_000_000
+        six = [one for one in PLANS[name].curriculum().lessons if one.name != curricula.MORE]
+        assert sum(one.budget for one in six) == 866_000_000
+
+
+def test_more_of_collect_goes_on_from_what_collect_taught_on_the_same_common_worlds():
+    for name in BOTH:
+        *_, collect, more = PLANS[name].curriculum().lessons
+        assert (more.start, more.budget) == ("known", 400_000_000)
+        assert (more.environment, more.validation) == (collect.environment, collect.validation)
+        assert (more.skills, more.finals) == (collect.skills, collect.finals)
 
 
 def test_the_last_lesson_is_long_and_seen_on_common_worlds():

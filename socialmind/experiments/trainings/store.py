@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.errors import SocialmindError
 from socialmind.learning.training import archive
-from socialmind.learning.training.attempt import CHECKPOINT, result_file
+from socialmind.learning.training.attempt import CHECKPOINT, is_through, result_file
 from socialmind.learning.training.capsule import TrainingManifest
 from socialmind.learning.training.continuing import as_json
 from socialmind.learning.training.result import Training
@@ -47,7 +47,7 @@ def keep(folder: Path, home: Path) -> Path:
     training = Training(folder)
     target = home / training.folder.name
     known = TrainingManifest.load(target / MANIFEST) if target.is_dir() else None
-    if known is not None and identity(known) != identity(training.manifest):
+    if known is not None and not _are_one(known, training.manifest):
         raise SocialmindError(
             f"{target}: of other lessons, another mind, model or seed than {folder}; "
             "remove it to keep this one"
@@ -60,8 +60,18 @@ def keep(folder: Path, home: Path) -> Path:
         )
     for number in training.attempts:
         _keep_attempt(_attempt(training.folder, number), _attempt(target, number))
-    replace_file(target / MANIFEST, _manifest(training.manifest, known, target).content())
+    manifest = training.manifest
+    if known is not None and len(known.lessons) > len(manifest.lessons):
+        manifest = known
+    replace_file(target / MANIFEST, _manifest(manifest, known, target).content())
     return target
+
+
+def _are_one(one: TrainingManifest, other: TrainingManifest) -> bool:
+    """Whether both are of one training, to which lessons may have been added in between."""
+    known = min(len(one.lessons), len(other.lessons))
+    first, second = (replace(it, lessons=it.lessons[:known]) for it in (one, other))
+    return identity(first) == identity(second)
 
 
 def _attempt(folder: Path, number: int) -> Path:
@@ -89,7 +99,7 @@ def _manifest(
 ) -> TrainingManifest:
     """Return the manifest of what is kept: without paths of the machine that it was made on."""
     records = [archive.load(one)[0] for one in sorted(target.glob(f"attempts/*/{CHECKPOINT}"))]
-    finished = sum(record["position"] is None for record in records)
+    finished = sum(is_through(record, len(manifest.lessons)) for record in records)
     attempts = max(manifest.attempts, known.attempts if known else 0)
     platforms = list(known.platforms) if known else []
     platforms += [one for one in manifest.platforms if one not in platforms]

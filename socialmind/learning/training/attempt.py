@@ -216,7 +216,7 @@ class Attempt:
         if record["position"] is not None:
             self.position = Position(*record["position"])
         else:
-            # A cycle may go round more often than when the attempt was finished.
+            # A cycle may go round again, and lessons follow, since the attempt was finished.
             self._turn_from(Position(*record["last"]))
         if record["in_hand"] and self.position is not None:
             self._teaching = self._taught(self.position, resumed=True)
@@ -266,6 +266,18 @@ def load_checkpoint(folder: Path) -> tuple[dict[str, Any], dict[str, Any]]:
         SocialmindError: the file is not what a training wrote.
     """
     return archive.load(folder / CHECKPOINT, _CHECKPOINT)
+
+
+def is_through(record: Mapping[str, Any], lessons: int) -> bool:
+    """Return whether the attempt of a checkpoint's record is behind the last of its lessons.
+
+    Args:
+        record: of `load_checkpoint`.
+        lessons: how many its training has, to which some may have been added since; a cycle counts
+            as one.
+    """
+    last = record.get("last")
+    return record["position"] is None and (last is None or last[0] + 1 >= lessons)
 
 
 def load_result(folder: Path, number: int) -> tuple[dict[str, Any], dict[str, Any]]:

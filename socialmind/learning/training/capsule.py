@@ -5,6 +5,7 @@ How far an attempt came is the word of its own checkpoint.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -69,7 +70,8 @@ class TrainingManifest(folders.FolderManifest):
             the seconds.
         timings: ``created`` (UTC) and ``seconds`` in all.
         versions: of what the training stood on; ``commit``, of the program, where that runs from an
-            unedited clone of its repository, and ``commit from attempt 3`` where it is another one.
+            unedited clone of its repository, and ``commit from attempt 3`` where it is another one;
+            ``commit from lesson 7 to attempt 10`` where lessons were added to attempts.
         platforms: the fingerprints of the machines that led it.
         kind: `training`.
         format: of this file.
@@ -129,6 +131,43 @@ def with_commit(versions: Mapping[str, str], attempt: int, commit: str) -> dict[
         return dict(versions)
     key = COMMIT if attempt == 1 else f"{COMMIT} from attempt {attempt}"
     return {**versions, key: commit}
+
+
+def with_commit_of_added(
+    versions: Mapping[str, str], lesson: int, attempt: int, commit: str
+) -> dict[str, str]:
+    """Return the versions of a training to whose attempts lessons are added.
+
+    Args:
+        versions: as they were.
+        lesson: the number of the first one that is added, from 1; a cycle counts as one.
+        attempt: the last one that is begun.
+        commit: of the program that adds them.
+
+    >>> with_commit_of_added({"commit": "3d4ad57"}, 7, 10, "8e6425c")
+    {'commit': '3d4ad57', 'commit from lesson 7 to attempt 10': '8e6425c'}
+    """
+    return {**versions, f"{COMMIT} from lesson {lesson} to attempt {attempt}": commit}
+
+
+def stages_of(versions: Mapping[str, str], attempt: int, lessons: int) -> list[tuple[str, int]]:
+    """Return the commits of the programs that taught an attempt, and up to which lesson each did.
+
+    Args:
+        versions: of the training.
+        attempt: its number.
+        lessons: how many it has in all; a cycle counts as one.
+
+    >>> versions = {"commit": "3d4ad57", "commit from lesson 7 to attempt 10": "8e6425c"}
+    >>> stages_of(versions, 10, 8), stages_of(versions, 11, 8)
+    ([('3d4ad57', 6), ('8e6425c', 8)], [('3d4ad57', 8)])
+    """
+    found = [re.fullmatch(rf"{COMMIT} from lesson (\d+) to attempt (\d+)", one) for one in versions]
+    added = sorted(
+        (int(one[1]), versions[one[0]]) for one in found if one and attempt <= int(one[2])
+    )
+    commits = [commit_of(versions, attempt), *(commit for _, commit in added)]
+    return list(zip(commits, [*(lesson - 1 for lesson, _ in added), lessons], strict=True))
 
 
 class TrainingCapsule(folders.ManifestFolder[TrainingManifest]):

@@ -13,11 +13,16 @@ from socialmind.errors import SocialmindError
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.attempt import Attempt, results_of
-from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
+from socialmind.learning.training.capsule import (
+    TrainingCapsule,
+    TrainingManifest,
+    with_commit_of_added,
+)
 from socialmind.learning.training.course import TrainingCourse, curriculum_of
 from socialmind.mind.description import MindDescription
 from socialmind.runs.folders import refuse_other_version
 from socialmind.runs.sources import mind_files_in, what_was_edited
+from socialmind.sources.commit import own_commit
 from socialmind.sources.folders import MODEL_FILE, catalogue, source_hash
 from socialmind.sources.provenance import difference, sources_of
 from socialmind.sources.trust import programs_in, require
@@ -68,7 +73,7 @@ def with_changes(curriculum: Curriculum, changes: Mapping[str, Any]) -> Curricul
 
 
 def recorded_curriculum(capsule: TrainingCapsule, lessons: Any, trust: bool) -> Curriculum:
-    """Return the lessons of a training, as they were.
+    """Return the lessons of a training, as they were; behind them those that are added.
 
     Raises:
         SocialmindError: they, the model or socialmind are others than they were.
@@ -94,12 +99,22 @@ def recorded_curriculum(capsule: TrainingCapsule, lessons: Any, trust: bool) -> 
     named = model if model is not None and (model / MODEL_FILE).is_file() else None
     curriculum, _ = curriculum_of(named, given)
     curriculum = with_changes(curriculum, manifest.changes)
-    if as_json(curriculum.record()) != manifest.lessons:
+    if as_json(curriculum.record())[: len(manifest.lessons)] != manifest.lessons:
         raise SocialmindError(
             f"{capsule.folder}: the lessons are not those that the training was begun with; "
-            "put them back, or start another training"
+            "put them back, add others behind them, or start another training"
         )
     return curriculum
+
+
+def with_added_lessons(capsule: TrainingCapsule, curriculum: Curriculum) -> dict[str, str]:
+    """Return the versions of a training that goes on with more lessons than it had, if it does."""
+    manifest = capsule.manifest
+    known = len(manifest.lessons)
+    begun = [one for one in range(1, manifest.attempts + 1) if capsule.attempt(one).is_dir()]
+    if len(curriculum.items) == known or not begun:
+        return manifest.versions
+    return with_commit_of_added(manifest.versions, known + 1, begun[-1], own_commit())
 
 
 def _recorded_model(capsule: TrainingCapsule) -> Path:

@@ -198,7 +198,7 @@ def resume(
     progress: bool | None = None,
     plan: Mapping[str, str] | None = None,
 ) -> Path:
-    """Go on with a training that was stopped, or add attempts or cycles to it.
+    """Go on with a training that was stopped, or add attempts, cycles or lessons to it.
 
     It becomes the training that was never stopped.
 
@@ -206,7 +206,8 @@ def resume(
         folder: the training's.
         attempts: how many there are to be in all; as it was by default.
         cycles: how often cycles go round in all; as it was by default.
-        lessons: the lessons, where `learn` was given them in Python.
+        lessons: the lessons, where `learn` was given them in Python; others may follow them, which
+            all attempts go on with.
         workers: as for `learn`.
         cluster: likewise.
         on_generation: likewise.
@@ -248,6 +249,7 @@ def resume(
             lessons=continuing.as_json(curriculum.record()),
             changes=changes,
             plan=manifest.plan if plan is None else dict(plan),
+            versions=continuing.with_added_lessons(capsule, curriculum),
             platforms=folders.with_this_machine(manifest.platforms),
         )
         _go(capsule, curriculum, workers, cluster, asked, tell, on_lesson)

@@ -7,7 +7,12 @@ from typing import TYPE_CHECKING
 
 from socialmind.errors import SocialmindError
 from socialmind.learning.training import archive
-from socialmind.learning.training.attempt import CHECKPOINT, load_checkpoint, results_of
+from socialmind.learning.training.attempt import (
+    CHECKPOINT,
+    is_through,
+    load_checkpoint,
+    results_of,
+)
 from socialmind.learning.training.capsule import TrainingCapsule, TrainingManifest
 from socialmind.learning.training.curve import read_curve
 from socialmind.learning.training.finalists import Individual, individual_of
@@ -55,8 +60,9 @@ class Training:
     @property
     def finished(self) -> list[int]:
         """The numbers of the attempts that have been through all their lessons."""
+        lessons = len(self.manifest.lessons)
         records = {one: load_checkpoint(self._capsule.attempt(one))[0] for one in self.attempts}
-        return [one for one, record in records.items() if record["position"] is None]
+        return [one for one, record in records.items() if is_through(record, lessons)]
 
     @property
     def curve(self) -> pd.DataFrame:

@@ -18,6 +18,7 @@ import pytest
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum, Cycle, Training, TrainingInterrupted, learn, resume
+from socialmind.learning.training import continuing
 from socialmind.learning.training.attempt import Attempt
 from socialmind.learning.training.capsule import TrainingCapsule
 from socialmind.mind import MindDescription
@@ -168,6 +169,29 @@ def test_cycles_go_on_from_what_they_left(lesson, robot, tmp_path):
     # What is known is never given up for anything worse on the same worlds.
     scores = Training(longer).lessons.query("lesson == 'Go2'")["score"]
     assert scores.iloc[-1] > scores.iloc[0] - 0.1
+
+
+def test_lessons_are_added_to_attempts_that_were_through(lesson, robot, tmp_path, monkeypatch):
+    first = [lesson("Go"), lesson("Turn")]
+    more = [*first, lesson("Go on", skill="Go", start="known")]
+    at_once = learn(None, Curriculum(more, mind=robot), attempts=2, out=tmp_path / "at_once")
+    longer = learn(None, Curriculum(first, mind=robot), attempts=2, out=tmp_path / "longer")
+    assert Training(longer).finished == [1, 2]
+    monkeypatch.setattr(continuing, "own_commit", lambda: "8e6425c")
+
+    def stop(news, left):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        resume(longer, lessons=Curriculum(more, mind=robot), on_generation=stop)
+    assert Training(longer).finished == []
+    with pytest.raises(SocialmindError, match="add others behind them, or start another"):
+        resume(longer, lessons=Curriculum(first, mind=robot))
+    resume(longer, lessons=Curriculum(more, mind=robot))
+    assert digest(longer) == digest(at_once)
+    training = Training(longer)
+    assert training.finished == [1, 2]
+    assert training.manifest.versions["commit from lesson 3 to attempt 2"] == "8e6425c"
 
 
 def test_a_cycle_without_end_ends_with_its_budget(lesson, robot, tmp_path):
