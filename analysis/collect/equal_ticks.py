@@ -12,6 +12,7 @@ import numpy as np
 from socialmind.drawing import style as paper
 from socialmind.experiments.measures.intervals import Interval, interval_of
 
+from .curricula import MORE
 from .figures import short_of
 from .tables import write_rows
 
@@ -22,12 +23,12 @@ if TYPE_CHECKING:
 
 NAME = "figure-6.5-equal-ticks"
 PANELS = (
-    ("hierarchy_level", "Collect", "hierarchy"),
-    ("monolith_level", "Collect", "one network"),
-    ("hierarchy_level_at_once", "All at once", "hierarchy, task alone"),
-    ("monolith_level_at_once", "All at once", "network, task alone"),
+    ("hierarchy_level", ("Collect", MORE), "hierarchy"),
+    ("monolith_level", ("Collect", MORE), "one network"),
+    ("hierarchy_level_at_once", ("All at once",), "hierarchy, task alone"),
+    ("monolith_level_at_once", ("All at once",), "network, task alone"),
 )
-"""The training, its last lesson, and the title of each panel."""
+"""The training, its lessons of the last task, and the title of each panel."""
 STEP = 10
 """Million ticks over whose generations a point of a curve is the mean."""
 LAST = 4
@@ -36,17 +37,19 @@ LAST = 4
 
 @dataclass(frozen=True)
 class Learned:
-    """What the attempts of a training came to in its last lesson.
+    """What the attempts of a training came to in its lessons of the last task.
 
     Attributes:
         title: of its panel.
         curves: for each attempt the score on common worlds, a number every `STEP` million ticks.
         finals: of each attempt.
+        seam: million ticks after which the last lesson begins; 0 where there is but one.
     """
 
     title: str
     curves: Mapping[int, np.ndarray]
     finals: Mapping[int, float]
+    seam: int = 0
 
     @property
     def late_gain(self) -> Interval:
@@ -86,16 +89,27 @@ def gained(curve: np.ndarray) -> float:
     return float(curve[-width:].mean() / before - 1) if before else 0.0
 
 
-def learned(training: Training, lesson: str, title: str) -> Learned:
-    """Return what the attempts that have finished a lesson came to in it."""
+def learned(training: Training, lessons: Sequence[str], title: str) -> Learned:
+    """Return what the attempts that have finished the last of some lessons came to in them.
+
+    A lesson's part of a curve ends with its budget, whatever the last generation adds, so that the
+    next one begins at the same ticks for all attempts.
+    """
     told = training.lessons
-    told = told[told["lesson"] == lesson]
+    told = told[told["lesson"] == lessons[-1]]
+    budgets = {one["name"]: one["budget"] for one in training.manifest.lessons}
     curve = training.curve
-    curves = {}
+    curves, seam = {}, 0
     for attempt in told["attempt"].tolist():
-        own = curve[(curve["attempt"] == attempt) & (curve["lesson"] == lesson)]
-        curves[attempt] = thinned(own["ticks"].to_numpy(), own["validated"].to_numpy())
-    return Learned(title, curves, dict(zip(told["attempt"], told["score"], strict=True)))
+        parts = []
+        for lesson in lessons:
+            own = curve[(curve["attempt"] == attempt) & (curve["lesson"] == lesson)]
+            part = thinned(own["ticks"].to_numpy(), own["validated"].to_numpy())
+            points = len(part) if budgets[lesson] is None else int(budgets[lesson] / 1e6 / STEP)
+            parts.append(part[:points])
+        curves[attempt] = np.concatenate(parts)
+        seam = STEP * sum(map(len, parts[:-1]))
+    return Learned(title, curves, dict(zip(told["attempt"], told["score"], strict=True)), seam)
 
 
 def draw(all_learned: Sequence[Learned]) -> Figure:
@@ -111,8 +125,10 @@ def draw(all_learned: Sequence[Learned]) -> Figure:
             own = all_learned[place]
             failed = short_of(list(own.finals.values()))
             paper.attempts(axes, list(own.curves.values()), failed, step=STEP)
+            if own.seam:
+                axes.axvline(own.seam, color=paper.GREY, linewidth=0.6, linestyle=":")
             axes.set_ylim(bottom=-0.03 * axes.get_ylim()[1])  # who learns nothing is seen
-            axes.set_xlabel("million ticks of the lesson")
+            axes.set_xlabel("million ticks of the task")
             axes.set_ylabel("" if place % 2 else "score, common worlds")
             paper.panel_title(axes, "abcd"[place], own.title)
         every = [one for own in all_learned for one in own.curves.values()]
@@ -152,8 +168,8 @@ def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> 
         The files written.
     """
     shown = {
-        plan: learned(trainings[plan], lesson, title)
-        for plan, lesson, title in PANELS
+        plan: learned(trainings[plan], lessons, title)
+        for plan, lessons, title in PANELS
         if plan in trainings
     }
     shown = {plan: own for plan, own in shown.items() if own.finals}
@@ -168,7 +184,8 @@ def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> 
         "",
         "A grey line is an attempt, red where its final individual fell short; blue is the median "
         "of the attempts. A point is the mean of the best individuals of the generations of "
-        f"{STEP} million ticks, each judged on the same worlds, which no generation is trained in.",
+        f"{STEP} million ticks, each judged on the same worlds, which no generation is trained in. "
+        "Behind the dotted line steps begin large again, and those worlds are others.",
         "",
     ]
     page.write_text("\n".join(lines), encoding="utf-8")

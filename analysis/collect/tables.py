@@ -11,6 +11,7 @@ from typing import Any
 
 from socialmind.experiments.measures.intervals import Interval
 
+from .curricula import MORE
 from .standings import Benchmark, Standing, Structure
 
 ENDS = Benchmark("a collision ends the run", "collect")
@@ -68,31 +69,45 @@ def _structure(
     return Structure(name, plan, after, reported, budget)
 
 
-def _structures(level: str = "") -> tuple[Block, ...]:
-    """Return the blocks of table 6.1, with the trainings whose names end so."""
+def _structures(level: str = "", after: str = "Collect") -> tuple[Block, ...]:
+    """Return the blocks of table 6.1.
+
+    Args:
+        level: how the trainings' names end.
+        after: the lesson of the curriculum after which minds are scored; where it is not Collect,
+            they are scored after that as well.
+    """
     alone = f"{level}_at_once"
+    before: tuple[Structure, ...] = ()
+    if after != "Collect":
+        before = (
+            _structure("hierarchical, after Collect", f"hierarchy{level}", "Collect"),
+            _structure("monolithic, after Collect", f"monolith{level}", "Collect"),
+        )
     return (
         Block(
             ENDS,
             BOTH,
             (
-                _structure("hierarchical, curriculum", f"hierarchy{level}", "Collect", 4.63, 0.54),
-                _structure("monolithic, curriculum", f"monolith{level}", "Collect", 5.19, 0.68),
+                _structure("hierarchical, curriculum", f"hierarchy{level}", after, 4.63, 0.54),
+                _structure("monolithic, curriculum", f"monolith{level}", after, 5.19, 0.68),
                 _structure("hierarchical, final task only", f"hierarchy{alone}", "All at once",
                            0.06, 0.51),
                 _structure("monolithic, final task only", f"monolith{alone}", "All at once",
                            0.31, 0.80),
+                *before,
             ),
         ),
         Block(
             GOES_ON,
             ("objects",),
             (
-                _structure("hierarchical, curriculum", f"hierarchy{level}", "Collect", 9.55),
-                _structure("monolithic, curriculum", f"monolith{level}", "Collect", 7.70),
+                _structure("hierarchical, curriculum", f"hierarchy{level}", after, 9.55),
+                _structure("monolithic, curriculum", f"monolith{level}", after, 7.70),
                 _structure("hierarchical, final task only", f"hierarchy{alone}", "All at once",
                            0.18),
                 _structure("monolithic, final task only", f"monolith{alone}", "All at once", 0.39),
+                *before,
             ),
         ),
     )  # fmt: skip
@@ -107,7 +122,7 @@ TABLES = (
     Table(
         "table-6.1-equal-ticks",
         "Hierarchical or monolithic, with the same ticks in each lesson",
-        _structures("_level"),
+        _structures("_level", MORE),
     ),
     Table(
         "table-6.2",

@@ -20,7 +20,6 @@ from socialmind.experiments.trainings.rerunning import rerun, write_down
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
-from socialmind.learning.training.capsule import commit_of
 from socialmind.learning.training.execution import TrainingInterrupted, learn, resume
 from socialmind.learning.training.result import Training
 from socialmind.mind import MindDescription
@@ -244,11 +243,11 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
             raise SocialmindError(f"which attempts? expected `rerun {name}` and their numbers")
         for attempt in map(int, words[1:]):
             found = rerun(self.kept / name, _module(), attempt, self.home / "rerun")
-            commit = commit_of(Training(self.kept / name).manifest.versions, attempt)
-            write_down(self.kept.parent / RERUNS, name, attempt, commit, found)
+            write_down(self.kept.parent / RERUNS, name, attempt, found)
             scores = [
-                f"{lesson} {now:.5g}" + (f" (kept {before:.5g})" if now != before else "")
-                for lesson, before, now in found
+                f"{one.lesson} {one.now:.5g}"
+                + (f" (kept {one.before:.5g})" if one.now != one.before else "")
+                for one in found
             ]
             print(f"{name}, attempt {attempt}: the same weights; {', '.join(scores)}", flush=True)
 

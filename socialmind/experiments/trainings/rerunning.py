@@ -4,6 +4,7 @@
 lesson's winner is compared with the kept one: its weights are to be the very same. Where the
 training records the commit of the program that made it, that program is taken from the repository's
 history: an engine that was mended since pays its robots otherwise, and they learn something else.
+Lessons that were added later are learned by the program that added them.
 """
 
 from __future__ import annotations
@@ -22,10 +23,11 @@ from typing import Any, NamedTuple
 
 from socialmind.errors import SocialmindError
 from socialmind.learning.training import archive
-from socialmind.learning.training.attempt import results_of
-from socialmind.learning.training.capsule import commit_of
+from socialmind.learning.training.attempt import CHECKPOINT, results_of
+from socialmind.learning.training.capsule import TrainingManifest, stages_of
 from socialmind.learning.training.finalists import individual_of
 from socialmind.learning.training.result import Training
+from socialmind.runs.arrays_file import save_arrays
 from socialmind.runs.folders import INTERRUPTED, MANIFEST
 from socialmind.work.files import remove, replace_file
 
@@ -37,11 +39,13 @@ class Again(NamedTuple):
         lesson: its name.
         before: the score that is kept.
         now: what it came to; another one only where the kept one was taken anew (`rescore`).
+        commit: of the program that taught it; an empty text where none is recorded.
     """
 
     lesson: str
     before: float
     now: float
+    commit: str = ""
 
 
 LessonResult = tuple[Path, Mapping[str, Any], Mapping[str, Any]]
@@ -88,15 +92,20 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
     if attempt not in training.attempts:
         known = ", ".join(map(str, training.attempts))
         raise SocialmindError(f"{training.folder}: no attempt {attempt} is kept; expected {known}")
+    manifest = training.manifest
     folder = home / f"{kept.name}-{attempt}"
-    if not folder.is_dir():
-        _begin(training, attempt, folder)
-    commit = commit_of(training.manifest.versions, attempt)
-    if commit and not re.fullmatch("[0-9a-f]{7,40}", commit):
-        raise SocialmindError(f"{training.folder}: the commit {commit!r}; expected its digits")
-    program = _program(commit, home) if commit else Path.cwd()
-    if _trained(program, home, [module, kept.name, str(attempt), str(folder.absolute())]):
-        raise SocialmindError(f"{folder}: not trained to the end; the same command goes on")
+    stages = stages_of(manifest.versions, attempt, len(manifest.lessons))
+    for commit, lessons in stages:
+        if commit and not re.fullmatch("[0-9a-f]{7,40}", commit):
+            raise SocialmindError(f"{training.folder}: the commit {commit!r}; expected its digits")
+        begun = len(Training(folder).manifest.lessons) if folder.is_dir() else 0
+        if begun > lessons:
+            continue
+        if begun < lessons:
+            _begin(training, attempt, lessons, folder)
+        program = _program(commit, home) if commit else Path.cwd()
+        if _trained(program, home, [module, kept.name, str(attempt), str(folder.absolute())]):
+            raise SocialmindError(f"{folder}: not trained to the end; the same command goes on")
     again = Training(folder)
     results = [
         list(results_of(one.folder / "attempts" / str(attempt))) for one in (training, again)
@@ -108,21 +117,23 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
             f"{training.folder}: attempt {attempt} does not come out again: {', '.join(others)}; "
             f"it was made on {_machines(made_on)}, this is {_machines(here)}"
         )
-    return [Again(one["lesson"], one["score"], two["score"]) for (_, one, _), (_, two, _) in pairs]
+    return [
+        Again(one["lesson"], one["score"], two["score"], _commit(one["lesson"], manifest, stages))
+        for (_, one, _), (_, two, _) in pairs
+    ]
 
 
-def write_down(file: Path, name: str, attempt: int, commit: str, found: Sequence[Again]) -> None:
+def write_down(file: Path, name: str, attempt: int, found: Sequence[Again]) -> None:
     """Write what came out again into a table (CSV): a row for each lesson, in order.
 
     Args:
         file: of the table; rows of this training and attempt are replaced.
         name: of the training.
         attempt: its number.
-        commit: of the program that made it; an empty text where none is recorded.
         found: its lessons.
     """
     rows = [
-        {"training": name, "attempt": str(attempt), "lesson": one.lesson, "commit": commit,
+        {"training": name, "attempt": str(attempt), "lesson": one.lesson, "commit": one.commit,
          "score": repr(one.now), "kept": repr(one.before)}
         for one in found
     ]  # fmt: skip
@@ -138,15 +149,46 @@ def write_down(file: Path, name: str, attempt: int, commit: str, found: Sequence
     replace_file(file, text.getvalue().encode())
 
 
-def _begin(training: Training, attempt: int, folder: Path) -> None:
-    """Copy a kept training without the attempt and those behind it, in one step."""
+def _commit(lesson: str, manifest: TrainingManifest, stages: Sequence[tuple[str, int]]) -> str:
+    """Return the commit of the program that taught a lesson."""
+    place = next(
+        number
+        for number, item in enumerate(manifest.lessons)
+        if lesson in [one["name"] for one in item.get("lessons", [item])]
+    )
+    return next(commit for commit, lessons in stages if place < lessons)
+
+
+def _begin(training: Training, attempt: int, lessons: int, folder: Path) -> None:
+    """Copy a kept training, but of the attempt only what was trained anew, in one step.
+
+    Args:
+        training: that is kept.
+        attempt: that is trained anew; those behind it are left out.
+        lessons: how many its program knows; those before it are through with as many.
+        folder: the one to make, or to make anew.
+    """
     later = [str(one) for one in training.attempts if one >= attempt]
     made = _emptied(folder)
     shutil.copytree(training.folder, made, ignore=lambda path, names: _of(path, later, names))
+    for checkpoint in made.glob(f"attempts/*/{CHECKPOINT}"):
+        record, arrays = archive.load(checkpoint)
+        if record.get("last") is not None and record["last"][0] >= lessons:
+            record = {**record, "last": [lessons - 1, 1, 0], "done": lessons}
+            save_arrays(checkpoint, record, arrays)
+    if folder.is_dir():
+        own = Path("attempts", str(attempt))
+        shutil.copytree(folder / own, made / own)
+        remove(folder)
     manifest = json.loads((made / MANIFEST).read_text(encoding="utf-8"))
     for field in ("plan", "process"):  # whose command and process go on with another folder
         manifest.pop(field, None)
-    manifest.update(attempts=attempt, finished=attempt - 1, status=INTERRUPTED)
+    manifest.update(
+        attempts=attempt,
+        finished=attempt - 1,
+        status=INTERRUPTED,
+        lessons=manifest["lessons"][:lessons],
+    )
     replace_file(made / MANIFEST, json.dumps(manifest, indent=2).encode())
     made.rename(folder)
 

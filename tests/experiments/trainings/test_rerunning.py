@@ -10,7 +10,7 @@ import pytest
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments.trainings.rerunning import PROGRAM, Again, rerun
-from socialmind.experiments.trainings.store import keep
+from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning import Training
 from socialmind.learning.training import archive, execution
 from socialmind.learning.training.capsule import commit_of
@@ -83,12 +83,13 @@ def test_of_an_attempt_kept_in_part_the_finished_lessons_are_compared(kept, tmp_
     assert rerun(kept, PLANS, 1, tmp_path / "rerun")[0].lesson == "GoToObject"
 
 
-def test_the_program_of_the_commit_that_made_it_trains(kept, tmp_path):
-    def git(*words):
-        who = ("-c", "user.name=a", "-c", "user.email=a@b")
-        done = subprocess.run(["git", *who, *words], check=True, capture_output=True, text=True)
-        return done.stdout.strip()
+def git(*words):
+    who = ("-c", "user.name=a", "-c", "user.email=a@b")
+    done = subprocess.run(["git", *who, *words], check=True, capture_output=True, text=True)
+    return done.stdout.strip()
 
+
+def test_the_program_of_the_commit_that_made_it_trains(kept, tmp_path):
     git("init", "--quiet")
     git("add", *PROGRAM)
     git("commit", "--quiet", "--message", "Begin")
@@ -99,6 +100,43 @@ def test_the_program_of_the_commit_that_made_it_trains(kept, tmp_path):
     shutil.rmtree(tmp_path / "rerun")
     with pytest.raises(SocialmindError, match="not trained to the end; the same command goes on"):
         rerun(kept, PLANS, 1, tmp_path / "rerun")
+
+
+def test_lessons_that_were_added_are_learned_by_the_program_that_added_them(
+    kept, tmp_path, tiny_plans
+):
+    def of_now(words):
+        (tmp_path / "analysis" / "tiny_trainings.py").write_text(
+            f"from analysis.tiny_plans import PLAN, tiny\n\nPLANS = {{'tiny': {words}}}\n"
+        )
+        git("add", *PROGRAM)
+        git("commit", "--quiet", "--message", words)
+        return git("rev-parse", "--short", "HEAD")
+
+    git("init", "--quiet")
+    first = of_now("PLAN")
+    second = of_now("tiny('GoToObject', 'GoToDropZone', 'Avoid')")
+    edited(kept / "manifest.json", commit=first)
+    more = tiny_plans.tiny("GoToObject", "GoToDropZone", "Avoid")
+    longer = tmp_path / "tiny"
+    assert take_out(kept, longer)
+    more.train(longer, workers=1)
+    manifest = json.loads((longer / "manifest.json").read_text())
+    manifest["versions"]["commit from lesson 3 to attempt 2"] = second
+    (longer / "manifest.json").write_text(json.dumps(manifest))
+    assert differences(Training(kept), more) == ["the lessons"]
+    keep(longer, kept.parent)
+    assert differences(Training(kept), more) == []
+    before = {
+        one: (kept / one).read_bytes() for one in ("manifest.json", "attempts/1/checkpoint.npz")
+    }
+    found = rerun(kept, PLANS, 2, tmp_path / "rerun")
+    assert [one.commit for one in found] == [first, first, second]
+    assert [one.lesson for one in found] == ["GoToObject", "GoToDropZone", "Avoid"]
+    assert {one: (kept / one).read_bytes() for one in before} == before
+    assert [one.lesson for one in rerun(kept, PLANS, 2, tmp_path / "rerun")] == [
+        one.lesson for one in found
+    ]
 
 
 def test_a_training_records_by_which_program_each_attempt_was_begun(
