@@ -1,18 +1,22 @@
-"""The farmer-artisan society with a learned mind, and with the scheme distilled from that mind.
+"""The farmer-artisan society with learned minds, and with the schemes distilled from them.
 
     python -m analysis.farmer_artisan.learned
-    python -m analysis.farmer_artisan.learned --seeds 3 --ticks 5000 --out /tmp/learned
-    python -m analysis.farmer_artisan.learned --mind TRAINING/mind-attempt-1
+    python -m analysis.farmer_artisan.learned --seeds 3 --ticks 5000 --attempts 2 --out /tmp/learned
 
-Three societies on the same seeds: the scheme that was written, the mind that was learned, and what
-was distilled from it. Writes learned.csv (one row a society and seed), comparison.csv (each against
-the learned one), distilled.yaml, learned.json, and the table in README.md.
+Societies on the same seeds: the scheme that was written; the minds of all kept attempts
+(`trainings.py`); what is distilled from each of them; and the mind of the model, one more attempt
+at the same lesson. Writes learned.csv (one row a society, attempt and seed), learned-attempts.csv
+(one row an attempt), distilled.yaml (from the mind of the model), learned.json, and the tables in
+README.md.
 """
 
 import argparse
 import json
-from collections.abc import Callable
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -20,9 +24,10 @@ import pandas as pd
 
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_model, model_folder
-from socialmind.experiments.measures.effects import comparisons
+from socialmind.experiments.measures.crossed import crossed_interval
 from socialmind.experiments.measures.intervals import interval_of
 from socialmind.experiments.measures.specialisation import Course
+from socialmind.learning import Training
 from socialmind.learning.distilling import (
     Distillation,
     available,
@@ -32,35 +37,53 @@ from socialmind.learning.distilling import (
     weights_by_hierarchy,
 )
 from socialmind.mind import MindDescription
+from socialmind.work.side_by_side import side_by_side
 
 from .replicate import course_of, seen
 from .study import write_between
+from .trainings import PLANS
 
 HERE = Path(__file__).parent
 BEGIN, END = "<!-- learned: begin -->", "<!-- learned: end -->"
+MODEL = "farmer_artisan_learned"
+SHIPPED = 0
+"""The number, among attempts, of the mind of the model."""
 COMFORT = 800.0  # wheat that leaves no need
 STATE_SEEDS = range(10_000, 10_004)  # of the societies whose states the mind is asked in
 STATE_TICKS = range(100, 3_001, 100)
+EVERY = 500
+"""Ticks between two records."""
 SHOWN = {
     "prosperity": "wheat of a person, in comfortable stocks",
     "specialised": "share of agents specialised",
     "agents_to_tasks": "division of labour, agents to work",
     "agents_to_tasks_by_chance": "the same by luck alone",
+    "beyond_chance": "beyond luck",
     "delivered": "tools delivered to others",
     "role_changes": "role changes per agent and 10,000 ticks while settled",
 }
+OF_ATTEMPTS = ("prosperity", "beyond_chance", "delivered")
 
 
-def distil(mind: Path) -> tuple[Distillation, dict[str, float]]:
+def kept() -> Training:
+    """Return the attempts that are kept."""
+    return Training(PLANS.kept / "taught")
+
+
+def mind_of(attempt: int) -> MindDescription:
+    """Return the mind of a kept attempt; of number `SHIPPED`, that of the model."""
+    if attempt == SHIPPED:
+        return MindDescription.load(model_folder(MODEL) / "mind")
+    return kept().mind(attempt)
+
+
+def distil(mind: MindDescription) -> tuple[Distillation, dict[str, float]]:
     """Distil a scheme from a learned mind, in states of its own society.
-
-    Args:
-        mind: its folder.
 
     Returns:
         The distillation, and what the mind does most: the mean probability of each plan.
     """
-    learned = load_model("farmer_artisan_learned")
+    learned = load_model(MODEL)
     population = learned.populations["humans"]
     scheme = CognitiveScheme.load(learned.folder() / population.mind)
     states = np.concatenate(
@@ -69,7 +92,7 @@ def distil(mind: Path) -> tuple[Distillation, dict[str, float]]:
             for seed in STATE_SEEDS
         ]
     )
-    weights = weights_by_hierarchy(states, scheme, MindDescription.load(mind), population.weighing)
+    weights = weights_by_hierarchy(states, scheme, mind, population.weighing)
     chosen = choices(weights, available(states, scheme), scheme).mean(axis=0)
     plans = dict(zip(scheme.plans, chosen.round(4).tolist(), strict=True))
     return distilled(states, weights, scheme, "distilled"), plans
@@ -97,83 +120,202 @@ def measures(model: Any, course: Course) -> dict[str, float]:
         model: at the end.
         course: what was seen.
     """
-    humans = model.humans
+    humans, found = model.humans, course.measures()
     return {
-        **course.measures(),
+        **found,
+        "beyond_chance": found["agents_to_tasks"] - found["agents_to_tasks_by_chance"],
         "prosperity": float(humans.wheat.mean()) / COMFORT,
         "delivered": float(np.maximum(humans.sold - humans.bought, 0).sum()),
         "land_specialisation": float(model.series()["specialisation"]),
     }
 
 
-def as_markdown(table: pd.DataFrame, found: dict[str, Any]) -> str:
-    """The results as a table."""
-    societies = list(dict.fromkeys(table["society"]))
+# All societies ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Societies:
+    """What was found of all societies.
+
+    Attributes:
+        worlds: a row for each `society`, `attempt` and `seed`, with measures.
+        course: `society`, `attempt`, `seed`, `tick`, `artisans` and `specialised`.
+        distilled: of each attempt, the scheme that was distilled from its mind and how well it
+            agrees, and the mean probability of each plan.
+    """
+
+    worlds: pd.DataFrame
+    course: pd.DataFrame
+    distilled: Mapping[int, tuple[Distillation, dict[str, float]]]
+
+
+def live(
+    society: str, attempt: int, seed: int, ticks: int, schemes: str
+) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """Run a society, and return its measures and its course.
+
+    Args:
+        society: `written`, `learned`, `distilled` or `shipped`.
+        attempt: whose mind it has, or what is distilled from it.
+        seed: of every draw.
+        ticks: how long.
+        schemes: the folder of distilled schemes.
+    """
+    if society in ("learned", "shipped"):
+        model = load_model(MODEL)(seed=seed, hierarchy=mind_of(attempt))
+    else:
+        own = {"scheme": _scheme(schemes, attempt)} if society == "distilled" else {}
+        model = load_model("farmer_artisan")(seed=seed, **own)
+    course = lived(model, ticks, EVERY)
+    key = {"society": society, "attempt": attempt, "seed": seed}
+    split = course.split
+    artisans = split["artisan"] if "artisan" in split else pd.Series(0, split.index)
+    over_time = pd.DataFrame({"artisans": artisans, "specialised": course.specialised})
+    return {**key, **measures(model, course)}, [
+        {**key, **one} for one in over_time.reset_index().to_dict("records")
+    ]
+
+
+def all_societies(
+    seeds: int, ticks: int, attempts: int | None = None, workers: int | None = None
+) -> Societies:
+    """Distil a scheme from each mind, and run all societies on the same seeds.
+
+    Args:
+        seeds: how many, from 0.
+        ticks: of each.
+        attempts: the first ones, so many at most; all that are kept by default.
+        workers: processes; one for each processor by default.
+    """
+    numbers = kept().finished[:attempts]
+    with _distilled([SHIPPED, *numbers], workers) as (schemes, found):
+        calls = [
+            (society, attempt, seed, ticks, schemes)
+            for society, several in {
+                "written": [0], "learned": numbers, "distilled": numbers, "shipped": [SHIPPED],
+            }.items()
+            for attempt in several
+            for seed in range(seeds)
+        ]  # fmt: skip
+        answers = list(side_by_side(live, calls, workers))
+    return Societies(
+        pd.DataFrame([row for row, _ in answers]),
+        pd.DataFrame([one for _, several in answers for one in several]),
+        found,
+    )
+
+
+@contextmanager
+def _distilled(
+    attempts: list[int], workers: int | None
+) -> Iterator[tuple[str, Mapping[int, tuple[Distillation, dict[str, float]]]]]:
+    """Yield a folder of schemes, one distilled from the mind of each attempt, and what they are."""
+    with TemporaryDirectory() as folder:
+        calls = [(one,) for one in attempts]
+        found = dict(zip(attempts, side_by_side(_distil, calls, workers), strict=True))
+        for attempt, (one, _) in found.items():
+            one.scheme.save(_scheme(folder, attempt))
+        yield folder, found
+
+
+def _distil(attempt: int) -> tuple[Distillation, dict[str, float]]:
+    return distil(mind_of(attempt))
+
+
+def _scheme(folder: str, attempt: int) -> Path:
+    return Path(folder) / f"attempt-{attempt}.yaml"
+
+
+# What is written ----------------------------------------------------------------------------------
+
+
+def by_attempt(found: Societies) -> pd.DataFrame:
+    """Return a row for each attempt: its score in finals, its society's means, its distillation."""
+    scores = kept().lessons.set_index("attempt")["score"]
+    learned = found.worlds[found.worlds["society"].isin(["learned", "shipped"])]
+    means = learned.groupby("attempt", sort=False)[list(OF_ATTEMPTS)].mean()
+    rows = []
+    for attempt, (one, plans) in found.distilled.items():
+        rows.append(
+            {
+                "attempt": "the model's" if attempt == SHIPPED else attempt,
+                "finals": scores.get(attempt, np.nan),
+                **means.loc[attempt].to_dict(),
+                **{f"chosen_{plan}": share for plan, share in plans.items()},
+                "links": one.links,
+                "overlap": one.agreement.overlap,
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def as_markdown(found: Societies, attempts: pd.DataFrame, seeds: int, ticks: int) -> str:
+    """The results as two tables."""
+    societies = list(dict.fromkeys(found.worlds["society"]))
     lines = [
-        f"{found['seeds']} seeds, {found['ticks']:,} ticks; means, in brackets intervals of 95 %.",
+        f"{seeds} seeds, {ticks:,} ticks; means, in brackets intervals of 95 %: over attempts and "
+        "seeds where there are attempts, over seeds of the others.",
         "",
         f"| | {' | '.join(societies)} |",
         f"|---|{'---|' * len(societies)}",
     ]
     for name, title in SHOWN.items():
-        cells = []
-        for society in societies:
-            values = table.loc[table["society"] == society, name].dropna()
-            one = interval_of(values) if len(values) else None
-            cells.append("–" if one is None else f"{one.mean:.3g} ({one.low:.3g} … {one.high:.3g})")
+        cells = [_cell(found.worlds[found.worlds["society"] == one], name) for one in societies]
         lines.append(f"| {title} | {' | '.join(cells)} |")
     lines += [
         "",
-        f"The distilled scheme has {found['links']} influence links; its choices overlap with "
-        f"those of the mind by {found['overlap']:.3f}, and the most probable plan is the same in "
-        f"{found['same']:.1%} of the states.",
+        "| attempt | score of its finals | wheat of a person | division of labour beyond luck | "
+        "tools delivered | links of the distilled scheme | overlap of its choices |",
+        "|---|---|---|---|---|---|---|",
     ]
+    for row in attempts.to_dict("records"):
+        finals = "–" if np.isnan(row["finals"]) else f"{row['finals']:.2f}"
+        lines.append(
+            f"| {row['attempt']} | {finals} | {row['prosperity']:.2f} | "
+            f"{row['beyond_chance']:.3f} | {row['delivered']:,.0f} | {row['links']} | "
+            f"{row['overlap']:.3f} |"
+        )
     return "\n".join(lines) + "\n"
+
+
+def _cell(own: pd.DataFrame, name: str) -> str:
+    """A mean with its interval; of what is unknown of some seeds, over those that are known."""
+    table = own.pivot_table(index="attempt", columns="seed", values=name, dropna=False)
+    known = table.dropna(axis="columns").to_numpy(float)
+    if not known.size:
+        return "–"
+    one = crossed_interval(known) if len(known) > 1 else interval_of(known[0])
+    return f"{one.mean:.3g} ({one.low:.3g} … {one.high:.3g})"
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seeds", type=int, default=20)
     parser.add_argument("--ticks", type=int, default=50_000)
-    parser.add_argument("--every", type=int, default=500, help="ticks between two records")
-    parser.add_argument(
-        "--mind", type=Path, default=model_folder("farmer_artisan_learned") / "mind"
-    )
+    parser.add_argument("--attempts", type=int, help="the first ones; all that are kept by default")
+    parser.add_argument("--workers", type=int, help="processes; one for each processor by default")
     parser.add_argument("--out", type=Path, default=HERE, help="folder for what is written")
     arguments = parser.parse_args()
-    out, mind = arguments.out, arguments.mind.expanduser()
+    out = arguments.out
     out.mkdir(parents=True, exist_ok=True)
-    found, plans = distil(mind)
-    found.scheme.save(out / "distilled.yaml")
-    farmers, learned = load_model("farmer_artisan"), load_model("farmer_artisan_learned")
-    societies: dict[str, Callable[[int], Any]] = {
-        "written": lambda seed: farmers(seed=seed),
-        "learned": lambda seed: learned(seed=seed, hierarchy=mind),
-        "distilled": lambda seed: farmers(seed=seed, scheme=found.scheme),
-    }
-    rows = []
-    for seed in range(arguments.seeds):
-        for society, make in societies.items():
-            model = make(seed)
-            course = lived(model, arguments.ticks, arguments.every)
-            rows.append({"society": society, "seed": seed, **measures(model, course)})
-        print(f"seed {seed} ({seed + 1} of {arguments.seeds})", flush=True)
-    table = pd.DataFrame(rows)
-    table.to_csv(out / "learned.csv", index=False, float_format="%.6g")
-    compared = comparisons(table, reference="learned")
-    compared.to_csv(out / "comparison.csv", index=False, float_format="%.6g")
+    found = all_societies(arguments.seeds, arguments.ticks, arguments.attempts, arguments.workers)
+    found.worlds.to_csv(out / "learned.csv", index=False, float_format="%.6g")
+    attempts = by_attempt(found)
+    attempts.to_csv(out / "learned-attempts.csv", index=False, float_format="%.6g")
+    own, plans = found.distilled[SHIPPED]
+    own.scheme.save(out / "distilled.yaml")
     summary = {
         "seeds": arguments.seeds,
         "ticks": arguments.ticks,
-        "every": arguments.every,
-        "links": found.links,
-        "overlap": found.agreement.overlap,
-        "same": found.agreement.same,
-        "overlap_of_all_links": found.unpruned.overlap,
+        "every": EVERY,
+        "links": own.links,
+        "overlap": own.agreement.overlap,
+        "same": own.agreement.same,
+        "overlap_of_all_links": own.unpruned.overlap,
         "plans": plans,
     }
     (out / "learned.json").write_text(json.dumps(summary, indent=1) + "\n")
-    text = as_markdown(table, summary)
+    text = as_markdown(found, attempts, arguments.seeds, arguments.ticks)
     write_between(out / "README.md", text, BEGIN, END)
     print(text)
 
