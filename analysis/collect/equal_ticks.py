@@ -23,12 +23,13 @@ if TYPE_CHECKING:
 
 NAME = "figure-6.5-equal-ticks"
 PANELS = (
-    ("hierarchy_level", ("Collect", MORE), "hierarchy"),
-    ("monolith_level", ("Collect", MORE), "one network"),
-    ("hierarchy_level_at_once", ("All at once",), "hierarchy, task alone"),
-    ("monolith_level_at_once", ("All at once",), "network, task alone"),
+    ("hierarchy_level", ("Collect", MORE), "hierarchy", 1500),
+    ("monolith_level", ("Collect", MORE), "one network", None),
+    ("hierarchy_level_at_once", ("All at once",), "hierarchy, task alone", None),
+    ("monolith_level_at_once", ("All at once",), "network, task alone", None),
 )
-"""The training, its lessons of the last task, and the title of each panel."""
+"""The training, its lessons of the last task, the title of each panel, and the thesis's
+generations where it tells them. Two beside each other have the same score."""
 STEP = 10
 """Million ticks over whose generations a point of a curve is the mean."""
 LAST = 4
@@ -43,13 +44,17 @@ class Learned:
         title: of its panel.
         curves: for each attempt the score on common worlds, a number every `STEP` million ticks.
         finals: of each attempt.
+        generations: the least and the most of an attempt.
         seam: million ticks after which the last lesson begins; 0 where there is but one.
+        thesis: the generations that the thesis gave it; None where it does not tell.
     """
 
     title: str
     curves: Mapping[int, np.ndarray]
     finals: Mapping[int, float]
+    generations: tuple[int, int] = (0, 0)
     seam: int = 0
+    thesis: int | None = None
 
     @property
     def late_gain(self) -> Interval:
@@ -89,7 +94,9 @@ def gained(curve: np.ndarray) -> float:
     return float(curve[-width:].mean() / before - 1) if before else 0.0
 
 
-def learned(training: Training, lessons: Sequence[str], title: str) -> Learned:
+def learned(
+    training: Training, lessons: Sequence[str], title: str, thesis: int | None = None
+) -> Learned:
     """Return what the attempts that have finished the last of some lessons came to in them.
 
     A lesson's part of a curve ends with its budget, whatever the last generation adds, so that the
@@ -99,17 +106,21 @@ def learned(training: Training, lessons: Sequence[str], title: str) -> Learned:
     told = told[told["lesson"] == lessons[-1]]
     budgets = {one["name"]: one["budget"] for one in training.manifest.lessons}
     curve = training.curve
-    curves, seam = {}, 0
+    curves, seam, generations = {}, 0, []
     for attempt in told["attempt"].tolist():
-        parts = []
+        parts, count = [], 0
         for lesson in lessons:
             own = curve[(curve["attempt"] == attempt) & (curve["lesson"] == lesson)]
+            count += len(own)
             part = thinned(own["ticks"].to_numpy(), own["validated"].to_numpy())
             points = len(part) if budgets[lesson] is None else int(budgets[lesson] / 1e6 / STEP)
             parts.append(part[:points])
         curves[attempt] = np.concatenate(parts)
         seam = STEP * sum(map(len, parts[:-1]))
-    return Learned(title, curves, dict(zip(told["attempt"], told["score"], strict=True)), seam)
+        generations.append(count)
+    finals = dict(zip(told["attempt"], told["score"], strict=True))
+    between = (min(generations, default=0), max(generations, default=0))
+    return Learned(title, curves, finals, between, seam, thesis)
 
 
 def draw(all_learned: Sequence[Learned]) -> Figure:
@@ -123,26 +134,48 @@ def draw(all_learned: Sequence[Learned]) -> Figure:
                 axes.set_visible(False)
                 continue
             own = all_learned[place]
-            failed = short_of(list(own.finals.values()))
+            failed = fallen_short(all_learned, place)
             paper.attempts(axes, list(own.curves.values()), failed, step=STEP)
             if own.seam:
                 axes.axvline(own.seam, color=paper.GREY, linewidth=0.6, linestyle=":")
             axes.set_ylim(bottom=-0.03 * axes.get_ylim()[1])  # who learns nothing is seen
-            axes.set_xlabel("million ticks of the task")
+            thesis = "not told" if own.thesis is None else f"{own.thesis:,}"
+            axes.set_xlabel(
+                f"million ticks of the task\n({between(own)} generations; thesis: {thesis})"
+            )
             axes.set_ylabel("" if place % 2 else "score, common worlds")
             paper.panel_title(axes, "abcd"[place], own.title)
         every = [one for own in all_learned for one in own.curves.values()]
-        failed = [one for own in all_learned for one in short_of(list(own.finals.values()))]
+        failed = [
+            one for place in range(len(all_learned)) for one in fallen_short(all_learned, place)
+        ]
         key = [one for one in paper.attempts_key(every, failed) if one.get_label()[:3] != "its"]
         drawn.legend(handles=key, loc="outside lower center", ncols=3, columnspacing=1.2,
                      handlelength=1.6)  # fmt: skip
     return drawn
 
 
+def fallen_short(all_learned: Sequence[Learned], place: int) -> list[bool]:
+    """Return which attempts of a panel fell short of what the better of its row usually learn."""
+    beside = all_learned[place - place % 2 : place - place % 2 + 2]
+    usual = max(float(np.median(list(own.finals.values()))) for own in beside)
+    return short_of(list(all_learned[place].finals.values()), usual)
+
+
+def between(own: Learned) -> str:
+    """Return how many generations attempts had.
+
+    >>> between(Learned("", {}, {}, (160, 170))), between(Learned("", {}, {}, (3, 3)))
+    ('160–170', '3')
+    """
+    least, most = own.generations
+    return f"{least:,}" if least == most else f"{least:,}–{most:,}"
+
+
 def findings(all_learned: Sequence[Learned]) -> list[str]:
     """Return what can be said of each training, a line each."""
     lines = []
-    for own in all_learned:
+    for place, own in enumerate(all_learned):
         gain, finals = own.late_gain, list(own.finals.values())
         ticks = STEP * min(map(len, own.curves.values()))
         several = len(finals) > 1
@@ -151,7 +184,13 @@ def findings(all_learned: Sequence[Learned]) -> list[str]:
             f"{own.title}: {len(finals)} attempt{'s' if several else ''} of {ticks:,} million "
             f"ticks; the last quarter of them added {gain.mean:+.1%}{apart} to the score of the "
             f"best individuals on common worlds. Finals of {min(finals):.2f} to {max(finals):.2f}, "
-            f"median {np.median(finals):.2f}."
+            f"median {np.median(finals):.2f}; {sum(fallen_short(all_learned, place))} fell short. "
+            f"{between(own)} generations; thesis: "
+            + (
+                "not told."
+                if own.thesis is None
+                else f"{own.thesis:,}, so **budgets are not equal**."
+            )
         )
     return lines
 
@@ -168,8 +207,8 @@ def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> 
         The files written.
     """
     shown = {
-        plan: learned(trainings[plan], lessons, title)
-        for plan, lessons, title in PANELS
+        plan: learned(trainings[plan], lessons, title, thesis)
+        for plan, lessons, title, thesis in PANELS
         if plan in trainings
     }
     shown = {plan: own for plan, own in shown.items() if own.finals}
@@ -182,7 +221,8 @@ def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> 
         "",
         *(f"- {line}" for line in findings(list(shown.values()))),
         "",
-        "A grey line is an attempt, red where its final individual fell short; blue is the median "
+        "A grey line is an attempt, red where its final individual fell short: of 75 % of the "
+        "median of the better of two panels beside each other. Blue is the median "
         "of the attempts. A point is the mean of the best individuals of the generations of "
         f"{STEP} million ticks, each judged on the same worlds, which no generation is trained in. "
         "Behind the dotted line steps begin large again, and those worlds are others.",

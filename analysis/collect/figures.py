@@ -181,13 +181,17 @@ def first_near(values: np.ndarray, near: float = NEAR) -> int:
     return int(np.argmax(values >= end - near * abs(end))) + 1
 
 
-def short_of(finals: Sequence[float]) -> list[bool]:
+def short_of(finals: Sequence[float], usual: float | None = None) -> list[bool]:
     """Return which attempts failed, by their final individuals in worlds of their own.
 
-    >>> short_of([4.0, 4.0, 2.9])
-    [False, False, True]
+    Args:
+        finals: of the attempts.
+        usual: what is to be come near to; the attempts' own median by default.
+
+    >>> short_of([4.0, 4.0, 2.9]), short_of([4.0, 4.0, 2.9], usual=6.0)
+    ([False, False, True], [True, True, True])
     """
-    least = FELL_SHORT * float(np.median(finals))
+    least = FELL_SHORT * float(np.median(finals) if usual is None else usual)
     return [one < least for one in finals]
 
 

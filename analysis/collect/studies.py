@@ -64,7 +64,7 @@ def make_equal_ticks(name: str, way: Way, out: Path) -> list[Path]:
     from .equal_ticks import PANELS, write
     from .trainings import PLANS
 
-    given = {plan: PLANS.training(plan, way, out) for plan, _, _ in PANELS}
+    given = {plan: PLANS.training(plan, way, out) for plan, *_ in PANELS}
     trainings = {plan: training for plan, (training, _) in given.items() if training is not None}
     told = [line for _, line in given.values()]
     if not any(training.finished for training in trainings.values()):

@@ -1,8 +1,10 @@
 """Lessons of equal length for hierarchy and monolith, and whether they level off."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from socialmind.learning.training.course import TrainingCourse
@@ -74,3 +76,31 @@ def test_what_is_said_of_a_curve_that_levels_off_and_of_one_that_does_not():
         "1 attempt of 400 million ticks; the last quarter of them added +0.0% to"
         in (equal_ticks.findings([alone])[0])
     )
+
+
+def test_who_fell_short_is_seen_beside_the_better_of_two_panels():
+    good = equal_ticks.Learned("good", {1: np.ones(4), 2: np.ones(4)}, {1: 4.0, 2: 3.1})
+    poor = equal_ticks.Learned("poor", {1: np.ones(4), 2: np.ones(4)}, {1: 1.0, 2: 1.1})
+    assert equal_ticks.fallen_short([good, poor], 0) == [False, False]
+    assert equal_ticks.fallen_short([good, poor], 1) == [True, True]
+    assert equal_ticks.fallen_short([good, good, poor], 2) == [False, False]  # a row of its own
+
+
+def test_the_curves_of_two_lessons_are_one_that_meets_where_the_first_budget_ends():
+    ticks = {"Collect": [8e6, 17e6, 26e6], "More of Collect": [9e6, 11e6]}
+    rows = [
+        {"attempt": 1, "lesson": lesson, "ticks": one, "validated": float(place)}
+        for lesson, several in ticks.items()
+        for place, one in enumerate(several)
+    ]
+    budgets = {"Collect": 20_000_000, "More of Collect": None}
+    training = SimpleNamespace(
+        lessons=pd.DataFrame({"attempt": [1, 1], "lesson": list(ticks), "score": [2.0, 3.0]}),
+        curve=pd.DataFrame(rows),
+        manifest=SimpleNamespace(
+            lessons=[{"name": name, "budget": one} for name, one in budgets.items()]
+        ),
+    )
+    found = equal_ticks.learned(training, list(ticks), "one", 1500)
+    assert found.curves[1].tolist() == [0.0, 1.0, 0.0, 1.0]  # the third is behind its budget
+    assert (found.seam, found.generations, found.finals) == (20, (5, 5), {1: 3.0})
