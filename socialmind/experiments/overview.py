@@ -11,11 +11,11 @@ import csv
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from pathlib import Path
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import html
+from socialmind.experiments.judging import CRITERION, Finding, Verdict
 from socialmind.experiments.studies import Study, Way, catalogue_of_studies, declared_in, topics
 
 THESIS_FILE = "thesis.py"
@@ -30,53 +30,13 @@ ABOUT = (
     "the tables that are kept beside the studies: each number of ours is read from them, and so is "
     "whether it agrees. A result is *reproduced* if all of it that can be compared agrees, "
     "*different* if some does not, *not comparable* if nothing can be compared.",
+    *CRITERION,
     "Times are seconds of one processor, for making the figure or table from kept results, as "
     "measured by `python -m analysis.times`; where it stands on trainings, those took the hours "
     "that their records tell. Budgets are of one attempt. The thesis tells generations, but "
     "neither how many individuals they have nor in how many worlds each is judged, so that ticks "
     "cannot be compared.",
 )
-
-
-class Verdict(StrEnum):
-    """How ours compares with the thesis's."""
-
-    REPRODUCED = "reproduced"
-    DIFFERENT = "different"
-    NOT_COMPARABLE = "not comparable"
-
-
-@dataclass(frozen=True)
-class Finding:
-    """One thing that the thesis says of a figure or table, and what ours says of it.
-
-    Attributes:
-        about: what is compared.
-        thesis: what the thesis says.
-        ours: what ours says, filled in from kept tables.
-        agrees: whether that agrees, as checked on the same tables.
-        why: where it does not: the reason that was found, or that it is unknown.
-        apart: why it cannot be compared, where it cannot.
-    """
-
-    about: str
-    thesis: str
-    ours: str
-    agrees: bool = False
-    why: str = "unknown"
-    apart: str = ""
-
-    @property
-    def verdict(self) -> Verdict:
-        """How the two compare."""
-        if self.apart:
-            return Verdict.NOT_COMPARABLE
-        return Verdict.REPRODUCED if self.agrees else Verdict.DIFFERENT
-
-    @property
-    def reason(self) -> str:
-        """Why they do not agree or cannot be compared; nothing where they agree."""
-        return self.apart or ("" if self.agrees else self.why)
 
 
 @dataclass(frozen=True)
@@ -91,6 +51,7 @@ class Result:
         thesis_budget: what the thesis gave an attempt; empty for what takes no training.
         budget: gives ours, from kept tables.
         trainings: those that ours stands on, of the topic's ``results/trainings``.
+        notes: gives what is to be known of several rows, a sentence or two each, from kept tables.
     """
 
     name: str
@@ -100,6 +61,7 @@ class Result:
     thesis_budget: str = ""
     budget: Callable[[], str] = str
     trainings: tuple[str, ...] = ()
+    notes: Callable[[], Sequence[str]] = tuple
 
 
 @dataclass(frozen=True)
@@ -112,6 +74,7 @@ class Entry:
         command: what makes ours from what is kept.
         time: how long that takes, in words, and its trainings.
         budget: ours.
+        notes: of several rows.
     """
 
     result: Result
@@ -119,6 +82,7 @@ class Entry:
     command: str
     time: str
     budget: str
+    notes: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
@@ -236,7 +200,8 @@ def _entry(result: Result, folder: Path, known: Mapping[str, tuple[Study, Path]]
     hours = sum(_seconds(folder / "results" / "trainings" / one) for one in result.trainings)
     if hours:
         parts.append(f"trainings {in_words(hours)}")
-    return Entry(result, tuple(result.found()), command, "; ".join(parts), result.budget())
+    found, notes = tuple(result.found()), tuple(result.notes())
+    return Entry(result, found, command, "; ".join(parts), result.budget(), notes)
 
 
 def _seconds(training: Path) -> float:
@@ -332,6 +297,7 @@ def _facts(entry: Entry) -> list[str]:
         f"{entry.counted[0].upper()}{entry.counted[1:]}.",
         f"`{entry.command}`, {entry.time}.",
         *([budget] if entry.budget else []),
+        *entry.notes,
     ]
 
 
