@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from socialmind.experiments.overview import Finding, Result, row_of, rows_of
+from socialmind.experiments.judging import NO_SAY, Finding, below, in_brackets, looked_through
+from socialmind.experiments.measures.intervals import Interval
+from socialmind.experiments.overview import Result, row_of, rows_of
 from socialmind.experiments.trainings.budgets import budget_of
 
 KEPT = Path(__file__).parent / "results"
-BARELY = 0.1
-"""Influence up to which a skill is as good as not used."""
 MOVING = ("Search+Avoid", "ReachSignal", "Collect", "Idle")
 
 
@@ -18,41 +18,64 @@ def sent(step: int, skill: str) -> float:
     return float(row_of(KEPT / "figure-8.3.csv", step=str(step))[skill])
 
 
+def part(step: int, skill: str) -> float:
+    """Return a skill's part of the influence on those that move the robot in a step."""
+    return sent(step, skill) / (sum(sent(step, one) for one in MOVING) or 1.0)
+
+
+def found_by() -> str:
+    """Return how the run of the steps was come by."""
+    from .steps import SEEDS
+
+    run = looked_through(SEEDS, int(row_of(KEPT / "figure-8.3.csv", step="1")["seed"]))
+    return (
+        "by their sensors alone runs were searched for a robot that sees objects, grips one, "
+        f"leaves their sight, delivers it, hears a signal and sees objects again: {run}"
+    )
+
+
+def several(step: int, *skills: str) -> str:
+    """Return the influence of skills in a step, in words."""
+    return ", ".join(f"{skill} {sent(step, skill):.2f}" for skill in skills)
+
+
 def first_steps() -> list[Finding]:
     idle = max(sent(step, "Idle") for step in range(1, 9))
+    others = max(sent(1, one) for one in MOVING if one != "Search+Avoid")
     return [
         Finding(
-            "step 1, nothing seen or heard: Search+Avoid at its maximum, ReachSignal has no say",
-            "maximum intensity; a very low value",
-            f"Search+Avoid {sent(1, 'Search+Avoid'):.2f}, Collect {sent(1, 'Collect'):.2f}, "
-            f"ReachSignal {sent(1, 'ReachSignal'):.2f}",
-            sent(1, "Search+Avoid") > 1 - BARELY and sent(1, "ReachSignal") <= BARELY,
+            "step 1, before it sees objects: Search+Avoid at its maximum, no other has a say",
+            "maximum intensity; that of ReachSignal, very low, has no impact",
+            f"{several(1, 'Search+Avoid', 'ReachSignal', 'Collect')}; {found_by()}",
+            sent(1, "Search+Avoid") >= 1 - NO_SAY and others <= NO_SAY,
+            why="this robot, another training, gives Collect all as well before it sees an object; "
+            "ReachSignal, the one that the thesis tells of, has no say",
         ),
         Finding(
             "step 2, it sees an object: Collect in majority",
             "Search+Avoid remains partially active",
-            f"Collect {sent(2, 'Collect'):.2f}, Search+Avoid {sent(2, 'Search+Avoid'):.2f}",
-            sent(2, "Collect") > sent(2, "Search+Avoid") > BARELY,
+            several(2, "Collect", "Search+Avoid"),
+            sent(2, "Collect") > sent(2, "Search+Avoid") > NO_SAY,
             why="this robot, another training, stops searching when it sees an object",
         ),
         Finding(
-            "step 3, it has gripped it: Collect alone",
+            "step 3, it has gripped it: Collect completely, Search+Avoid not",
             "Search+Avoid disabled",
-            f"Collect {sent(3, 'Collect'):.2f}, Search+Avoid {sent(3, 'Search+Avoid'):.2f}",
-            sent(3, "Collect") > 0.5 and sent(3, "Search+Avoid") <= BARELY,
+            several(3, "Collect", "Search+Avoid", "Idle"),
+            sent(3, "Collect") >= 1 - NO_SAY and sent(3, "Search+Avoid") <= NO_SAY,
         ),
         Finding(
-            "step 4, out of sight of the objects: its signal ends, and it goes on home",
-            "Collect, without disturbance",
-            f"of those that move it Collect alone has influence, if little: "
+            "step 4, out of sight of the objects, where its signal ends: Collect brings it home",
+            "without disturbance",
+            f"of what those that move it receive Collect has {part(4, 'Collect'):.0%}, if little: "
             f"{sent(4, 'Collect'):.2f}",
-            sent(4, "Collect") > max(sent(4, one) for one in MOVING if one != "Collect"),
+            part(4, "Collect") >= 1 - NO_SAY,
         ),
         Finding(
             "Idle is not used",
             "not at all",
             f"up to {idle:.2f} of influence in these steps",
-            idle <= BARELY,
+            idle <= NO_SAY,
             why="waiting while it carries the object lets a robot emit its signal for longer "
             "before the cluster is out of its sight; how far robots see and hear in the thesis it "
             "does not say",
@@ -60,36 +83,44 @@ def first_steps() -> list[Finding]:
     ]
 
 
+def brought(**values: str) -> Interval:
+    """Return a row of objects of the kept table."""
+    row = row_of(KEPT / "foraging.csv", measure="objects", **values)
+    return Interval(*(float(row[name]) for name in ("mean", "low", "high")))
+
+
 def last_steps() -> list[Finding]:
-    steps = [int(row["tick"]) for row in rows_of(KEPT / "figure-8.3.csv")]
-    signals = rows_of(KEPT / "foraging.csv")
-    objects = {
-        row["robots"]: float(row["mean"])
-        for row in signals
-        if row["measure"] == "objects" and not row["compared"]
-    }
+    ticks = [int(row["tick"]) for row in rows_of(KEPT / "figure-8.3.csv")]
+    fewer = brought(robots="no signals", compared="foraging together")
+    together, deaf = (
+        brought(robots=one, compared="").mean for one in ("foraging together", "no signals")
+    )
     return [
         Finding(
             "step 5, it has delivered: Collect ends, search and reaching the signal begin",
             "Search+Avoid and ReachSignal enabled",
-            f"Collect {sent(5, 'Collect'):.2f}, Search+Avoid {sent(5, 'Search+Avoid'):.2f}, "
-            f"ReachSignal {sent(5, 'ReachSignal'):.2f}",
-            sent(5, "Collect") < min(sent(5, "Search+Avoid"), sent(5, "ReachSignal")),
+            f"{several(5, 'Collect', 'Search+Avoid', 'ReachSignal')}; {found_by()}",
+            sent(5, "Collect") <= NO_SAY < min(sent(5, "Search+Avoid"), sent(5, "ReachSignal")),
             why="this robot, another training, follows the signal alone as long as it hears one",
         ),
         Finding(
-            "steps 6 to 8, it turns to a signal, nears it, and sees objects again",
+            "steps 6 and 7, it turns to a signal and nears it: ReachSignal is used",
             "shown",
             f"ReachSignal {sent(6, 'ReachSignal'):.2f} and {sent(7, 'ReachSignal'):.2f}; "
-            f"{steps[7] - steps[4]:,} ticks from delivery to objects in sight",
-            steps == sorted(steps) and min(sent(6, "ReachSignal"), sent(7, "ReachSignal")) > BARELY,
+            "influence was not searched for",
+            min(sent(6, "ReachSignal"), sent(7, "ReachSignal")) > NO_SAY,
         ),
         Finding(
-            "signals are what brings robots together",
+            "step 8, it sees objects again",
+            "shown",
+            f"{ticks[7] - ticks[4]:,} ticks after it has delivered",
+            apart="the run was searched for one in which it does, as told in step 5",
+        ),
+        Finding(
+            "signals bring robots together: they bring more objects home",
             "said",
-            f"{objects['foraging together']:.1f} objects, {objects['no signals']:.1f} without "
-            "signals",
-            objects["foraging together"] > objects["no signals"],
+            f"{together:.1f} objects, {deaf:.1f} without signals: {in_brackets(fewer, '+.1f')}",
+            below(fewer),
         ),
     ]
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Sequence
 from pathlib import Path
 
-from socialmind.experiments.overview import Finding, Result, rows_of
+from socialmind.experiments.judging import Finding
+from socialmind.experiments.overview import Result, rows_of
 
 KEPT = Path(__file__).parent / "results"
 ALMOST_ALL = 8
@@ -22,27 +23,55 @@ def rows() -> list[dict[str, str]]:
     return rows_of(KEPT / "figure-8.6.csv")
 
 
+def peaks(in_a: Sequence[int], robots: int) -> list[int]:
+    """Return where most robots are in A, once for each time that these are more than half.
+
+    A time ends when all but one, or all, are back in B.
+
+    Args:
+        in_a: robots in A, record by record.
+        robots: all of them.
+
+    >>> peaks([0, 2, 5, 8, 4, 5, 1, 3, 6, 0, 2], 9)
+    [3, 8]
+    """
+    found: list[int] = []
+    high = None
+    for place, now in enumerate(in_a):
+        if now <= 1 and high is not None:
+            found.append(high)
+            high = None
+        elif 2 * now > robots and (high is None or now > in_a[high]):
+            high = place
+    return found if high is None else [*found, high]
+
+
 def collapse() -> list[Finding]:
-    in_a = [int(row["in_a"]) for row in rows()]
-    in_b = [int(row["in_b"]) for row in rows()]
-    robots = int(rows()[0]["robots"])
-    high = max(range(len(in_a)), key=lambda place: (in_a[place], -place))
+    first, in_a = rows()[0], [int(row["in_a"]) for row in rows()]
+    robots = int(first["robots"])
+    high = next(iter(peaks(in_a, robots)), 0)
     back = in_a[high]
     for now in in_a[high:]:
         if now > back:
             break
         back = now
+    begun = int(first["changes"]) + int(first["delivered_a"]) + int(first["delivered_b"])
     return [
         Finding(
             "step 1, at first all robots take role B",
             "all of 9",
-            f"{in_b[0]} of {robots}",
-            in_b[0] == robots,
+            f"{first['in_b']} of {robots} at tick {first['tick']}",
+            int(first["in_b"]) == robots,
+            apart=""
+            if begun
+            else "by construction: the variable ROLE begins undecided, at 0.5, which counts as B, "
+            "and until then nothing is delivered and nobody has changed",
         ),
         Finding(
-            "step 2, the payoff sinks and almost all change to A",
+            f"step 2, the payoff sinks and almost all change to A ({ALMOST_ALL} or more)",
             "almost all",
-            f"{in_a[high]} of {robots}, at tick {int(rows()[high]['tick']):,}",
+            f"{in_a[high]} of {robots} the first time that most do, at tick "
+            f"{int(rows()[high]['tick']):,}",
             in_a[high] >= ALMOST_ALL,
         ),
         Finding(
@@ -60,13 +89,16 @@ def settling() -> list[Finding]:
     late = off[3 * len(off) // 4 :]
     changes = [int(row["changes"]) for row in rows()]
     done = changes[-1] - changes[3 * len(changes) // 4]
-    robots = int(rows()[0]["robots"])
-    again = sum(one < 1 <= other for one, other in pairwise(off))
+    in_a, robots = [int(row["in_a"]) for row in rows()], int(rows()[0]["robots"])
+    several = peaks(in_a, robots)
+    again = sum(in_a[place] >= ALMOST_ALL for place in several)
     return [
         Finding(
-            "steps 5 to 7, minority and majority change again, and it collapses again",
+            "steps 5 to 7, the minority goes back to B, and almost all change to A again "
+            f"({ALMOST_ALL} or more)",
             "several cycles",
-            f"the wanted split is met and left {again} times",
+            f"from one in A at most to {ALMOST_ALL} or more {again} times, to more than half "
+            f"{len(several)} times",
             again > 1,
         ),
         Finding(

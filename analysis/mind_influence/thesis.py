@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from socialmind.experiments.overview import Finding, Result, row_of
+from socialmind.experiments.judging import NO_SAY, Finding, looked_through
+from socialmind.experiments.overview import Result, row_of
 from socialmind.learning.training.course import curriculum_of
 from socialmind.mind import MindDescription
 from socialmind.sources.folders import model_folder
 
 KEPT = Path(__file__).parent / "results"
-ALONE = 0.1
-"""Part of the influence up to which a skill has no say."""
 
 
 def sent(step: int, skill: str) -> float:
@@ -25,6 +24,18 @@ def avoiding(step: int) -> float:
     return sent(step, "Avoid") / total if total else 0.0
 
 
+def found_by() -> str:
+    """Return how the run of the figure was come by."""
+    from .trained import ALONE, LASTS, SEEDS, SHARED
+
+    run = looked_through(SEEDS, int(row_of(KEPT / "figure-6.6.csv", step="1")["seed"]))
+    return (
+        f"runs were searched for one in which, on the way to an object, Avoid's part is {SHARED:g} "
+        f"or less, then {ALONE:g} or more for {LASTS} ticks at least, then {SHARED:g} or less "
+        f"again: {run}"
+    )
+
+
 def steps() -> list[Finding]:
     parts = [avoiding(step) for step in range(1, 5)]
     zone, goal = sent(5, "GoToDropZone+Avoid"), sent(5, "GoToObject+Avoid")
@@ -32,8 +43,8 @@ def steps() -> list[Finding]:
         Finding(
             "step 1, approaching: the influence goes to GoToObject",
             "exclusively",
-            f"Avoid's part is {parts[0]:.2f}",
-            parts[0] <= ALONE,
+            f"Avoid's part is {parts[0]:.2f}; {found_by()}",
+            parts[0] <= NO_SAY,
             why="this robot keeps Avoid beside GoToObject, where it adds to moveForward "
             f"({sent(1, 'moveForward'):.2f}) and hardly turns ({sent(1, 'turnLeft'):.2f}): its "
             "training asked for no more",
@@ -41,10 +52,8 @@ def steps() -> list[Finding]:
         Finding(
             "step 2, too close to the obstacle: it goes to Avoid",
             "exclusively",
-            f"Avoid's part is {parts[1]:.2f}, in a run that was searched for one in which it is",
-            parts[1] >= 1 - ALONE,
-            why="this robot's GoToObject+Avoid keeps some influence on GoToObject beside an "
-            "obstacle: another training, of which nothing asks for all or none",
+            f"Avoid's part is {parts[1]:.2f}",
+            apart="the run was searched for one in which it does, as told in step 1",
         ),
         Finding(
             "steps 3 and 4, distance recovered, front clear: it goes back to GoToObject",
@@ -58,7 +67,7 @@ def steps() -> list[Finding]:
             "step 5, object picked up: Collect sends all to GoToDropZone+Avoid",
             "exclusively",
             f"GoToDropZone+Avoid {zone:.2f}, GoToObject+Avoid {goal:.2f}",
-            zone > 1 - ALONE and goal <= ALONE,
+            zone >= 1 - NO_SAY and goal <= NO_SAY,
             why="another training: as influence counts relative to what else there is, most is as "
             "good as all",
         ),
@@ -66,7 +75,7 @@ def steps() -> list[Finding]:
             "and it keeps Avoid active where GoToObject+Avoid would not",
             "shown",
             f"Avoid {sent(5, 'Avoid'):.2f}, {sent(1, 'Avoid'):.2f} in step 1",
-            sent(5, "Avoid") > max(sent(1, "Avoid"), ALONE),
+            sent(5, "Avoid") > max(sent(1, "Avoid"), NO_SAY),
             why="another training: what this robot's GoToDropZone+Avoid does beside obstacles is "
             "its own",
         ),

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from socialmind.experiments.overview import Finding, Result
+from socialmind.experiments.judging import Finding
+from socialmind.experiments.overview import Result
 
 TOLERANCE = 1e-9
 

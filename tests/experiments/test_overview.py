@@ -1,12 +1,15 @@
 """The thesis's results beside ours: verdicts follow from tables, and the page is not stale."""
 
+import csv
+import shutil
 from pathlib import Path
 
 import pytest
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.experiments import overview
-from socialmind.experiments.overview import Entry, Finding, Result, Verdict
+from socialmind.experiments.judging import CRITERION, Finding, Verdict
+from socialmind.experiments.overview import Entry, Result
 
 ANALYSIS = Path(__file__).parents[2] / "analysis"
 REPORTED = [
@@ -62,6 +65,16 @@ def test_both_pages_hold_every_finding():
     assert 'id="table-1.1"' in page
 
 
+def test_both_pages_say_by_which_criterion_and_what_is_to_be_known_of_several_rows():
+    result = Result("table 1.1", "something", "study", tuple)
+    found = [Entry(result, (AGREES,), "command", "1 s", "", ("Rows share seeds.",))]
+    text, page = overview.as_markdown(found), overview.as_html(found)
+    assert all(one in text for one in CRITERION)
+    assert "One criterion holds for all rows. A number is reproduced" in page
+    assert "- Rows share seeds." in text
+    assert "Rows share seeds." in page
+
+
 def test_a_kept_table_that_is_missing_is_named_with_what_makes_it(tmp_path):
     with pytest.raises(SocialmindError, match=r"no\.csv: not there, .* --kept --out"):
         overview.rows_of(tmp_path / "no.csv")
@@ -100,21 +113,149 @@ def test_the_committed_page_is_what_the_command_makes(entries):
     )
 
 
+BY_CONSTRUCTION = [
+    ("figure 3.11", "an artisan grows wheat"), ("figure 3.14", "some runs have fewer artisans"),
+    ("figure 6.6", "step 2"), ("figure 8.4", "step 8"), ("figure 8.6", "step 1"),
+]  # fmt: skip
+SEARCHED = ["3.14", "6.6", "7.2", "7.3", "7.5", "7.6", "8.3", "8.4"]
+"""Figures of a run that was searched for."""
+
+
+@pytest.mark.parametrize(("name", "about"), BY_CONSTRUCTION)
+def test_what_cannot_fail_is_not_comparable(entries, name, about):
+    (one,) = (entry for entry in entries if entry.result.name == name)
+    (finding,) = (each for each in one.findings if each.about.startswith(about))
+    assert finding.verdict is Verdict.NOT_COMPARABLE
+
+
+def test_figures_of_a_run_that_was_searched_for_say_how_many_were_looked_through(entries):
+    told = {
+        one.result.name.removeprefix("figure ")
+        for one in entries
+        for finding in one.findings
+        if "of the runs looked through" in f"{finding.ours} {finding.apart}"
+    }
+    assert told == set(SEARCHED)
+
+
+def test_numbers_of_objects_in_runs_of_untold_length_are_not_compared(entries):
+    for one in entries:
+        if one.result.name.startswith("table"):
+            numbers = [each for each in one.findings if ": objects" in each.about]
+            assert len(numbers) >= 3
+            assert all("does not tell" in each.reason for each in numbers)
+
+
+def changed(monkeypatch, tmp_path, name, change, *files, place="KEPT"):
+    """Return the findings of a result after a change of kept tables.
+
+    Args:
+        monkeypatch: the fixture.
+        tmp_path: where the changed tables are put.
+        name: of the result.
+        change: takes the rows of a table and its name, and returns them.
+        files: the tables.
+        place: what its module calls the folder of the tables, or the one table.
+    """
+    folders = [one for one in overview.topics().values() if (one / overview.THESIS_FILE).is_file()]
+    results = {one.name: one for folder in folders for one in overview.results_in(folder)}
+    found = results[name].found
+    kept = found.__globals__[place]
+    for table in (kept if kept.is_dir() else kept.parent).glob("*.csv"):
+        shutil.copy(table, tmp_path)
+    for file in files:
+        rows = change(overview.rows_of(tmp_path / file), file)
+        with (tmp_path / file).open("w", newline="") as written:
+            writer = csv.DictWriter(written, list(rows[0]))
+            writer.writeheader()
+            writer.writerows(rows)
+    instead = tmp_path if kept.is_dir() else tmp_path / kept.name
+    monkeypatch.setitem(found.__globals__, place, instead)
+    return {one.about: one for one in found()}
+
+
+def starting(findings, about):
+    (found,) = (one for name, one in findings.items() if name.startswith(about))
+    return found
+
+
 def test_a_table_that_changes_changes_the_verdict(entries, tmp_path, monkeypatch):
     """The robots' failures are counted on the kept table: with none, figure 6.4 agrees."""
-    topic = ANALYSIS / "collect"
-    (result,) = (one for one in overview.results_in(topic) if one.name == "figure 6.4")
-    findings = {one.about: one for one in result.found()}
-    assert not findings["GoToObject+Avoid: attempts that succeed"].agrees
-    source = topic / "results" / "figure-6.4-attempts.csv"
-    rows = source.read_text().splitlines()
-    column = rows[0].split(",").index("finals")
-    mended = [rows[0]]
-    for row in rows[1:]:
-        cells = row.split(",")
-        cells[column] = "4.0" if cells[0] == "GoToObject+Avoid" else cells[column]
-        mended.append(",".join(cells))
-    (tmp_path / source.name).write_text("\n".join(mended) + "\n")
-    monkeypatch.setitem(result.found.__globals__, "KEPT", tmp_path)
-    findings = {one.about: one for one in result.found()}
-    assert findings["GoToObject+Avoid: attempts that succeed"].agrees
+    about = "GoToObject+Avoid: attempts that succeed"
+    (kept,) = (one for one in entries if one.result.name == "figure 6.4")
+    assert not starting({one.about: one for one in kept.findings}, about).agrees
+
+    def without_failures(rows, _):
+        return [
+            {**row, "finals": "4.0"} if row["lesson"] == "GoToObject+Avoid" else row for row in rows
+        ]
+
+    table = "figure-6.4-attempts.csv"
+    findings = changed(monkeypatch, tmp_path, "figure 6.4", without_failures, table)
+    assert starting(findings, about).agrees
+
+
+def test_a_representation_counts_where_its_attempt_is_as_good_as_the_best(tmp_path, monkeypatch):
+    def with_one_worse(rows, _):
+        for row in rows:
+            if row["training"] == "counter" and row["step 5"] == "0.1":
+                row["sequences"] = "1.5"
+        return rows
+
+    table = "representations.csv"
+    findings = changed(monkeypatch, tmp_path, "figure 7.5", with_one_worse, table)
+    assert not starting(findings, "attempts settle").agrees
+
+
+@pytest.mark.parametrize(("others", "agrees"), [("6", True), ("5", False)])
+def test_how_many_are_artisans_is_a_mean_over_runs(others, agrees, tmp_path, monkeypatch):
+    """That one run has six says nothing where all others have five."""
+
+    def with_others(rows, _):
+        return [{**row, "artisans": others if place else "6"} for place, row in enumerate(rows)]
+
+    table, place = "results.csv", "SEEDS"
+    findings = changed(monkeypatch, tmp_path, "figure 3.13", with_others, table, place=place)
+    assert starting(findings, "six of 25").agrees is agrees
+
+
+def test_roles_collapse_as_often_as_most_change_after_next_to_none(entries, tmp_path, monkeypatch):
+    (result,) = (one.result for one in entries if one.result.name == "figure 8.6")
+    peaks = result.found.__globals__["peaks"]
+    assert peaks([0, 2, 5, 8, 4, 5, 1, 3, 6, 0, 2], 9) == [3, 8]
+    assert peaks([3, 3, 2, 3, 4], 9) == []
+
+    def with_fewer(rows, _):
+        """The first time most are in A these are six; later there are eight, which says less."""
+        return [
+            {**row, "in_a": str(min(6, int(row["in_a"])))} if int(row["tick"]) < 2000 else row
+            for row in rows
+        ]
+
+    findings = changed(monkeypatch, tmp_path, "figure 8.6", with_fewer, "figure-8.6.csv")
+    assert not starting(findings, "step 2").agrees
+
+
+def test_lessons_added_with_equal_ticks_are_read_from_the_table(tmp_path, monkeypatch):
+    def with_more(rows, file):
+        """The rows now there are after Collect; those of the curriculum a lesson further on."""
+        if file.endswith("-attempts.csv"):
+            added = [
+                {**row, "after": "More of Collect"} if row["structure"].endswith("curriculum")
+                else row for row in rows
+            ]  # fmt: skip
+        else:
+            added = list(rows)
+        return added + [
+            {**row, "structure": row["structure"].replace("curriculum", "after Collect"),
+             **({"thesis": ""} if "thesis" in row else {})}
+            for row in rows if row["structure"].endswith("curriculum")
+        ]  # fmt: skip
+
+    level = "table-6.1-equal-ticks"
+    tables = f"{level}.csv", f"{level}-attempts.csv"
+    findings = changed(monkeypatch, tmp_path, "table 6.1", with_more, *tables)
+    found = starting(findings, "monolith by curriculum, equal ticks in each lesson: share")
+    assert " after More of Collect, " in found.ours
+    assert " after Collect; 10 attempts" in found.ours
+    assert not found.apart
