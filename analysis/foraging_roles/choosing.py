@@ -97,20 +97,24 @@ def settles(
 
 
 def each_settles(
-    mind: MindDescription, parameters: Mapping[str, int], worlds: range, ticks: int = TICKS
+    mind: MindDescription | None,
+    parameters: Mapping[str, float],
+    worlds: range,
+    ticks: int = TICKS,
+    rules: Any = RULES.ForagingByDeliveries,
 ) -> NDArray[np.bool_]:
     """Return, world by world, whether it stays within one robot all through the last quarter.
 
     Args:
-        mind: the robots'.
+        mind: the robots'; None for that of the model.
         parameters: of the model.
         worlds: their seeds.
         ticks: of a run.
+        rules: the model, one that sees robots by what they bring home.
     """
     episodes = Episodes(
-        RULES.ForagingByDeliveries, parameters, hierarchy=mind, ticks=ticks, lanes=LANES,
-        record=("last_beyond",),
-    )  # fmt: skip
+        rules, parameters, hierarchy=mind, ticks=ticks, lanes=LANES, record=("last_beyond",)
+    )
     beyond = np.asarray(episodes.run(None, worlds).fields["last_beyond"])[0, :, 0]
     return beyond < 0.75 * ticks
 

@@ -8,7 +8,7 @@ That minds of the economy fail in bodies was seen in the worlds of `analysis/spe
 the lesson `like_bodies` was made because of it: there it has an advantage that is luck's. In these
 worlds, in which nothing was looked at before but what was chosen again, all stand alike. Of
 `like_bodies` all trainings are here, as their last lesson left them: those that had been replaced,
-as another one was better, count too.
+as another one was better, count too. So are the scheme and both kinds of thresholds.
 
 A row of `results/further_worlds.csv` is a way, an attempt (of `like_bodies` a training) and a
 condition, a column a world: 1 where nine robots stay within one of the wanted split all through the
@@ -25,13 +25,18 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError, nearest
 from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
-from socialmind.experiments.measures.intervals import Interval
+from socialmind.experiments.measures.intervals import Interval, share_interval
+from socialmind.mind import MindDescription
 
 from . import choosing, choosing_again
 from .minds import minds_of
+from .threshold_scan import CONTROLLERS
+from .trainings import MODEL
 
+THRESHOLDS = load_file(MODEL / "thresholds.py").ForagingByThresholds
 OUT = Path(__file__).parent / "results" / "further_worlds.csv"
 WORLDS = choosing_again.FURTHER
 CONDITIONS = tuple(reversed(choosing.CONDITIONS))
@@ -41,9 +46,15 @@ WAYS: Mapping[str, str] = {
     "chosen_again": "by deliveries like bodies, chosen in bodies",
     "like_bodies": "by deliveries like bodies, every training, nothing chosen",
     "supervised_role": "supervised",
+    "programmed": "the written scheme",
+    "fixed_thresholds": "fixed thresholds",
+    "reinforced_thresholds": "reinforced thresholds",
 }
 """What they are called in the table."""
+UNLEARNED: Mapping[str, Mapping[str, float]] = {"programmed": {"programmed": 1.0}, **CONTROLLERS}
+"""Parameters of the ways that nobody learned, by name."""
 COMPARED = (
+    *((way, "programmed") for way in ("delivered_anew", "chosen_again", "supervised_role")),
     ("chosen_again", "delivered_anew"),
     ("like_bodies", "delivered_anew"),
     ("delivered_anew", "supervised_role"),
@@ -56,11 +67,13 @@ def run(ways: Iterable[str], path: Path = OUT) -> None:
     for way in ways:
         if way not in WAYS:
             raise SocialmindError(f"no way called {way!r}; {nearest(way, WAYS)}")
-        for attempt, mind in minds_of(way).items():
+        for attempt, mind in _minds(way).items():
             for condition in CONDITIONS:
                 if (way, attempt, condition) in read(path).index:
                     continue
-                within = choosing.each_settles(mind, choosing.CONDITIONS[condition], WORLDS)
+                given = {**UNLEARNED.get(way, {}), **choosing.CONDITIONS[condition]}
+                rules = THRESHOLDS if way in CONTROLLERS else choosing.RULES.ForagingByDeliveries
+                within = choosing.each_settles(mind, given, WORLDS, rules=rules)
                 row = ",".join([way, str(attempt), condition, *map(str, within.astype(int))])
                 begun = path.is_file()
                 with path.open("a", encoding="utf-8", newline="") as file:
@@ -68,6 +81,11 @@ def run(ways: Iterable[str], path: Path = OUT) -> None:
                         file.write(",".join([*KEYS, *map(str, WORLDS)]) + "\n")
                     file.write(row + "\n")
                 print(way, attempt, condition, within.mean(), file=sys.stderr, flush=True)
+
+
+def _minds(way: str) -> Mapping[int, MindDescription | None]:
+    """Return the minds of a way's attempts; the model's where nobody learned."""
+    return {0: None} if way in UNLEARNED else minds_of(way)
 
 
 def read(path: Path = OUT) -> pd.DataFrame:
@@ -83,7 +101,7 @@ def complete(table: pd.DataFrame) -> list[str]:
     return [
         way
         for way in WAYS
-        if known.issuperset(product([way], minds_of(way), CONDITIONS)) and minds_of(way)
+        if known.issuperset(product([way], _minds(way), CONDITIONS)) and _minds(way)
     ]
 
 
@@ -106,7 +124,7 @@ def means(table: pd.DataFrame) -> pd.DataFrame:
             rows.append(
                 {
                     "way": way, "condition": condition, "attempts": len(each),
-                    **vars(crossed_interval(each)), "least": shares.min(), "most": shares.max(),
+                    **vars(_interval(each)), "least": shares.min(), "most": shares.max(),
                 }
             )  # fmt: skip
     return pd.DataFrame(rows)
@@ -118,9 +136,15 @@ def differences(table: pd.DataFrame) -> pd.DataFrame:
     for way, other in (pair for pair in COMPARED if {*pair} <= {*known}):
         for condition in CONDITIONS:
             one, two = (within(table, name, condition) for name in (way, other))
-            found: Interval = crossed_difference(one, two)
+            nobody_learned = len(two) == 1
+            found = crossed_interval(one - two) if nobody_learned else crossed_difference(one, two)
             rows.append({"way": way, "than": other, "condition": condition, **vars(found)})
     return pd.DataFrame(rows)
+
+
+def _interval(each: np.ndarray) -> Interval:
+    """Return the mean with its interval: over attempts and worlds, or worlds where one way is."""
+    return crossed_interval(each) if len(each) > 1 else share_interval(each[0])
 
 
 if __name__ == "__main__":

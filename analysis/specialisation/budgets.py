@@ -37,7 +37,9 @@ def budgets(size: Size) -> pd.DataFrame:
         ticks = np.array([sum(one) for one in own])
         rows.append(
             {
-                "society": one.name, "lesson": lesson, "attempts": len(own),
+                "society": one.name,
+                "lesson": FIRST.TRAINED if lesson == CHOOSING.NAME else lesson,
+                "attempts": len(own),
                 "trainings": sum(map(len, own)), "least": ticks.min() / 1e9,
                 "median": np.median(ticks) / 1e9, "greatest": ticks.max() / 1e9,
                 "choosing": chosen / 1e9,

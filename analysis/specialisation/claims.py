@@ -13,6 +13,7 @@ check does not hold, in another run or with other seeds, the page says so in the
 | `at most X MEASURE SOCIETY CONDITION` | the mean is X or less |
 | `worst at least X MEASURE SOCIETY CONDITION` | that of the attempt with the least is X or more |
 | `worst at most X …` | it is X or less |
+| `best at least X …`, `best at most X …` | the same of the attempt with the most |
 | `more MEASURE SOCIETY CONDITION` | all of the interval is more than in the programmed society |
 | `less MEASURE SOCIETY CONDITION` | all of it is less |
 | `untold MEASURE SOCIETY CONDITION` | the interval of the difference holds 0 |
@@ -21,9 +22,10 @@ check does not hold, in another run or with other seeds, the page says so in the
 
 Numbers are `MEASURE SOCIETY CONDITION`, a mean with its interval; `worst …` and `best …`, those of
 the attempts with the least and the most; `difference …`, from the programmed society, or `… than
-OTHER`; `attempts SOCIETY`; `ticks SOCIETY`, the median attempt's; `shares CHOICE`, how many shares
-in further worlds there are of what was chosen in bodies, for all attempts and conditions, and
-`unsure X CHOICE`, of how many the interval holds less than X. The condition `farmers` stands for
+OTHER`, and `lack …`, how much less it is; `attempts SOCIETY`; `ticks SOCIETY`, the median
+attempt's; `shares CHOICE`, how many shares in further worlds there are of what was chosen in
+bodies, for all attempts and conditions, and `unsure X CHOICE`, of how many the interval holds less
+than X. The condition `farmers` stands for
 the societies of farmers and artisans, which are compared with the learned one; `kinds`, with a
 condition in the place of the society, for
 programmed robots less learned ones of one society.
@@ -53,7 +55,8 @@ _LINE = re.compile(r"- \[(?P<checks>[^\]]+)\] (?P<text>.+)")
 UNCHECKED = "unchecked"
 NOT_SO = "Said of the study as it was kept, and not so in this run:"
 _CHECK = re.compile(
-    r"(?:(?P<worst>worst )?at (?P<side>least|most) (?P<bound>[\d.]+)|(?P<way>more|less|untold)) "
+    r"(?:(?:(?P<which>worst|best) )?at (?P<side>least|most) (?P<bound>[\d.]+)|"
+    r"(?P<way>more|less|untold)) "
     r"(?P<place>.+)"
 )
 
@@ -136,7 +139,7 @@ def holds(check: str, tables: Mapping[str, pd.DataFrame]) -> bool:
         return {"more": low > 0, "less": high < 0, "untold": low <= 0 <= high}[match["way"]]
     row = _row(tables, _MEANS, *_place(match["place"]))
     least, bound = match["side"] == "least", float(match["bound"])
-    value = float(row["least" if match["worst"] else "mean"])
+    value = float(row[{None: "mean", "worst": "least", "best": "most"}[match["which"]]])
     return value >= bound if least else value <= bound
 
 
@@ -194,15 +197,18 @@ def _number(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
         return number(float(budgets.loc[rest, "median"]), 1)
     if first in ("unsure", "shares"):
         return _counted(rest, tables)
-    if first in ("worst", "best", "difference"):
+    if first in ("worst", "best", "difference", "lack"):
         text = rest
     measure, society, condition = _place(text.partition(" than ")[0])
     share = measure == "within"
     known = farmers.MEASURED if condition == "farmers" else MEASURED
     digits = known[measure].digits if measure in known else 2
-    if first == "difference":
+    if first in ("difference", "lack"):
         row = _difference(text, tables)
-        return spread({**row, "mean": row["difference"]}, digits)
+        away = {"mean": row["difference"], "low": row["low"], "high": row["high"]}
+        if first == "lack":
+            away = {"mean": -away["mean"], "low": -away["high"], "high": -away["low"]}
+        return spread(away, digits)
     row = _row(tables, _MEANS, measure, society, condition)
     if first in ("worst", "best"):
         value = float(row["least" if first == "worst" else "most"])

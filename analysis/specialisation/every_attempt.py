@@ -108,9 +108,10 @@ def _further(tables: Mapping[str, pd.DataFrame]) -> list[str]:
         row: dict[str, object] = {"society": title}
         for name in conditions:
             found = one_of(means, "within", society=society, condition=name)
-            row["attempts"] = int(found["attempts"])
-            row[CONDITIONS[name].title] = (
-                f"{shares(found)}\n{percent(found['least'])} … {percent(found['most'])}"
+            several = found["attempts"] > 1
+            row["attempts"] = int(found["attempts"]) if several else "–"
+            row[CONDITIONS[name].title] = shares(found) + (
+                f"\n{percent(found['least'])} … {percent(found['most'])}" if several else ""
             )
         rows.append(row)
     away = tables["differences"]
@@ -130,7 +131,8 @@ def _further(tables: Mapping[str, pd.DataFrame]) -> list[str]:
             rows,
             "Table 3. The same forty worlds for all, seeds 6101 … 6140, which had no part in any "
             "design: shares within one robot with intervals of 95 % over attempts and worlds, and "
-            "the worst and the best attempt. Adding three was not run.",
+            "the worst and the best attempt; over worlds where nothing was learned. Adding three "
+            "was not run.",
             numbers=True,
         ),
         html.table(apart, "", numbers=True),

@@ -1,29 +1,28 @@
-"""The other way round: farmers by a written scheme, by a learned mind, by a distilled scheme."""
+"""The other way round: farmers by a written scheme, by learned minds, by distilled schemes."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import pandas as pd
 
-from socialmind.catalogue import load_file, load_model, model_folder
-from socialmind.work.side_by_side import side_by_side
+from socialmind.catalogue import load_file
 
 from .societies import Size
-from .tables import Measured
+from .tables import Measured, interval, square
 
+STUDY = load_file(Path(__file__).parents[1] / "farmer_artisan" / "learned.py")
 SOCIETIES = {
     "written": "the scheme that somebody wrote",
-    "learned": "a perceptron that was taught for wheat, and reads the same cognitons",
-    "distilled": "a scheme of few links that was distilled from the perceptron",
+    "learned": "a perceptron that was taught for wheat, and reads the same cognitons; all attempts",
+    "distilled": "a scheme of few links that was distilled from such a perceptron; all attempts",
+    "shipped": "the perceptron of the model, one more attempt at the same lesson",
 }
+REFERENCE = "learned"
+"""The society that the others are compared with."""
 DISTILLED = "distilled.yaml"
-"""The file of the scheme that is distilled."""
-EVERY = 500
-"""Ticks between two records."""
+"""The file of the scheme that is distilled from the model's mind."""
 MEASURED = {
     one.name: one
     for one in (
@@ -40,8 +39,8 @@ MEASURED = {
         ),
         Measured(
             "role_changes", "Role changes", "an agent and 10,000 ticks",
-            "While settled: within one agent of 20 farmers and 5 artisans, which is what the "
-            "thesis found.",
+            "While settled: within one agent of 20 farmers and 5 artisans, which is near what "
+            "runs of the written scheme come to.",
         ),
         Measured(
             "last_distance", "Distance to 20 : 5", "agents, last quarter",
@@ -57,68 +56,57 @@ MEASURED = {
 
 @dataclass(frozen=True)
 class Found:
-    """What was found of the three societies.
+    """What was found of the societies.
 
     Attributes:
-        worlds: `society`, `seed` and measures.
-        course: `society`, `seed`, `tick`, `artisans` and `specialised`.
+        worlds: `society`, `attempt`, `seed` and measures.
+        course: `society`, `attempt`, `seed`, `tick`, `artisans` and `specialised`.
     """
 
     worlds: pd.DataFrame
     course: pd.DataFrame
 
 
-def _study() -> Any:
-    return load_file(Path(__file__).parents[1] / "farmer_artisan" / "learned.py")
-
-
-def lived(
-    society: str, seed: int, ticks: int, scheme: str
-) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """Run a society, and return its measures and its course.
-
-    Args:
-        society: its name.
-        seed: of every draw.
-        ticks: how long.
-        scheme: the file of the distilled scheme.
-    """
-    study = _study()
-    if society == "learned":
-        model = load_model("farmer_artisan_learned")(seed=seed)
-    else:
-        options = {"scheme": scheme} if society == "distilled" else {}
-        model = load_model("farmer_artisan")(seed=seed, **options)
-    course = study.lived(model, ticks, EVERY)
-    row = {"society": society, "seed": seed, **study.measures(model, course)}
-    split = course.split
-    artisans = split["artisan"] if "artisan" in split else pd.Series(0, split.index)
-    over_time = pd.DataFrame({"artisans": artisans, "specialised": course.specialised})
-    return row, [
-        {"society": society, "seed": seed, **one}
-        for one in over_time.reset_index().to_dict("records")
-    ]
-
-
 def found(size: Size, home: Path, workers: int | None = None) -> Found:
-    """Distil a scheme from the learned mind, and run the three societies on the same seeds.
+    """Distil a scheme from each learned mind, and run all societies on the same seeds.
 
     Args:
         size: of the study.
-        home: where the distilled scheme is written.
+        home: where the scheme that is distilled from the model's mind is written.
         workers: processes; one for each processor by default.
     """
-    distillation, _ = _study().distil(model_folder("farmer_artisan_learned") / "mind")
+    made = STUDY.all_societies(size.farmers, size.farmers_ticks, size.attempts, workers)
     home.mkdir(parents=True, exist_ok=True)
-    file = home / DISTILLED
-    distillation.scheme.save(file)
-    calls = [
-        (society, seed, size.farmers_ticks, str(file))
-        for society in SOCIETIES
-        for seed in range(size.farmers)
-    ]
-    answers: Sequence[Any] = list(side_by_side(lived, calls, workers))
-    return Found(
-        worlds=pd.DataFrame([row for row, _ in answers]),
-        course=pd.DataFrame([one for _, several in answers for one in several]),
-    )
+    own, _ = made.distilled[STUDY.SHIPPED]
+    own.scheme.save(home / DISTILLED)
+    return Found(made.worlds, made.course)
+
+
+def differences(worlds: pd.DataFrame, measures: list[str]) -> pd.DataFrame:
+    """Compare societies with those of the learned minds, seed by seed.
+
+    What is distilled from a mind stands beside that mind; what nobody learned, and the model's
+    mind, beside each of them.
+
+    Returns:
+        A row for each society and measure: `difference`, with its interval over attempts and
+        seeds, `low` and `high`.
+    """
+    rows = []
+    base = worlds[worlds["society"] == REFERENCE].set_index(["attempt", "seed"])
+    for society in [one for one in worlds["society"].unique() if one != REFERENCE]:
+        own = worlds[worlds["society"] == society].set_index(["attempt", "seed"])
+        for name in measures:
+            if society == "distilled":
+                away = own[name] - base[name]
+            else:
+                seeds = base.index.get_level_values("seed")
+                away = own[name].droplevel("attempt").reindex(seeds).to_numpy() - base[name]
+            told = interval(square(away.rename("away").reset_index(), "away"))
+            rows.append(
+                {
+                    "society": society, "measure": name, "difference": told.mean,
+                    "low": told.low, "high": told.high,
+                }
+            )  # fmt: skip
+    return pd.DataFrame(rows)

@@ -95,10 +95,10 @@ def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
         ),
         html.picture(
             figures["programmed"],
-            "Figure 1. The scheme of the programmed robots: cognitons at the left, each with its "
-            "own colour, plans at the right. Numbers are the links’ weights; in gold, what is "
-            "added to a cogniton when a plan is carried out and pays, and taken from it when it "
-            "does not. A plan that a cogniton opens is considered only where there is that "
+            "Figure 1. The scheme of the programmed robots: cognitons at the left, callings in "
+            "blue and plenty in red, plans at the right. Numbers are the links’ weights; in gold, "
+            "what is added to a cogniton when a plan is carried out and pays, and taken from it "
+            "when it does not. A plan that a cogniton opens is considered only where there is that "
             "cogniton.",
             "A cognitive scheme of four cognitons and two plans.",
         ),
@@ -147,7 +147,7 @@ def _shocked(
             "Figure 5. Every measure: means with intervals of 95 % over attempts and worlds. In c "
             f"a world that never settles counts with {number(size.ticks, 0)} ticks undisturbed "
             f"and {number(size.half, 0)} after a shock. Grey "
-            "strokes in g: what luck alone gives.",
+            "strokes in g: what luck alone gives. The axes of h and i do not begin at 0.",
             "Means with intervals of nine measures, for each society and condition.",
         ),
     ]
@@ -213,6 +213,7 @@ def _mixed(
 def _farmers(
     tables: Mapping[str, pd.DataFrame], figures: Mapping[str, Figure], size: Size
 ) -> list[str]:
+    attempts = one_of(tables["farmers-means"], "prosperity", society="learned")["attempts"]
     rows = []
     for name, measured in farmers.MEASURED.items():
         found_in = {one: one_of(tables["farmers-means"], name, society=one)
@@ -225,30 +226,32 @@ def _farmers(
         rows.append({"measure": f"{measured.title} ({measured.unit})", **cells})
     return [
         html.paragraph(
-            "Where trade confirms callings, farmers and artisans specialise by the scheme that "
-            "somebody wrote. Here a mind that was taught for wheat alone weighs the same plans, "
-            "from the same cognitons; and from what it does a scheme of few links is distilled: "
-            "the few links with which a scheme chooses most nearly as the mind does. It is one "
-            "training, so that intervals are over seeds alone, and say nothing of another. "
-            f"{size.farmers} seeds, {number(size.farmers_ticks, 0)} ticks."
+            "In the thesis’s society of farmers and artisans a scheme that somebody wrote decides. "
+            "Here minds that were taught for wheat alone weigh the same plans, from the same "
+            "cognitons; and from what each does a scheme of few links is distilled: the few links "
+            "with which a scheme chooses most nearly as the mind does. "
+            f"{attempts} attempts, taught in episodes of 4,000 ticks, and the mind of the model, "
+            f"which is one more; {size.farmers} seeds, {number(size.farmers_ticks, 0)} ticks."
         ),
         found("farmers", tables, size),
         html.picture(
             figures["farmers"],
-            "Figure 7. Three societies on the same seeds: over time, and measure by measure, with "
-            "intervals of 95 %. Grey strokes: what luck alone gives.",
-            "Measures of three societies of farmers and artisans.",
+            "Figure 7. Societies on the same seeds: over time, and measure by measure, with "
+            "intervals of 95 % over attempts and seeds; of the written scheme and the model’s mind "
+            "over seeds. Grey strokes: what luck alone gives.",
+            "Measures of four societies of farmers and artisans.",
         ),
         html.table(
             rows,
-            "Table 9. Means with intervals of 95 % over seeds. Changes of roles while settled are "
+            "Table 9. Means with intervals of 95 %, over attempts and seeds where there are "
+            "attempts. Changes of roles while settled are "
             "known of the seeds that settle, whose number is told where it is not all; unknown "
             "where none does.",
             numbers=True,
         ),
         html.picture(
             figures["schemes"],
-            "Figure 8. The scheme that was written, and the one distilled from the learned mind: "
+            "Figure 8. The scheme that was written, and the one distilled from the model’s mind: "
             "cognitons at the left, plans at the right, as in Figure 1; Habit is a cogniton that "
             "always is there. A line is the broader the larger its weight is beside the "
             "scheme’s largest.",
@@ -305,8 +308,8 @@ def _made(tables: Mapping[str, pd.DataFrame], size: Size, command: str, seeds: s
             f"{size.mixed_worlds} of them; nothing was trained or chosen in them. No run was "
             f"excluded. `foraging_roles` with its mind of {len(mind.skills)} skills; what robots "
             f"bring home is recorded every {EVERY} ticks. Farmers and artisans: seeds 0 … "
-            f"{size.farmers - 1}, recorded every {farmers.EVERY} ticks. The same command gives the "
-            f"same file, with the same versions: {software}."
+            f"{size.farmers - 1}, recorded every {farmers.STUDY.EVERY} ticks. The same command "
+            f"gives the same file, with the same versions: {software}."
         ),
         html.paragraph(
             "Lessons and their attempts, of seed 8. `analysis/foraging_roles` has what they were "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +16,6 @@ from matplotlib.transforms import Affine2D
 from socialmind.drawing import style as paper
 from socialmind.drawing.scheme import draw_scheme, key, lines_of
 
-from . import farmers
 from .societies import CONDITIONS, FALL_SHORT, MIXED, REFERENCE, SOCIETIES, Condition, Size
 from .tables import MEASURED, OVER_SHARES
 
@@ -30,7 +29,8 @@ if TYPE_CHECKING:
 A, B = paper.GOLD, paper.PURPLE
 COLOURS = {"programmed": paper.RED, "learned": paper.BLUE}
 """Of both kinds of robots in one society; marks of the latter are hollow."""
-FARMERS = {"written": paper.RED, "learned": paper.BLUE, "distilled": paper.PURPLE}
+FAR_FROM_ZERO = ("delivered", "in_ratio")
+"""Measures whose axis does not begin at 0."""
 LETTERS = "abcdefghijklmnop"
 ACROSS = 4
 """Panels of robots side by side."""
@@ -63,13 +63,13 @@ def attempts(each: pd.DataFrame, table: pd.DataFrame) -> Figure:
             ((_, found),) = own[
                 (own["society"] == society) & (own["condition"] == condition.name)
             ].iterrows()
-            _dot(axes, row + (0.36 if len(dots) > 1 else 0.0), found, one.colour, "D")
+            dot(axes, row + (0.36 if len(dots) > 1 else 0.0), found, one.colour, "D")
         _rows(axes, rows)
         axes.set_xlim(-0.04, 1.04)
         axes.set_xticks((0, 0.5, 1), ("0", "0.5", "1"))
         axes.set_xlabel("share of worlds")
         paper.panel_title(axes, letter, condition.title)
-    _legend(figure, [
+    legend(figure, [
         Line2D([], [], color=paper.INK, linestyle="", marker="o", markersize=2.2, mfc="white",
                mew=0.6, label="an attempt"),
         Line2D([], [], color=paper.INK, marker="D", markersize=2.8, linewidth=0.9,
@@ -119,7 +119,7 @@ def course(over_time: pd.DataFrame, size: Size) -> Figure:
             row[0].set_ylabel("specialised (share)")
     for axes in panels[:-1].flat:
         axes.set_xlabel("")
-    _legend(figure, [_line(one) for one in SOCIETIES], 5)
+    legend(figure, [_line(one) for one in SOCIETIES], 5)
     return figure
 
 
@@ -152,7 +152,7 @@ def _look(society: str) -> dict[str, Any]:
     return {"color": one.colour, "linestyle": one.dash, "linewidth": width}
 
 
-def _legend(figure: Figure, marks: Sequence[Line2D | Patch], columns: int = 6) -> None:
+def legend(figure: Figure, marks: Sequence[Line2D | Patch], columns: int = 6) -> None:
     figure.legend(handles=list(marks), loc="outside lower center", ncols=min(len(marks), columns),
                   columnspacing=1.4, handlelength=1.9)  # fmt: skip
 
@@ -173,15 +173,15 @@ def measures(table: pd.DataFrame) -> Figure:
         for offset, condition in zip(offsets, CONDITIONS.values(), strict=True):
             for society, part in _parts(own, condition.name):
                 row = rows[society] + offset
-                _dot(axes, row, part.iloc[0], SOCIETIES[society].colour, condition.marker)
+                dot(axes, row, part.iloc[0], SOCIETIES[society].colour, condition.marker)
                 if measured.name == "agents_to_tasks":
                     chance = dict(_parts(luck, condition.name))[society]["mean"].iloc[0]
                     axes.plot([chance] * 2, [row - 0.07, row + 0.07], color=paper.GREY)
         _rows(axes, rows)
-        _across(axes, own)
+        across(axes, own[own["society"].isin(rows)], zero=measured.name not in FAR_FROM_ZERO)
         axes.set_xlabel(measured.unit)
         paper.panel_title(axes, letter, measured.title)
-    _legend(figure, [
+    legend(figure, [
         Line2D([], [], color=paper.INK, marker=one.marker, markersize=3, linewidth=0.8,
                label=one.title)
         for one in CONDITIONS.values()
@@ -189,16 +189,17 @@ def measures(table: pd.DataFrame) -> Figure:
     return figure
 
 
-def _across(axes: Axes, own: pd.DataFrame) -> None:
-    """Set the x axis so that all means with their intervals are seen, and 0."""
-    low, high = paper.limits_with_zero([*own["low"], *own["high"], *own["mean"]])
+def across(axes: Axes, own: pd.DataFrame, dots: Iterable[float] = (), zero: bool = True) -> None:
+    """Set the x axis so that all means with their intervals are seen, dots, and, if asked, 0."""
+    shown = [*own["low"], *own["high"], *own["mean"], *dots]
+    low, high = paper.limits_with_zero(shown) if zero else (np.nanmin(shown), np.nanmax(shown))
     air = 0.03 * (high - low)  # so that a mark at 0 is whole
     axes.set_xlim(low - air, high + air)
     axes.xaxis.set_major_locator(MaxNLocator(3, steps=(1, 2, 5, 10)))
     axes.xaxis.set_major_formatter("{x:,g}")
 
 
-def _dot(axes: Axes, row: float, found: Any, colour: str, marker: str = "o") -> None:
+def dot(axes: Axes, row: float, found: Any, colour: str, marker: str = "o") -> None:
     """Draw a mean with its interval."""
     axes.plot([found["low"], found["high"]], [row, row], color=colour, linewidth=0.9)
     axes.plot(found["mean"], row, marker, color=colour, markersize=2.8, mew=0)
@@ -234,7 +235,7 @@ def robots(spells: pd.DataFrame, condition: str, size: Size) -> Figure:
         axes.tick_params(labelbottom=True)
     for axes in panels[:, 0]:
         axes.set_ylabel("robot")
-    _legend(figure, [Patch(color=A, label="brings A"), Patch(color=B, label="brings B")])
+    legend(figure, [Patch(color=A, label="brings A"), Patch(color=B, label="brings B")])
     return figure
 
 
@@ -308,7 +309,7 @@ def mixed(societies: pd.DataFrame, kinds: pd.DataFrame) -> Figure:
                mfc="white" if kind == "learned" else colour)
         for kind, colour in COLOURS.items()
     ]  # fmt: skip
-    _legend(figure, lines)
+    legend(figure, lines)
     return figure
 
 
@@ -342,63 +343,6 @@ def _over_share(
     )  # fmt: skip
 
 
-def villagers(over_time: pd.DataFrame, table: pd.DataFrame, size: Size) -> Figure:
-    """Draw the three societies of farmers and artisans: over time, and measure by measure.
-
-    Args:
-        over_time: `society`, `measure` (`artisans`, `specialised`), `tick`, `mean`, `low`, `high`.
-        table: `society`, `measure`, `mean`, `low`, `high`.
-        size: of the study.
-    """
-    figure = paper.figure(paper.PAGE, 98)
-    panels = figure.subplots(2, 4)
-    for letter, axes, (name, title, label) in zip(
-        LETTERS, panels[0, :2],
-        (("artisans", "Artisans", "of 25 agents"),
-         ("specialised", "Specialised agents", "share of agents")),
-        strict=False,
-    ):  # fmt: skip
-        unit = paper.time_axis(axes, [0, size.farmers_ticks])
-        for society, colour in FARMERS.items():
-            own = over_time[(over_time["society"] == society) & (over_time["measure"] == name)]
-            x = own["tick"].to_numpy() / unit
-            axes.fill_between(x, own["low"], own["high"], color=colour, alpha=0.2, linewidth=0)
-            axes.plot(x, own["mean"], color=colour, linestyle=paper.DASHES.get(colour, "-"))
-        axes.set_ylim(0, None)
-        axes.set_ylabel(label)
-        paper.panel_title(axes, letter, title)
-    for letter, axes, measured in zip(
-        LETTERS[2:], [*panels[0, 2:], *panels[1]], farmers.MEASURED.values(), strict=False
-    ):
-        own = table[table["measure"] == measured.name].set_index("society")
-        for row, (society, colour) in enumerate(FARMERS.items()):
-            found = own.loc[society]
-            if np.isfinite(found["mean"]):
-                _dot(axes, row, found, colour)
-            else:
-                axes.annotate(
-                    "never settled", (0.03, row), xycoords=("axes fraction", "data"), va="center",
-                    fontsize=7, style="italic", color=colour,
-                )  # fmt: skip
-        if measured.name == "agents_to_tasks":
-            luck = table[table["measure"] == "agents_to_tasks_by_chance"].set_index("society")
-            for row, society in enumerate(FARMERS):
-                axes.plot([luck.loc[society, "mean"]] * 2, [row - 0.2, row + 0.2], color=paper.GREY)
-        axes.set_ylim(len(FARMERS) - 0.5, -0.5)
-        axes.set_yticks([])
-        axes.spines["left"].set_visible(False)
-        _across(axes, own)
-        axes.set_xlabel(measured.unit)
-        paper.panel_title(axes, letter, measured.title)
-    for axes in (panels[0, 2], panels[1, 0]):
-        axes.set_yticks(range(len(FARMERS)), list(FARMERS))
-        axes.tick_params(axis="y", length=0)
-    _legend(figure, [Line2D([], [], color=colour, linestyle=paper.DASHES.get(colour, "-"),
-                            marker="o", markersize=3, label=one)
-                     for one, colour in FARMERS.items()])  # fmt: skip
-    return figure
-
-
 def schemes(several: Mapping[str, CognitiveScheme], width: float = paper.PAGE) -> Figure:
     """Draw schemes side by side, to one scale.
 
@@ -416,5 +360,5 @@ def schemes(several: Mapping[str, CognitiveScheme], width: float = paper.PAGE) -
         draw_scheme(scheme, axes, lines)
         if len(several) > 1:
             paper.panel_title(axes, letter, title)
-    _legend(figure, key(*several.values()), 4 if len(several) > 1 else 2)
+    legend(figure, key(*several.values()), 4 if len(several) > 1 else 2)
     return figure

@@ -11,10 +11,10 @@ import pandas as pd
 from coglogo_py import CognitiveScheme
 from socialmind.catalogue import load_file, model_folder
 from socialmind.drawing import style as paper
-from socialmind.experiments.measures.effects import comparisons
 
 from . import farmers, plots
 from .budgets import budgets
+from .farmers_figure import villagers
 from .page import page_of
 from .societies import FULL, MIXED, MIXED_WITH, SEED, TRAINED, Size
 from .tables import (
@@ -39,14 +39,6 @@ CHOOSING = load_file(TRAINED / "choosing_again.py")
 LATER = load_file(TRAINED / "further_worlds.py")
 BOTH = ("society", "condition")
 SCHEME = "scheme.yaml"
-COMPARED = {
-    "society": "society",
-    "measure": "measure",
-    "difference": "difference",
-    "difference_low": "low",
-    "difference_high": "high",
-}
-"""Columns of differences, and what they are called."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +61,7 @@ def made(
 
     Args:
         tables: by name.
-        distilled: the scheme of the farmers' learned mind.
+        distilled: the scheme of the mind of the farmers' model.
         size: of the study.
         command: that makes all this.
     """
@@ -92,13 +84,8 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
     mixed = mixed_of(worlds, size)
     kinds = records.kinds[records.kinds["society"] == "mixed"]
     measures = [*MEASURED, "agents_to_tasks_by_chance", "beyond_chance"]
-    villagers = village.worlds.assign(
-        beyond_chance=village.worlds["agents_to_tasks"]
-        - village.worlds["agents_to_tasks_by_chance"],
-        attempt=0,
-    )
+    villagers = village.worlds
     of_villagers = [*farmers.MEASURED, "agents_to_tasks_by_chance", "beyond_chance"]
-    against = comparisons(villagers.drop(columns="attempt"), "learned", measures=of_villagers)
     of_robots, choices = means(alone, BOTH, measures), CHOOSING.both()
     away = differences(alone)
     if size == FULL:
@@ -122,16 +109,16 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
         "mixed-means": means(mixed, ["condition", "share"], measures),
         "mixed-kinds": means(kinds, ["condition", "share", "kind"], list(plots.KINDS)),
         "mixed-kinds-differences": between_kinds(kinds, list(plots.KINDS)),
-        "farmers": villagers.drop(columns="attempt"),
+        "farmers": villagers,
         "farmers-means": means(villagers, ["society"], of_villagers),
-        "farmers-differences": against[list(COMPARED)].rename(columns=COMPARED),
+        "farmers-differences": farmers.differences(villagers, of_villagers),
         "farmers-course": farmers_over_time(village.course),
     }
 
 
 def farmers_over_time(course: pd.DataFrame) -> pd.DataFrame:
-    """Return artisans and specialised agents over time: means with intervals over seeds."""
-    return means(course.assign(attempt=0), ["society", "tick"], ["artisans", "specialised"])
+    """Return artisans and specialised agents over time, with intervals over attempts and seeds."""
+    return means(course, ["society", "tick"], ["artisans", "specialised"])
 
 
 def mixed_of(worlds: pd.DataFrame, size: Size) -> pd.DataFrame:
@@ -163,6 +150,8 @@ def figures_of(
         "robots": plots.robots(tables["robots"], "turned", size),
         "measures": plots.measures(tables["means"]),
         "mixed": plots.mixed(tables["mixed-means"], tables["mixed-kinds"]),
-        "farmers": plots.villagers(tables["farmers-course"], tables["farmers-means"], size),
+        "farmers": villagers(
+            tables["farmers-course"], tables["farmers-means"], tables["farmers"], size
+        ),
         "schemes": plots.schemes({"written": written, "distilled": distilled}),
     }

@@ -61,12 +61,12 @@ SOCIETIES = {
         Society(
             "fixed_thresholds", "fixed thresholds",
             "response thresholds that differ between robots and stay (Bonabeau et al., 1998)",
-            CONTROLLERS["fixed_thresholds"], paper.GOLD,
+            CONTROLLERS["fixed_thresholds"], paper.TEAL,
         ),
         Society(
             "reinforced_thresholds", "reinforced thresholds",
             "response thresholds that fall with doing and rise without (Theraulaz et al., 1998)",
-            CONTROLLERS["reinforced_thresholds"], paper.GOLD, (0, (4, 2)),
+            CONTROLLERS["reinforced_thresholds"], paper.TEAL, (0, (4, 2)),
         ),
         Society(
             "delivered", "learned by deliveries",
@@ -97,7 +97,7 @@ SOCIETIES = {
             "counts", "learned by the counts",
             "the same skill, a perceptron taught with nine undecided robots, one ratio and no "
             "shock, judged by the counts alone; not in bodies, where the thesis's was",
-            LEARNED, paper.PURPLE, (0, (3, 1, 1, 1, 1, 1)), lesson="thesis",
+            LEARNED, paper.BLUE, (0, (3, 1, 1, 1, 1, 1)), lesson="counts",
         ),
         Society(
             "fixed", "fixed roles",
@@ -121,9 +121,16 @@ FALL_SHORT = ("counts", "fixed", "random", "greedy")
 """The societies that are there to show what does not settle, or does not follow."""
 REFERENCE = "programmed"
 """The society that the others are compared with."""
-COMPARED_WITH = {"chosen": "delivered", "delivered": "supervised"}
-"""The lesson that another one is compared with: that which it was to mend, that which looks into
-minds."""
+COMPARED_WITH = (
+    ("chosen", "delivered"),
+    ("delivered", "supervised"),
+    ("delivered", "random"),
+    ("supervised", "random"),
+    ("chosen", "random"),
+    ("fixed", "random"),
+)
+"""Societies that are compared with others too: with the lesson that theirs was to mend, with that
+which looks into minds, and with those who never divide the work."""
 MIXED_WITH = "delivered"
 """The society whose robots share a society with programmed ones."""
 

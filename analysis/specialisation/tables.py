@@ -95,6 +95,9 @@ FURTHER_WAYS = {
     "chosen_again": FURTHER.format("again"),
     "like_bodies": "unchosen_further",
     "supervised_role": "supervised_further",
+    "programmed": "programmed_further",
+    "fixed_thresholds": "fixed_thresholds_further",
+    "reinforced_thresholds": "reinforced_thresholds_further",
 }
 """Societies of the ways of `further_worlds`."""
 FURTHER_TITLES = dict(
@@ -105,11 +108,17 @@ FURTHER_TITLES = dict(
             "by deliveries, chosen",
             "the lesson of those chosen, every training, nothing chosen",
             "learned, supervised",
+            "programmed",
+            "fixed thresholds",
+            "reinforced thresholds",
         ),
         strict=True,
     )
 )
 FURTHER_PAIRS = (
+    ("chosen_again", "programmed_further"),
+    ("delivered_further", "programmed_further"),
+    ("supervised_further", "programmed_further"),
     ("chosen_again", "delivered_further"),
     ("unchosen_further", "delivered_further"),
     ("delivered_further", "supervised_further"),
@@ -269,7 +278,7 @@ def differences(worlds: pd.DataFrame) -> pd.DataFrame:
     for condition, part in worlds.groupby("condition", sort=False):
         parts = dict(tuple(part.groupby("society", sort=False)))
         pairs = [(one, REFERENCE) for one in parts if one != REFERENCE]
-        pairs += [pair for pair in COMPARED_WITH.items() if set(pair) <= set(parts)]
+        pairs += [pair for pair in COMPARED_WITH if set(pair) <= set(parts)]
         for society, reference in pairs:
             for name in MEASURED:
                 found = _difference(parts[society], parts[reference], name)

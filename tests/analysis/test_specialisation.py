@@ -283,7 +283,7 @@ def test_kinds_are_compared_within_their_society():
 @pytest.fixture
 def made_up(monkeypatch):
     """Tables in which the society `a` has 1 more than the programmed one, and `b` 2 more."""
-    monkeypatch.setattr(tables, "COMPARED_WITH", {"b": "a"})
+    monkeypatch.setattr(tables, "COMPARED_WITH", (("b", "a"),))
     worlds = pd.concat(
         [
             runs_of("programmed", [[0.2, 0.4, 0.3]]),
@@ -306,6 +306,9 @@ def made_up(monkeypatch):
         ("worst at least 1.2 within a calm", True),
         ("worst at least 1.4 within a calm", False),
         ("worst at most 1.31 within a calm", True),
+        ("best at most 1.31 within a calm", True),
+        ("best at most 1.29 within a calm", False),
+        ("best at least 1.31 within a calm", False),
         ("more within a calm", True),
         ("less within a calm", False),
         ("untold within a calm", False),
@@ -322,6 +325,8 @@ def test_a_claim_has_its_numbers_and_says_where_it_does_not_hold(made_up):
     text = "{within a calm}, {difference within a calm}, {worst changes a calm}, {attempts a}"
     beside = claims.told(claims.Claim(("unchecked",), "{difference within b calm than a}"), made_up)
     assert beside.text.startswith("1.00")
+    lacking = claims.told(claims.Claim(("unchecked",), "{lack within a calm}"), made_up)
+    assert lacking.text.startswith("−1.00")
     told = claims.told(claims.Claim(("more within a calm",), text), made_up)
     assert told.holds
     assert told.text.startswith("130 % (")
