@@ -6,7 +6,8 @@ python -m analysis.foraging_roles.generalisation "thirty-six robots" programmed 
 python -m analysis.foraging_roles.generalisation --quick
 
 A row of `results/generalisation.csv` is a way to decide, an attempt, its partner if it has one, a
-situation and a world; `results/generalisation.md` has the means.
+situation and a world; `results/generalisation.md` has the means, and what each situation takes from
+or gives to the same minds in the same worlds.
 Focal robots are those that are asked about, the background their partners (Leibo et al. 2021,
 Melting Pot). Worlds are those for reporting. What was judged already is not judged again.
 """
@@ -23,12 +24,13 @@ import numpy as np
 import pandas as pd
 
 from socialmind.catalogue import load_file
+from socialmind.experiments.measures.intervals import Interval
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription
 
 from . import scheme_evolution
 from .contestants import PICKED, TICKS, Contestant
-from .large_groups import chosen, in_brackets
+from .large_groups import chosen, in_brackets, paired_interval, signed
 from .scheme_economy import WRITTEN, scheme_of
 from .trainings import MODEL
 from .worlds import REPORTED
@@ -38,8 +40,10 @@ RESULTS = Path(__file__).parent / "results"
 WORLDS, FEW, SHORT = 10, 1, 3000
 NINE, GAIN = 9, 4.0
 ALONE, TURNED, SHARPLY = "", "ratio turned round", "thirty-six, told four times as sharply"
+USUAL = "nine robots"
+"""Nine robots of which 1:2 is wanted, among obstacles; other ratios and arenas are beside it."""
 SITUATIONS: Mapping[str, Mapping[str, float]] = {
-    "nine robots": {},
+    USUAL: {},
     TURNED: {"reverse_at": TICKS // 2 - 1},
     "thirty-six robots": {"foragers": 36},
     SHARPLY: {"foragers": 36, "gain": GAIN},
@@ -52,6 +56,8 @@ SITUATIONS: Mapping[str, Mapping[str, float]] = {
 }
 """Parameters of `ForagingElsewhere`. Told more sharply, a scheme tolerates a fourth, and thresholds
 are a fourth, of what they are: the payoff that robots are told counts four times as much."""
+COMPARED = ("wanted 1:1", "wanted 1:3", "A twice as far", "both twice as far", "no obstacles")
+"""Other ratios and arenas, with as many robots."""
 PAIRS = (
     (PICKED, 1, "programmed", 0),
     ("delivered_narrow", 1, "programmed", 0),
@@ -66,7 +72,7 @@ PAIRS = (
 )
 """Way and attempt of one and of the other, picked by what they come to alone: of deliveries those
 that succeed. Each is focal with three and with six of nine robots."""
-MET = (TURNED, "nine robots")
+MET = (TURNED, USUAL)
 """The situations of pairs."""
 SHARES = (3, 6)
 KEYS = ["way", "attempt", "partner", "partner_attempt", "focal", "situation"]
@@ -272,7 +278,40 @@ def report(table: pd.DataFrame) -> str:
         line = row_of(part, [*cells, part["world"].nunique()])
         rest = [f"{part[f'background_{name}'].mean():.2f}" for name in ("changes", "brought")]
         lines.append(line + " " + " | ".join(rest) + " |")
+    lines += [
+        "",
+        f"| situation | way | attempts | worlds | more within one than with {USUAL}, 1:2 |",
+        "|---" * 5 + "|",
+    ]
+    for (situation, way), (more, found) in differences(alone).items():
+        attempts, worlds = more.shape
+        lines.append(f"| {situation} | {way} | {attempts} | {worlds} | {signed(found)} |")
     return "\n".join(lines) + "\n"
+
+
+def differences(
+    alone: pd.DataFrame,
+) -> dict[tuple[str, str], tuple[pd.DataFrame, Interval]]:
+    """Return in how much larger a share of worlds ways stay within one than in the usual situation.
+
+    The same minds meet the same worlds in both, so attempts and worlds are paired.
+
+    Args:
+        alone: robots that are all of one way, a row for each attempt, situation and world.
+
+    Returns:
+        By situation and way the differences, (attempts, worlds), and their mean.
+    """
+    found = {}
+    for way, part in alone.groupby("way", sort=False):
+        square = part.pivot(index=["attempt", "world"], columns="situation", values="within_one")
+        for situation in COMPARED:
+            if {situation, USUAL} <= set(square):
+                more = (square[situation] - square[USUAL]).unstack().dropna(axis="columns")
+                if not more.empty:
+                    interval = paired_interval(more.to_numpy(float))
+                    found[situation, str(way)] = more, interval
+    return found
 
 
 def row_of(part: pd.DataFrame, cells: Sequence[Any]) -> str:

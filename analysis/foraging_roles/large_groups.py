@@ -30,7 +30,7 @@ from scipy.stats import spearmanr
 from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError
 from socialmind.experiments.measures.crossed import crossed_interval
-from socialmind.experiments.measures.intervals import interval_of, share_interval
+from socialmind.experiments.measures.intervals import Interval, interval_of, share_interval
 from socialmind.mind import MindDescription, Programmed
 from socialmind.mind.minds import Minds
 
@@ -40,7 +40,7 @@ from .results import NINE
 from .scheme_economy import WRITTEN, SchemeWorlds
 from .threshold_scan import CONTROLLERS, Responders
 from .trainings import ECONOMY, MODEL
-from .worlds import REPORTED_ECONOMY
+from .worlds import SCHEME_ECONOMY
 
 DELIVERIES = load_file(MODEL / "deliveries.py")
 AS_IT_SHOULD_BE, ROLE = 0.5, "ForageRole"
@@ -53,6 +53,15 @@ SETTINGS = (
     (9, TICKS, 1.0, True), (36, TICKS, 1.0, True),
 )  # fmt: skip
 """Robots, ticks, gain, and whether trips are even. What nine robots do is what all are held to."""
+USUAL = (36, TICKS, 1.0, False)
+OTHERWISE = {
+    "four times as long": (36, LONG, 1.0, False),
+    "even trips": (36, TICKS, 1.0, True),
+    "told 2 times as far": (36, TICKS, 2.0, False),
+    "told 4 times as far": (36, TICKS, 4.0, False),
+}
+"""What thirty-six robots might want for, in place of `USUAL`."""
+HALF = "programmed, half tolerated"
 WANTED, DELIVERIES_OF_A_RUN = 2 / 3, 75
 LEFT_OUT = ("fixed roles", "random roles", "greedy", "at_once", "thesis_role")
 KEYS = ["way", "attempt", "robots", "ticks", "gain", "even"]
@@ -203,7 +212,7 @@ def all_judged() -> Iterator[Contestant]:
     """Yield who is judged here: all that are chosen, and a scheme that tolerates half."""
     yield from chosen()
     half = WRITTEN["tolerance"] / 2
-    yield Contestant("programmed, half tolerated", 0, None, {"programmed": 1.0, "tolerance": half})
+    yield Contestant(HALF, 0, None, {"programmed": 1.0, "tolerance": half})
 
 
 def judge_all(
@@ -211,13 +220,14 @@ def judge_all(
 ) -> pd.DataFrame:
     """Judge all that are not judged yet, and keep what comes of it after each."""
     table = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=[*KEYS, "world"])
+    table = table[table["world"].isin(SCHEME_ECONOMY[:worlds])]  # of others nothing is told
     done = set(table[KEYS].itertuples(index=False, name=None))
     for one in some:
         for setting in settings:
             key = (one.way, one.attempt, *setting)
             if key in done:
                 continue
-            rows = judged(one, *setting, REPORTED_ECONOMY[:worlds])
+            rows = judged(one, *setting, SCHEME_ECONOMY[:worlds])
             rows = rows.assign(**dict(zip(KEYS, key, strict=True)))
             table = pd.concat([table, rows], ignore_index=True) if len(table) else rows
             table = table[[*KEYS, *(name for name in rows if name not in KEYS)]]
@@ -383,6 +393,77 @@ def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
     return f"{found.mean:{form}} ({found.low:{form}} to {found.high:{form}})"
 
 
+def paired_interval(more: Floats) -> Interval:
+    """Return a mean difference of the same minds in the same worlds, (attempts, worlds), paired.
+
+    Its bounds are over attempts and worlds, or worlds alone where there is one attempt; NaN where
+    all worlds of a single attempt are alike, which has no width.
+    """
+    if len(more) > 1:
+        return crossed_interval(more)
+    if (more == more[0, 0]).all():
+        return Interval(float(more[0, 0]), float("nan"), float("nan"))
+    return interval_of(more[0])
+
+
+def signed(found: Interval, form: str = "+.2f") -> str:
+    """Return a difference with its interval, if it has one.
+
+    >>> signed(Interval(-0.2, -0.6, 0.0)), signed(Interval(0.0, float("nan"), float("nan")))
+    ('-0.20 (-0.60 to +0.00)', '+0.00')
+    """
+    bounds = f" ({found.low:{form}} to {found.high:{form}})" if np.isfinite(found.low) else ""
+    return f"{found.mean:{form}}{bounds}"
+
+
+def squares_of(table: pd.DataFrame, setting: Setting, name: str) -> dict[str, pd.DataFrame]:
+    """Return by way what each attempt comes to in each world of a setting."""
+    part = table
+    for key, value in zip(KEYS[2:], setting, strict=True):
+        part = part[part[key] == value]
+    return {
+        str(way): own.pivot(index="attempt", columns="world", values=name)
+        for way, own in part.groupby("way", sort=False)
+    }
+
+
+def beside(table: pd.DataFrame) -> str:
+    """Return what changes for thirty-six robots, and by half the tolerance, in pairs, as Markdown.
+
+    Pairs are of the same attempts in the same worlds.
+    """
+    lines = [
+        "| way | thirty-six robots | more within one | more within a ninth |",
+        "|---" * 4 + "|",
+    ]
+    names = ("within_one", "within_ninth")
+    usual = {name: squares_of(table, USUAL, name) for name in names}
+    for what, setting in OTHERWISE.items():
+        other = {name: squares_of(table, setting, name) for name in names}
+        for way in other[names[0]]:
+            found = [other[name][way] - usual[name][way] for name in names]
+            cells = [signed(paired_interval(one.to_numpy(float))) for one in found]
+            lines.append(f"| {way} | {what} | " + " | ".join(cells) + " |")
+    lines += ["", "| way | thirty-six robots: off, more by heads than by counts |", "|---|---|"]
+    heads, counts = (squares_of(table, USUAL, name) for name in ("off", "by_counts"))
+    for way, square in heads.items():
+        more = (square - counts[way]).to_numpy(float)
+        lines.append(f"| {way} | {signed(paired_interval(more))} |")
+    lines += [
+        "",
+        "| robots | half tolerated: more within one | off | off by counts | changes |",
+        "|---" * 5 + "|",
+    ]
+    for setting in (one for one in SETTINGS if one[1:] == USUAL[1:]):
+        cells = []
+        for name in ("within_one", "off", "by_counts", "changes"):
+            found_by = squares_of(table, setting, name)
+            more = found_by[HALF].to_numpy(float) - found_by["programmed"].to_numpy(float)
+            cells.append(signed(paired_interval(more)))
+        lines.append(f"| {setting[0]} | " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
 def by_dead_zone(table: pd.DataFrame, zones: pd.DataFrame) -> str:
     """Return whether learned minds with wider dead zones are farther off, as a line of Markdown.
 
@@ -409,7 +490,7 @@ def main(arguments: Sequence[str]) -> None:
     if "--quick" in arguments:
         few = [one for one in chosen() if one.way in (PICKED, "programmed", "supervised_role")][:3]
         parts = [
-            judged(one, 9, 8000, 1.0, False, REPORTED_ECONOMY[:FEW]).assign(
+            judged(one, 9, 8000, 1.0, False, SCHEME_ECONOMY[:FEW]).assign(
                 way=one.way, attempt=one.attempt, robots=9, ticks=8000, gain=1.0, even=False
             )
             for one in few
@@ -418,10 +499,10 @@ def main(arguments: Sequence[str]) -> None:
         return
     zones = dead_zones(all_judged())
     zones.round(4).to_csv(RESULTS / "dead_zones.csv", index=False, lineterminator="\n")
-    spread = spread_of_payoffs(REPORTED_ECONOMY[:WORLDS])
+    spread = spread_of_payoffs(SCHEME_ECONOMY[:WORLDS])
     spread.round(5).to_csv(RESULTS / "payoffs_at_rest.csv", index=False, lineterminator="\n")
     table = judge_all(RESULTS / "large_groups.csv", all_judged(), SETTINGS, WORLDS)
-    text = f"{report(table)}\n{by_dead_zone(table, zones)}"
+    text = f"{report(table)}\n{beside(table)}\n{by_dead_zone(table, zones)}"
     (RESULTS / "large_groups.md").write_text(text, encoding="utf-8")
     print(zones.round(3).to_string(), spread.round(4).to_string(), text, sep="\n\n")
 

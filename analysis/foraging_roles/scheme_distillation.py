@@ -29,18 +29,18 @@ from socialmind.learning.optimisers.registry import optimiser_named
 
 from . import scheme_evolution
 from .contestants import Contestant
-from .large_groups import chosen, in_brackets, worlds_of
+from .large_groups import chosen, in_brackets, paired_interval, signed, worlds_of
 from .results import IN_THE_ECONOMY
 from .scheme_economy import DECIDING, WRITTEN, SchemeEconomy, chance, numbers_of, reinforced
 from .threshold_scan import CONTROLLERS
 from .trainings import ECONOMY
-from .worlds import CHOOSING_ECONOMY, REPORTED_ECONOMY
+from .worlds import CHOOSING_ECONOMY, SCHEME_ECONOMY
 
 RESULTS = Path(__file__).parent / "results"
 LEAST = 1e-4
 """Of a probability: what a scheme excludes may be done by a learned mind all the same."""
 GENERATIONS, SETTINGS = 60, {"population": 20, "step": 0.3}
-WORLDS, WATCHED, FEW = 64, 24, 4
+WATCHED, FEW = 24, 4
 DISTILLED, LEARNED = "distilled from", "learned"
 KEYS = ["way", "attempt", "condition"]
 LESSON = "worlds of the lesson"
@@ -180,7 +180,7 @@ def distil_all(path: Path) -> pd.DataFrame:
         if (one.way, one.attempt) in done:
             continue
         numbers = distilled(watched(one, CHOOSING_ECONOMY[:WATCHED]))
-        seen = watched(one, REPORTED_ECONOMY[:WORLDS])
+        seen = watched(one, SCHEME_ECONOMY)
         share = seen.changed.sum() / seen.known.sum()
         best_constant = share * np.log(share) + (1 - share) * np.log1p(-share) if share else 0.0
         row = {
@@ -248,6 +248,7 @@ def judged(one: Contestant | Floats, condition: str, worlds: Sequence[int]) -> p
 def judge_all(path: Path, table: pd.DataFrame, worlds: Sequence[int]) -> pd.DataFrame:
     """Judge all that are not judged yet, and keep what comes of it."""
     found = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=[*KEYS, "world"])
+    found = found[found["world"].isin(worlds)]  # of others nothing is told
     done = set(found[KEYS].itertuples(index=False, name=None))
     for way, attempt, one in entrants(table):
         rows = [
@@ -279,7 +280,8 @@ def report(found: pd.DataFrame) -> str:
         cells = [in_brackets(by[one], "within_one", ".0%") for one in conditions]
         cells += [in_brackets(by[conditions[0]], name, ".2f") for name in ("changes", "cost")]
         lines.append(f"| {way} | {part['attempt'].nunique()} | " + " | ".join(cells) + " |")
-    return "\n".join([*lines, "", *beside_written(found)]) + "\n"
+    tables = [lines, beside_written(found), beside_minds(found)]
+    return "\n\n".join("\n".join(one) for one in tables) + "\n"
 
 
 def beside_written(found: pd.DataFrame) -> list[str]:
@@ -295,6 +297,22 @@ def beside_written(found: pd.DataFrame) -> list[str]:
     return lines
 
 
+def beside_minds(found: pd.DataFrame) -> list[str]:
+    """Return how much more often distilled schemes stay within one than their minds, in pairs."""
+    part = found[found["condition"] == found["condition"].iloc[0]]
+    squares = {
+        str(way): own.pivot(index="attempt", columns="world", values="within_one")
+        for way, own in part.groupby("way", sort=False)
+    }
+    lines = ["| minds | attempts | distilled: more within one | less in |", "|---" * 4 + "|"]
+    for way, square in squares.items():
+        if (own := squares.get(f"{DISTILLED} {way}")) is not None:
+            more = (own - square.loc[own.index]).to_numpy(float)
+            less = int((more.mean(axis=1) < 0).sum())
+            lines.append(f"| {way} | {len(own)} | {signed(paired_interval(more))} | {less} |")
+    return lines
+
+
 def main(arguments: Sequence[str]) -> None:
     """Distil, judge, keep and print."""
     if "--quick" in arguments:
@@ -303,7 +321,7 @@ def main(arguments: Sequence[str]) -> None:
         print(dict(zip(WRITTEN, distilled(seen, 3).round(3).tolist(), strict=True)))
         return
     table = distil_all(RESULTS / "distilled_schemes.csv")
-    found = judge_all(RESULTS / "schemes.csv", table, REPORTED_ECONOMY[:WORLDS])
+    found = judge_all(RESULTS / "schemes.csv", table, SCHEME_ECONOMY)
     text = report(found)
     (RESULTS / "schemes.md").write_text(text, encoding="utf-8")
     print(table.round(3).to_string(), text, sep="\n\n")

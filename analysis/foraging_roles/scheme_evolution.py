@@ -1,4 +1,4 @@
-"""The programmed at its best: the scheme's numbers fitted as the networks' weights are.
+"""The programmed fitted too: the scheme's numbers fitted as the networks' weights are.
 
 python -m analysis.foraging_roles.scheme_evolution [ATTEMPTS]     # or gone on with; 3 by default
 python -m analysis.foraging_roles.scheme_evolution --quick

@@ -11,11 +11,11 @@ QUICK_WORLDS = 2
 
 
 def collapse(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:
-    """Figures 8.6 and 8.7: nine robots whose roles were learned as in the thesis."""
+    """Figures 8.6 and 8.7: nine robots whose roles were learned by the counts alone."""
     from .results import genomes, pictures
 
-    weights = genomes(["thesis"], out, quick, kept)["thesis"][0]
-    return pictures("thesis", weights, 6000 if quick else 60_000, out)
+    weights = genomes(["counts"], out, quick, kept)["counts"][0]
+    return pictures("counts", weights, 6000 if quick else 60_000, out)
 
 
 def lessons(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:
@@ -42,7 +42,7 @@ studies = tuple(
         kept=partial(make, kept=True) if trains else None,
     )
     for name, about, make, trains in (
-        ("figure-8.6", "roles learned as in the thesis, over time", collapse, True),
+        ("figure-8.6", "roles learned by the counts alone, over time", collapse, True),
         ("roles-lessons", "what ways to learn a role come to, without bodies", lessons, True),
         ("roles-settling", "the learned roles in bodies: shocks, other sizes", settling, False),
     )

@@ -34,7 +34,7 @@ from .results import NINE
 from .scheme_economy import DECIDING, WRITTEN
 from .threshold_scan import CONTROLLERS, RULES
 from .trainings import ECONOMY, MODEL
-from .worlds import REPORTED_ECONOMY
+from .worlds import SCHEME_ECONOMY
 
 PAYOFF = load_file(MODEL / "payoff.py")
 RESULTS = Path(__file__).parent / "results"
@@ -258,7 +258,7 @@ def report(table: pd.DataFrame) -> str:
 def main(arguments: Sequence[str]) -> None:
     """Judge all, keep what comes of it and print it."""
     quick = "--quick" in arguments
-    worlds = REPORTED_ECONOMY[: FEW if quick else WORLDS]
+    worlds = SCHEME_ECONOMY[: FEW if quick else WORLDS]
     ticks = 8000 if quick else ECONOMY.TICKS
     table = pd.concat([judged(*one, worlds, ticks) for one in settings()], ignore_index=True)
     text = report(table)

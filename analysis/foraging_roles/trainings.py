@@ -1,7 +1,7 @@
 """The trainings of ForageRole: the one that the model has, and others that fall short of it.
 
 python -m analysis.foraging_roles.trainings             # all of them, an attempt after the other
-python -m analysis.foraging_roles.trainings thesis
+python -m analysis.foraging_roles.trainings counts
 
 They lie in `trainings/`; what was learned is kept in `results/genomes.csv`.
 """
@@ -57,12 +57,12 @@ class Plan:
 
 PLANS: Mapping[str, Plan] = {
     "learned": Plan("the lesson of the model"),
-    "thesis": Plan(
+    "counts": Plan(
         "a perceptron; nine undecided robots, one ratio, no shock; judged by the counts alone",
         PERCEPTRON,
         {**ONE_SOCIETY, **COUNTS_ALONE},
     ),
-    "thesis-changes": Plan(
+    "counts-changes": Plan(
         "the same, and changes of roles cost", PERCEPTRON,
         {**ONE_SOCIETY, **COUNTS_ALONE, "change": 0.1},
     ),

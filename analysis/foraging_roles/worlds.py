@@ -5,8 +5,9 @@ generation; their finals too. What is chosen, such as parameters of a rule, or o
 is chosen in the worlds for choosing. What a page or table says was measured in those for
 reporting.
 
-One exception: the numbers of the scheme were first chosen in 64 worlds of `REPORTED_ECONOMY`.
-Chosen anew in those for choosing (`scheme_scan`) they come out the same to within a world in 320.
+The numbers of the scheme were first chosen in 64 worlds of `REPORTED_ECONOMY`. Chosen anew in those
+for choosing (`scheme_scan`) they come out the same to within a world in 320; what is told of the
+scheme in the economy was measured in worlds of its own all the same.
 """
 
 TRAINING = 8
@@ -20,4 +21,6 @@ and of the lessons that `further_worlds` holds beside it."""
 CHOOSING_ECONOMY = range(10_000, 10_128)
 """Worlds of the economy in which parameters are chosen."""
 REPORTED_ECONOMY = range(256)
-"""Worlds of the economy of which results tell."""
+"""Worlds of the economy of which results tell where the scheme does not take part."""
+SCHEME_ECONOMY = range(20_000, 20_064)
+"""Worlds of the economy in which the scheme is judged beside others; nothing was chosen in them."""

@@ -27,6 +27,13 @@ SEED = 73
 MEASURES = ("path_ratio", "path", "objects", "survived")
 MARK = 1.3
 """How much longer than those of the plain hierarchy ways may be."""
+TITLES = {
+    "selecting": "influence\nnetwork",
+    "selecting_hidden": "influence\nnetwork, one\nhidden layer",
+    "linear": "network,\nno hidden\nlayer",
+    "perceptron": "perceptron,\ntwo hidden\nlayers",
+}
+"""Of the functions, in the figure."""
 
 Row = dict[str, Any]
 
@@ -95,7 +102,7 @@ def draw(rows: list[Row]) -> Figure:
     """Draw the ratio of each attempt, with its interval over worlds."""
     names = list(dict.fromkeys(row["training"] for row in rows))
     with paper.style():
-        figure = paper.figure(paper.COLUMN, 60)
+        figure = paper.figure(paper.COLUMN, 68)
         axes = figure.subplots()
         for place, name in enumerate(names):
             own = [row for row in rows if row["training"] == name]
@@ -111,8 +118,11 @@ def draw(rows: list[Row]) -> Figure:
         # 1 and the mark are in sight wherever the points are.
         axes.plot([0, 0], [1.0, 1.05 * MARK], alpha=0.0)
         axes.axhline(MARK, color=paper.RED, linewidth=0.6, linestyle=(0, (3, 2)))
-        axes.set_xticks(range(len(names)), [name.replace("_", "\n") for name in names])
+        axes.set_xticks(range(len(names)), [TITLES[name] for name in names])
         axes.set_xlim(-0.5, len(names) - 0.5)
-        axes.set_ylabel("way for an object (plain one: 1)")
-        axes.set_xlabel(f"dashed: {MARK}; ×: brings no object home")
+        axes.set_ylabel("way for an object\n(plain hierarchy: 1)")
+        axes.set_xlabel(
+            "Points: attempts; bars: intervals of 95 % over\n"
+            f"{rows[0]['worlds']} worlds; dashed: {MARK}; ×: no object home"
+        )
     return figure

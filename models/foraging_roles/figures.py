@@ -6,10 +6,10 @@ pictures of the arena the run is repeated.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.collections import EllipseCollection
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 A, B = paper.GOLD, paper.PURPLE
 ROLES = LinearSegmentedColormap.from_list("A to B", (A, "#f2ead9", "#e4dcec", B))
 MOMENTS = 8  # pictures of the arena, as many as the thesis has steps
-RADIUS = 2.6  # units, with which robots are drawn: their own would hardly show
 ON_TIME = 1.1  # how far the pictures go beyond the last change of roles
 SHORT = 4000  # ticks that they cover at least
 
@@ -126,7 +125,7 @@ def steps(run: Run) -> Figure:
     for tick, axes in zip(moments.tolist(), panels, strict=False):
         model.advance(tick - model.tick)
         scene = scene_of(model)
-        Picture(axes, scene, sensing=False)
+        Picture(axes, replace(scene, robots=()), sensing=False)  # triangles stand for them
         _colour_by_role(axes, model)
         in_b = model.in_b
         axes.set_title(f"{len(model.robots) - in_b} A, {in_b} B")
@@ -151,15 +150,8 @@ def steps(run: Run) -> Figure:
 
 def _colour_by_role(axes: Axes, model: Model) -> None:
     """Draw the robots as triangles in the colours of their roles, and larger than they are."""
-    robots = model.tables["robots"].columns
-    at = np.column_stack([robots["x"], robots["y"]])
-    size = np.full(len(at), 2 * RADIUS)
-    ground = EllipseCollection(
-        size, size, np.zeros(len(at)), units="xy", offsets=at, offset_transform=axes.transData,
-        facecolors="white", edgecolors="white", linewidths=0.5, zorder=5,
-    )  # fmt: skip
-    axes.add_collection(ground, autolim=False)
-    is_b = robots["is_b"].astype(bool)
-    for colour, own in ((A, at[~is_b]), (B, at[is_b])):
-        axes.plot(*own.T, "^", color=colour, markersize=4.6, mec=paper.INK, mew=0.7, zorder=5.1,
-                  scalex=False, scaley=False)  # fmt: skip
+    robots = list(model.robots)
+    for colour, in_b in ((A, False), (B, True)):
+        own = [one for one in robots if one.is_b == in_b]
+        axes.plot([one.x for one in own], [one.y for one in own], "^", color=colour, markersize=4.6,
+                  mec=paper.INK, mew=0.7, zorder=5.1, scalex=False, scaley=False)  # fmt: skip

@@ -32,7 +32,7 @@ def test_each_plan_has_a_mind_and_terms_of_the_economy():
         assert skill.genome is None
         assert skill.function == plan.function
         trainings.ECONOMY.Terms(**plan.terms)
-    assert trainings.PLANS["thesis"].function == Perceptron(layers=2)
+    assert trainings.PLANS["counts"].function == Perceptron(layers=2)
     with pytest.raises(SocialmindError, match="expected one of learned"):
         trainings.plan_of("lerned")
 
@@ -41,19 +41,19 @@ def test_genomes_are_kept_to_the_last_bit(tmp_path):
     path = tmp_path / "results" / "genomes.csv"
     rng = np.random.default_rng(1)
     first, second, other = rng.normal(size=(3, 37))
-    trainings.keep({"thesis": [first, second]}, path)
+    trainings.keep({"counts": [first, second]}, path)
     trainings.keep({"learned": [other]}, path)
     found = trainings.kept(path)
-    assert list(found) == ["thesis", "learned"]
-    assert all((a == b).all() for a, b in zip(found["thesis"], [first, second], strict=True))
-    trainings.keep({"thesis": [other]}, path)
-    assert len(trainings.kept(path)["thesis"]) == 1
+    assert list(found) == ["counts", "learned"]
+    assert all((a == b).all() for a, b in zip(found["counts"], [first, second], strict=True))
+    trainings.keep({"counts": [other]}, path)
+    assert len(trainings.kept(path)["counts"]) == 1
 
 
 def test_what_is_not_kept_says_how_to_make_it(monkeypatch, tmp_path):
     monkeypatch.setattr(results, "kept", dict)
-    with pytest.raises(SocialmindError, match="trainings thesis makes it"):
-        results.genomes(["thesis"], tmp_path, quick=False, from_kept=True)
+    with pytest.raises(SocialmindError, match="trainings counts makes it"):
+        results.genomes(["counts"], tmp_path, quick=False, from_kept=True)
 
 
 def test_a_mind_is_judged_under_each_condition():
@@ -129,6 +129,7 @@ def test_what_role_means_is_learned_from_what_is_brought(tmp_path):
 def test_worlds_for_choosing_and_reporting_are_apart():
     assert not set(worlds.CHOOSING) & set(worlds.REPORTED)
     assert not set(worlds.CHOOSING_ECONOMY) & set(worlds.REPORTED_ECONOMY)
+    assert not set(worlds.SCHEME_ECONOMY) & {*worlds.CHOOSING_ECONOMY, *worlds.REPORTED_ECONOMY}
     societies = load_file(FOLDER.parent / "specialisation" / "societies.py")
     page = range(societies.SEED, societies.SEED + societies.FULL.worlds)
     assert set(page) <= set(worlds.REPORTED)

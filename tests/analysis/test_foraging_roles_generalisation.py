@@ -13,6 +13,7 @@ from socialmind.sources.loading import load_file
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
 groups = load_file(FOLDER / "large_groups.py")
 study = load_file(FOLDER / "generalisation.py")
+drawing = load_file(FOLDER / "generalisation_figure.py")
 kinds = load_file(FOLDER / "three_kinds.py")
 in_bodies = load_file(FOLDER / "three_kinds_in_bodies.py")
 bodies = sys.modules[f"{in_bodies.__name__}.foraging_three"]
@@ -65,6 +66,31 @@ def test_what_was_judged_is_not_judged_again(tmp_path, monkeypatch):
     assert "| programmed | 1 | 6 | 4000 | 1 | False |" in groups.report(first)
 
 
+def test_what_was_judged_in_other_worlds_is_judged_anew(tmp_path):
+    one = groups.Contestant("programmed", 0, None, {"programmed": 1.0})
+    path, setting = tmp_path / "table.csv", (6, 4000, 1.0, False)
+    first = groups.judge_all(path, [one], [setting], 2)
+    first.assign(world=[0, 1]).to_csv(path, index=False)
+    again = groups.judge_all(path, [one], [setting], 2)
+    assert again["world"].tolist() == list(groups.SCHEME_ECONOMY[:2])
+
+
+def test_differences_are_of_the_same_attempts_in_the_same_worlds():
+    rows = [
+        {"way": way, "attempt": 0, "robots": robots, "ticks": ticks, "gain": gain, "even": even,
+         "world": world, "within_one": int(even or world > 0), "within_ninth": 1,
+         "off": 0.5, "by_counts": 0.25, "changes": 0.1 if way == groups.HALF else 0.0}
+        for way in ("programmed", groups.HALF)
+        for robots, ticks, gain, even in groups.SETTINGS
+        for world in range(4)
+    ]  # fmt: skip
+    text = groups.beside(pd.DataFrame(rows))
+    assert "| programmed | four times as long | +0.00 | +0.00 |" in text
+    assert "| programmed | even trips | +0.25 (" in text
+    assert "| programmed | +0.25 |" in text  # heads beside counts
+    assert "| 9 | +0.00 | +0.00 | +0.00 | +0.10 |" in text
+
+
 # Partners and situations --------------------------------------------------------------------------
 
 
@@ -110,6 +136,35 @@ def test_words_of_the_command_choose():
     assert not study.asked_for(one, {alone.situation}, ways)
     with pytest.raises(SystemExit, match="no way or situation 'wnted 1:3'"):
         study.main(["wnted 1:3"])
+
+
+def test_a_situation_is_compared_with_the_usual_one_world_by_world():
+    within = {study.USUAL: [1, 1, 0, 1], "wanted 1:3": [1, 0, 0, 0]}
+    rows = [
+        {"way": way, "attempt": attempt, "situation": situation, "world": world, "within_one": one}
+        for way, attempts in (("several", (1, 2)), ("single", (0,)))
+        for attempt in attempts
+        for situation, several in within.items()
+        for world, one in enumerate(several)
+        if way == "several" or world < 3
+    ]
+    found = study.differences(pd.DataFrame(rows))
+    more, interval = found["wanted 1:3", "several"]
+    assert more.to_numpy().tolist() == [[0, -1, 0, -1]] * 2
+    assert interval.mean == -0.5 and interval.low < -0.5 < interval.high
+    assert found["wanted 1:3", "single"][0].shape == (1, 3)
+    assert ("wanted 1:1", "several") not in found
+
+
+def test_the_figure_names_lessons_as_the_page_does(tmp_path):
+    page = drawing.SOCIETIES
+    assert drawing.BY_WAY["delivered_anew"].label == page["delivered"].title
+    labels = {one: drawing.BY_WAY[one].label for one in ("delivered_role", "delivered_narrow")}
+    assert page["delivered"].title not in labels.values()
+    assert drawing.BY_WAY["fixed_thresholds"].colour == page["fixed_thresholds"].colour
+    assert set(drawing.PARTNERED.values()) < set(study.PAIRS)
+    drawn = drawing.draw(tmp_path)
+    assert [one.suffix for one in drawn] == [".pdf", ".png", ".csv"]
 
 
 # Three kinds --------------------------------------------------------------------------------------

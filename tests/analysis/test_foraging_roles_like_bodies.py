@@ -223,7 +223,7 @@ def test_without_a_choice_there_is_no_mind(tmp_path):
     assert again.minds(tmp_path / "none.csv") == {}
     assert minds.command_for("chosen_in_bodies").endswith("foraging_roles.choosing")
     assert minds.command_for("chosen_again").endswith("foraging_roles.choosing_again")
-    assert minds.command_for("thesis").endswith("trainings thesis")
+    assert minds.command_for("counts").endswith("trainings counts")
 
 
 def test_trips_are_measured_from_delivery_to_delivery():

@@ -133,3 +133,27 @@ def test_all_schemes_and_minds_meet_the_same_worlds_and_are_reported():
     ]
     text = distillation.report(pd.concat(some, ignore_index=True))
     assert text.count("\n") >= 3 and "| written | 1 |" in text
+
+
+def test_schemes_are_judged_in_worlds_in_which_nothing_was_chosen(tmp_path, monkeypatch):
+    path = tmp_path / "schemes.csv"
+    monkeypatch.setattr(distillation, "entrants", lambda table: [("written", 0, WRITTEN)])
+    monkeypatch.setattr(distillation, "CONDITIONS", {"nine robots": scanning.IN_THE_ECONOMY[
+        "nine robots"]})  # fmt: skip
+    distillation.judge_all(path, pd.DataFrame(), [0, 1])
+    found = distillation.judge_all(path, pd.DataFrame(), [20_000, 20_001])
+    assert found["world"].tolist() == [20_000, 20_001]
+
+
+def test_a_distilled_scheme_is_held_beside_its_mind():
+    rows = [
+        {"way": way, "attempt": attempt, "condition": distillation.LESSON, "world": world,
+         "within_one": within}
+        for way, attempt, several in (
+            ("made", 1, (1, 1)), ("made", 2, (1, 0)),
+            (f"{distillation.DISTILLED} made", 1, (0, 1)),
+        )
+        for world, within in enumerate(several)
+    ]  # fmt: skip
+    assert distillation.beside_minds(pd.DataFrame(rows))[2].startswith("| made | 1 | -0.50 (")
+    assert distillation.beside_minds(pd.DataFrame(rows))[2].endswith("| 1 |")
