@@ -58,8 +58,13 @@ class Learned:
 
     @property
     def late_gain(self) -> Interval:
-        """What the last part of the ticks added, in shares of the score, over attempts."""
-        return interval_of([gained(one) for one in self.curves.values()])
+        """What the last part of the last lesson added, in shares of the score, over attempts.
+
+        The lesson before has other common worlds, and the first generations of the last one lose
+        by its large steps.
+        """
+        own = self.seam // STEP
+        return interval_of([gained(one[own:]) for one in self.curves.values()])
 
 
 def thinned(ticks: np.ndarray, scores: np.ndarray, step: float = STEP * 1e6) -> np.ndarray:
@@ -141,7 +146,7 @@ def draw(all_learned: Sequence[Learned]) -> Figure:
             axes.set_ylim(bottom=-0.03 * axes.get_ylim()[1])  # who learns nothing is seen
             thesis = "not told" if own.thesis is None else f"{own.thesis:,}"
             axes.set_xlabel(
-                f"million ticks of the task\n({between(own)} generations; thesis: {thesis})"
+                f"million ticks of the task,\n{between(own)} generations\n(thesis: {thesis})"
             )
             axes.set_ylabel("" if place % 2 else "score, common worlds")
             paper.panel_title(axes, "abcd"[place], own.title)
@@ -182,8 +187,9 @@ def findings(all_learned: Sequence[Learned]) -> list[str]:
         apart = f" ({gain.low:+.1%} to {gain.high:+.1%} over attempts)" if several else ""
         lines.append(
             f"{own.title}: {len(finals)} attempt{'s' if several else ''} of {ticks:,} million "
-            f"ticks; the last quarter of them added {gain.mean:+.1%}{apart} to the score of the "
-            f"best individuals on common worlds. Finals of {min(finals):.2f} to {max(finals):.2f}, "
+            f"ticks; the last quarter {'of the last lesson' if own.seam else 'of them'} added "
+            f"{gain.mean:+.1%}{apart} to the score of the best individuals on common worlds. "
+            f"Finals of {min(finals):.2f} to {max(finals):.2f}, "
             f"median {np.median(finals):.2f}; {sum(fallen_short(all_learned, place))} fell short. "
             f"{between(own)} generations; thesis: "
             + (
@@ -225,7 +231,8 @@ def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> 
         "median of the better of two panels beside each other. Blue is the median "
         "of the attempts. A point is the mean of the best individuals of the generations of "
         f"{STEP} million ticks, each judged on the same worlds, which no generation is trained in. "
-        "Behind the dotted line steps begin large again, and those worlds are others.",
+        "Behind the dotted line is another lesson: steps begin large again, so that the best of a "
+        "generation is worse for a while, and the common worlds are others.",
         "",
     ]
     page.write_text("\n".join(lines), encoding="utf-8")
@@ -233,6 +240,7 @@ def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> 
         {
             "training": plan,
             "attempt": attempt,
+            "lesson": 1 + (0 < own.seam < STEP * place),
             "million_ticks": STEP * place,
             "score": f"{score:.5g}",
         }

@@ -82,7 +82,9 @@ studies = (
     _study(make_figure, "figure-6.4", "GoToObject+Avoid and GoToDropZone+Avoid learned"),
     _study(make_figure, "figure-6.5", "Collect learned"),
     _study(
-        make_equal_ticks, "figure-6.5-equal-ticks", "hierarchy and monolith, until they level off"
+        make_equal_ticks,
+        "figure-6.5-equal-ticks",
+        "hierarchy and monolith with equal ticks, and whether they level off",
     ),
     _study(make_table, "table-6.1", "hierarchy or monolith, curriculum or final task only"),
     _study(make_table, "table-6.1-equal-ticks", "the same with equal ticks in each lesson"),

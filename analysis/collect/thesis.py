@@ -380,20 +380,22 @@ def still_learning(benchmark: str) -> str:
     )
     return (
         f"; the monolith's attempts lie between {min(each):.1f} and {max(each):.1f} objects; the "
-        f"last quarter of the ticks of Collect adds {gains}; how long the thesis's learned each "
+        f"last quarter of the last lesson adds {gains}; how long the thesis's learned each "
         "lesson it does not tell"
     )
 
 
 def late_gain(training: str) -> Interval:
-    """Return what the last quarter of a training's ticks of Collect added, over attempts."""
+    """Return what the last quarter of a training's last lesson added, over attempts."""
     import numpy as np
 
     from .equal_ticks import gained
 
+    own = [r for r in rows_of(KEPT / "figure-6.5-equal-ticks.csv") if r["training"] == training]
+    last = max(row["lesson"] for row in own)
     curves: dict[str, list[float]] = {}
-    for row in rows_of(KEPT / "figure-6.5-equal-ticks.csv"):
-        if row["training"] == training:
+    for row in own:
+        if row["lesson"] == last:
             curves.setdefault(row["attempt"], []).append(float(row["score"]))
     return interval_of([gained(np.array(one)) for one in curves.values()])
 

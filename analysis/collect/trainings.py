@@ -131,7 +131,7 @@ PLANS = TrainingPlans(
             lambda: at_once((MONOLITH,), MONOLITH),
         ),
         "hierarchy_level": plan(
-            "the curriculum with equal ticks, until it levels off (6.1)", 10, hierarchy, equal
+            "the curriculum with equal ticks, then more of Collect (6.1)", 10, hierarchy, equal
         ),
         "monolith_level": plan(
             "the same for one network, with the hierarchy's ticks in each lesson (6.1)",

@@ -236,26 +236,18 @@ def test_roles_collapse_as_often_as_most_change_after_next_to_none(entries, tmp_
     assert not starting(findings, "step 2").agrees
 
 
-def test_lessons_added_with_equal_ticks_are_read_from_the_table(tmp_path, monkeypatch):
-    def with_more(rows, file):
-        """The rows now there are after Collect; those of the curriculum a lesson further on."""
-        if file.endswith("-attempts.csv"):
-            added = [
-                {**row, "after": "More of Collect"} if row["structure"].endswith("curriculum")
-                else row for row in rows
-            ]  # fmt: skip
-        else:
-            added = list(rows)
-        return added + [
-            {**row, "structure": row["structure"].replace("curriculum", "after Collect"),
-             **({"thesis": ""} if "thesis" in row else {})}
-            for row in rows if row["structure"].endswith("curriculum")
-        ]  # fmt: skip
+def test_lessons_added_with_equal_ticks_are_read_from_the_table(entries, tmp_path, monkeypatch):
+    def of_one_attempt_less(rows, file):
+        return [row for row in rows if row["attempt"] != "3"]
 
-    level = "table-6.1-equal-ticks"
-    tables = f"{level}.csv", f"{level}-attempts.csv"
-    findings = changed(monkeypatch, tmp_path, "table 6.1", with_more, *tables)
-    found = starting(findings, "monolith by curriculum, equal ticks in each lesson: share")
+    (entry,) = (one for one in entries if one.result.name == "table 6.1")
+    same = {one.about: one for one in entry.findings}
+    found = starting(same, "monolith by curriculum, equal ticks in each lesson: share")
     assert " after More of Collect, " in found.ours
     assert " after Collect; 10 attempts" in found.ours
     assert not found.apart
+    objects = "a collision ends the run, equal ticks in each lesson: the monolith collects more"
+    level = "table-6.1-equal-ticks-attempts.csv"
+    less = changed(monkeypatch, tmp_path, "table 6.1", of_one_attempt_less, level)
+    assert starting(less, objects).ours != starting(same, objects).ours
+    assert "lie between 0.0 and 6.7 objects" in starting(less, objects).reason
