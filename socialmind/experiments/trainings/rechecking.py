@@ -18,6 +18,7 @@ from socialmind.experiments.trainings.store import LESSONS, differences
 from socialmind.learning.lessons.keys import FINAL, seeds_for
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import load_result, result_file
+from socialmind.learning.training.continuing import as_json
 from socialmind.learning.training.finalists import individual_of
 from socialmind.learning.training.result import Training
 from socialmind.learning.training.teaching import evaluation_of
@@ -103,9 +104,13 @@ def rescore(kept: Path, plan: TrainingPlan) -> list[Rescored]:
 
 def _rescored(training: Training, plan: TrainingPlan) -> Iterator[Rescored]:
     """Judge the winners of all kept lessons once more, in the worlds of their finals."""
-    if LESSONS in differences(training, plan):
-        raise SocialmindError(f"{training.folder}: of other lessons than the plan has; train anew")
     lessons = list(plan.curriculum().lessons)
+    if LESSONS in differences(training, plan):
+        known = training.manifest.lessons
+        if as_json(plan.curriculum().record())[: len(known)] != known:
+            raise SocialmindError(
+                f"{training.folder}: of other lessons than the plan has; train anew"
+            )
     for attempt in training.attempts:
         mind = MindDescription.load(training.folder / "mind")
         done = len(training.lessons[training.lessons["attempt"] == attempt])

@@ -48,6 +48,8 @@ class Again(NamedTuple):
     commit: str = ""
 
 
+MANY = 10**6
+"""Times round a cycle, more than any has."""
 LessonResult = tuple[Path, Mapping[str, Any], Mapping[str, Any]]
 """The file of a finished lesson, its record and its arrays."""
 COLUMNS = ("training", "attempt", "lesson", "commit", "score", "kept")
@@ -95,6 +97,12 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
     manifest = training.manifest
     folder = home / f"{kept.name}-{attempt}"
     stages = stages_of(manifest.versions, attempt, len(manifest.lessons))
+    if any(not commit for commit, _ in stages[:-1]):
+        raise SocialmindError(
+            f"{training.folder}: lessons were added to it, and by which program those before them "
+            "were taught is not recorded; they cannot be told apart"
+        )
+    _put_back(folder)
     for commit, lessons in stages:
         if commit and not re.fullmatch("[0-9a-f]{7,40}", commit):
             raise SocialmindError(f"{training.folder}: the commit {commit!r}; expected its digits")
@@ -171,15 +179,12 @@ def _begin(training: Training, attempt: int, lessons: int, folder: Path) -> None
     later = [str(one) for one in training.attempts if one >= attempt]
     made = _emptied(folder)
     shutil.copytree(training.folder, made, ignore=lambda path, names: _of(path, later, names))
-    for checkpoint in made.glob(f"attempts/*/{CHECKPOINT}"):
-        record, arrays = archive.load(checkpoint)
-        if record.get("last") is not None and record["last"][0] >= lessons:
-            record = {**record, "last": [lessons - 1, 1, 0], "done": lessons}
-            save_arrays(checkpoint, record, arrays)
+    if lessons < len(training.manifest.lessons):
+        for checkpoint in made.glob(f"attempts/*/{CHECKPOINT}"):
+            _let_pass(checkpoint, training.manifest.lessons[:lessons])
     if folder.is_dir():
         own = Path("attempts", str(attempt))
         shutil.copytree(folder / own, made / own)
-        remove(folder)
     manifest = json.loads((made / MANIFEST).read_text(encoding="utf-8"))
     for field in ("plan", "process"):  # whose command and process go on with another folder
         manifest.pop(field, None)
@@ -190,7 +195,37 @@ def _begin(training: Training, attempt: int, lessons: int, folder: Path) -> None
         lessons=manifest["lessons"][:lessons],
     )
     replace_file(made / MANIFEST, json.dumps(manifest, indent=2).encode())
+    before = _aside(folder)
+    if folder.is_dir():
+        folder.rename(before)
     made.rename(folder)
+    if before.is_dir():
+        remove(before)
+
+
+def _aside(folder: Path) -> Path:
+    """Return where a folder is put until the one in its place is there."""
+    return folder.with_name(f"{folder.name}.before")
+
+
+def _put_back(folder: Path) -> None:
+    """Put a folder back that one who was killed had put aside."""
+    before = _aside(folder)
+    if before.is_dir():
+        if folder.is_dir():
+            remove(before)
+        else:
+            before.rename(folder)
+
+
+def _let_pass(checkpoint: Path, items: Sequence[Mapping[str, Any]]) -> None:
+    """Let an attempt be behind the last of some items of its curriculum, so that none trains it."""
+    record, arrays = archive.load(checkpoint)
+    names = {one["name"] for item in items for one in item.get("lessons", [item])}
+    taught = [told["lesson"] in names for _, told, _ in results_of(checkpoint.parent)]
+    last = [len(items) - 1, MANY, len(items[-1].get("lessons", [0])) - 1]
+    record = {**record, "position": None, "last": last, "in_hand": None, "done": sum(taught)}
+    save_arrays(checkpoint, record, arrays)
 
 
 def _emptied(folder: Path) -> Path:

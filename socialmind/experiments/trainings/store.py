@@ -61,8 +61,10 @@ def keep(folder: Path, home: Path) -> Path:
     for number in training.attempts:
         _keep_attempt(_attempt(training.folder, number), _attempt(target, number))
     manifest = training.manifest
-    if known is not None and len(known.lessons) > len(manifest.lessons):
-        manifest = known
+    if known is not None:
+        versions = {**known.versions, **manifest.versions}
+        lessons = max(known.lessons, manifest.lessons, key=len)
+        manifest = replace(manifest, lessons=lessons, versions=versions)
     replace_file(target / MANIFEST, _manifest(manifest, known, target).content())
     return target
 

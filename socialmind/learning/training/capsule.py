@@ -71,7 +71,8 @@ class TrainingManifest(folders.FolderManifest):
         timings: ``created`` (UTC) and ``seconds`` in all.
         versions: of what the training stood on; ``commit``, of the program, where that runs from an
             unedited clone of its repository, and ``commit from attempt 3`` where it is another one;
-            ``commit from lesson 7 to attempt 10`` where lessons were added to attempts.
+            ``commit from lesson 7 to attempt 10`` where lessons were added to attempts. They are
+            the programs that began attempts and added lessons; another one may have gone on.
         platforms: the fingerprints of the machines that led it.
         kind: `training`.
         format: of this file.

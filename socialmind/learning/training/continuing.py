@@ -10,7 +10,7 @@ from typing import Any
 
 from socialmind.catalogue import load_model
 from socialmind.errors import SocialmindError
-from socialmind.learning.lessons.curriculum import Curriculum
+from socialmind.learning.lessons.curriculum import Curriculum, Cycle
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training.attempt import Attempt, results_of
 from socialmind.learning.training.capsule import (
@@ -107,11 +107,33 @@ def recorded_curriculum(capsule: TrainingCapsule, lessons: Any, trust: bool) -> 
     return curriculum
 
 
+def refuse_cycles_within(capsule: TrainingCapsule, curriculum: Curriculum, cycles: int) -> None:
+    """Refuse another number of cycles where attempts have begun and lessons follow a cycle.
+
+    Attempts that are behind it would not go back.
+
+    Raises:
+        SocialmindError: it is so.
+    """
+    within = any(isinstance(item, Cycle) for item in curriculum.items[:-1])
+    if within and cycles != capsule.manifest.changes["cycles"] and _begun(capsule):
+        raise SocialmindError(
+            f"{capsule.folder}: cycles={cycles}, but lessons follow a cycle, and attempts that are "
+            "behind it do not go back; expected as many cycles as before, or another training"
+        )
+
+
+def _begun(capsule: TrainingCapsule) -> list[int]:
+    """Return the attempts that have begun."""
+    numbers = range(1, capsule.manifest.attempts + 1)
+    return [one for one in numbers if capsule.attempt(one).is_dir()]
+
+
 def with_added_lessons(capsule: TrainingCapsule, curriculum: Curriculum) -> dict[str, str]:
     """Return the versions of a training that goes on with more lessons than it had, if it does."""
     manifest = capsule.manifest
     known = len(manifest.lessons)
-    begun = [one for one in range(1, manifest.attempts + 1) if capsule.attempt(one).is_dir()]
+    begun = _begun(capsule)
     if len(curriculum.items) == known or not begun:
         return manifest.versions
     return with_commit_of_added(manifest.versions, known + 1, begun[-1], own_commit())

@@ -241,10 +241,15 @@ def resume(
         curriculum = continuing.recorded_curriculum(capsule, lessons, trust)
         changes = dict(manifest.changes)
         if cycles is not None:
+            continuing.refuse_cycles_within(capsule, curriculum, cycles)
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
         continuing.check_folder(capsule, curriculum)
+        added = len(curriculum.items) > len(manifest.lessons)
         capsule.update(
+            chosen=_chosen(lessons) if added else manifest.chosen,
+            finished=0 if added else manifest.finished,
+            status=folders.INTERRUPTED if added else manifest.status,
             attempts=attempts or manifest.attempts,
             lessons=continuing.as_json(curriculum.record()),
             changes=changes,

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from socialmind.errors import SocialmindError
+from socialmind.experiments.trainings import rerunning
 from socialmind.experiments.trainings.rerunning import PROGRAM, Again, rerun
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning import Training
@@ -137,6 +138,53 @@ def test_lessons_that_were_added_are_learned_by_the_program_that_added_them(
     assert [one.lesson for one in rerun(kept, PLANS, 2, tmp_path / "rerun")] == [
         one.lesson for one in found
     ]
+
+
+def test_of_a_training_with_added_lessons_earlier_attempts_are_let_pass(
+    kept, tmp_path, tiny_plans, monkeypatch
+):
+    """Also one that is kept in the middle of them; and one who is killed loses nothing."""
+    longer = tmp_path / "tiny"
+    assert take_out(kept, longer)
+    tiny_plans.tiny("GoToObject", "GoToDropZone", "Avoid").train(longer, workers=1)
+    keep(longer, kept.parent)
+    first = kept / "attempts" / "1" / "checkpoint.npz"
+    record, arrays = archive.load(first)
+    middle = {**record, "position": [2, 1, 0], "last": None, "done": 2}
+    save_arrays(first, middle, arrays)
+    trained = []
+
+    def train(program, home, words):
+        folder = Path(words[-1])
+        manifest = Training(folder).manifest
+        plan = tiny_plans.tiny(*[one["name"] for one in manifest.lessons])
+        plan.train(folder, workers=1, on_lesson=lambda *told: trained.append(told[:2]))
+        return 0
+
+    monkeypatch.setattr(rerunning, "_trained", train)
+    monkeypatch.setattr(rerunning, "_program", lambda commit, home: home)
+    manifest = json.loads((kept / "manifest.json").read_text())
+    manifest["versions"] |= {"commit": "a" * 7, "commit from lesson 3 to attempt 2": "b" * 7}
+    (kept / "manifest.json").write_text(json.dumps(manifest))
+    monkeypatch.setattr(rerunning, "remove", lambda path: pytest.fail("killed"))
+    with pytest.raises(pytest.fail.Exception):
+        rerun(kept, PLANS, 2, tmp_path / "rerun")
+    monkeypatch.setattr(rerunning, "remove", shutil.rmtree)
+    assert [one.commit[:1] for one in rerun(kept, PLANS, 2, tmp_path / "rerun")] == ["a", "a", "b"]
+    names = [(attempt, lesson.name) for attempt, lesson in trained]
+    assert [one for one in names if one[0] == 2] == [
+        (2, "GoToObject"), (2, "GoToDropZone"), (2, "Avoid"),
+    ]  # fmt: skip
+    assert (1, "GoToObject") not in names
+    assert not list((tmp_path / "rerun").glob("*.before"))
+
+
+def test_lessons_of_unknown_programs_before_added_ones_are_not_trained_anew(kept, tmp_path):
+    manifest = json.loads((kept / "manifest.json").read_text())
+    manifest["versions"]["commit from lesson 2 to attempt 2"] = "8e6425c"
+    (kept / "manifest.json").write_text(json.dumps(manifest))
+    with pytest.raises(SocialmindError, match="by which program those before them"):
+        rerun(kept, PLANS, 2, tmp_path / "rerun")
 
 
 def test_a_training_records_by_which_program_each_attempt_was_begun(

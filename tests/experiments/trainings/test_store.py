@@ -78,6 +78,21 @@ def test_a_training_goes_on_from_what_is_kept_as_if_never_stopped(
     assert not take_out(tmp_path / "kept" / "other", tmp_path / "other")
 
 
+def test_what_has_fewer_lessons_and_more_attempts_takes_nothing_away(whole, tiny_plans, tmp_path):
+    more = tiny_plans.tiny("GoToObject", "GoToDropZone", "Avoid")
+    longer = Training(shutil.copytree(whole, tmp_path / "longer" / "tiny"))
+    more.train(longer.folder, workers=1)
+    several = shutil.copytree(whole, tmp_path / "several" / "tiny")
+    replace(tiny_plans.PLAN, attempts=3).train(several, workers=1)
+    keep(longer.folder, tmp_path / "kept")
+    kept = Training(keep(several, tmp_path / "kept"))
+    assert kept.attempts == [1, 2, 3]
+    assert kept.finished == [1, 2]
+    assert (kept.manifest.status, kept.manifest.attempts) == ("interrupted", 3)
+    assert differences(kept, more) == []
+    assert kept.lessons.groupby("attempt").size().tolist() == [3, 3, 2]
+
+
 def test_another_training_of_the_name_is_not_kept_over_it(whole, tiny_plans, tmp_path):
     keep(whole, tmp_path / "kept")
     other = tmp_path / "tiny"

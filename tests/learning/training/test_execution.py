@@ -194,6 +194,30 @@ def test_lessons_are_added_to_attempts_that_were_through(lesson, robot, tmp_path
     assert training.manifest.versions["commit from lesson 3 to attempt 2"] == "8e6425c"
 
 
+def test_with_added_lessons_a_training_goes_on_by_itself(model, tmp_path, monkeypatch):
+    folder = learn(model, lessons=["Go"], attempts=1, out=tmp_path / "out")
+
+    def stop(news, left):
+        manifest = Training(folder).manifest
+        assert (manifest.finished, manifest.status) == (0, "running")
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        resume(folder, lessons=["Go", "Turn"], on_generation=stop)
+    resume(folder, attempts=2)
+    assert Training(folder).lessons["lesson"].tolist() == ["Go", "Turn"] * 2
+
+
+def test_cycles_that_attempts_are_behind_stay_as_many(lesson, robot, tmp_path):
+    first = [lesson("Go"), Cycle([lesson("Turn")], cycles=1)]
+    folder = learn(None, Curriculum(first, mind=robot), out=tmp_path / "out")
+    more = Curriculum([*first, lesson("Top")], mind=robot)
+    with pytest.raises(SocialmindError, match="do not go back; expected as many cycles as before"):
+        resume(folder, lessons=more, cycles=2)
+    resume(folder, lessons=more)
+    assert Training(folder).lessons["lesson"].tolist() == ["Go", "Turn", "Top"]
+
+
 def test_a_cycle_without_end_ends_with_its_budget(lesson, robot, tmp_path):
     again = [lesson("Go2", skill="Go", start="known"), lesson("Turn2", skill="Turn")]
     endless = Curriculum([lesson("Go"), Cycle(again)], mind=robot)
