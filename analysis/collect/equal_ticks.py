@@ -111,18 +111,26 @@ def learned(
     told = told[told["lesson"] == lessons[-1]]
     budgets = {one["name"]: one["budget"] for one in training.manifest.lessons}
     curve = training.curve
-    curves, seam, generations = {}, 0, []
+    parts_of: dict[int, list[np.ndarray]] = {}
+    generations = []
     for attempt in told["attempt"].tolist():
-        parts, count = [], 0
+        parts_of[attempt], count = [], 0
         for lesson in lessons:
             own = curve[(curve["attempt"] == attempt) & (curve["lesson"] == lesson)]
             count += len(own)
             part = thinned(own["ticks"].to_numpy(), own["validated"].to_numpy())
             points = len(part) if budgets[lesson] is None else int(budgets[lesson] / 1e6 / STEP)
-            parts.append(part[:points])
-        curves[attempt] = np.concatenate(parts)
-        seam = STEP * sum(map(len, parts[:-1]))
+            parts_of[attempt].append(part[:points])
         generations.append(count)
+    # Small versions have no budgets: there the lessons before end with the shortest attempt.
+    ends = [min(map(len, several)) for several in list(zip(*parts_of.values(), strict=True))[:-1]]
+    curves = {
+        attempt: np.concatenate(
+            [*(part[:end] for part, end in zip(parts, ends, strict=False)), parts[-1]]
+        )
+        for attempt, parts in parts_of.items()
+    }
+    seam = STEP * sum(ends)
     finals = dict(zip(told["attempt"], told["score"], strict=True))
     between = (min(generations, default=0), max(generations, default=0))
     return Learned(title, curves, finals, between, seam, thesis)

@@ -137,6 +137,7 @@ def base_skills() -> list[Finding]:
                 "most of 10",
                 f"{counted(early, len(near))} within 5 % of what they come to in the end",
                 above(share_of(early, len(near)), MOST),
+                why="that most do cannot be told",
             )
         )
     for lesson in ("GoToObject", "GoToDropZone"):
@@ -389,7 +390,7 @@ def late_gain(training: str) -> Interval:
     """Return what the last quarter of a training's last lesson added, over attempts."""
     import numpy as np
 
-    from .equal_ticks import gained
+    from .equal_ticks import gained as late
 
     own = [r for r in rows_of(KEPT / "figure-6.5-equal-ticks.csv") if r["training"] == training]
     last = max(row["lesson"] for row in own)
@@ -397,7 +398,7 @@ def late_gain(training: str) -> Interval:
     for row in own:
         if row["lesson"] == last:
             curves.setdefault(row["attempt"], []).append(float(row["score"]))
-    return interval_of([gained(np.array(one)) for one in curves.values()])
+    return interval_of([late(np.array(one)) for one in curves.values()])
 
 
 def by_lessons(kind: str, benchmark: str) -> Finding:
@@ -414,6 +415,7 @@ def by_lessons(kind: str, benchmark: str) -> Finding:
         f"{' against '.join(ours)}: {in_brackets(difference, '+.2f')}",
         above(difference),
         why=not_so(difference),
+        apart=MONOLITH if kind == "monolithic" else "",
     )
 
 

@@ -140,13 +140,13 @@ PLANS = TrainingPlans(
             equal_for_monolith,
         ),
         "hierarchy_level_at_once": plan(
-            "the hierarchy, final task only, with the ticks of the whole curriculum (6.1)",
+            "the hierarchy, final task only, with the ticks of its six lessons (6.1)",
             5,
             hierarchy,
             lambda: at_once(all_skills(), "Collect", ALL, COMMON),
         ),
         "monolith_level_at_once": plan(
-            "the monolith, final task only, with the ticks of the whole curriculum (6.1)",
+            "the monolith, final task only, with the ticks of its six lessons (6.1)",
             5,
             monolith,
             lambda: at_once((MONOLITH,), MONOLITH, ALL, COMMON),

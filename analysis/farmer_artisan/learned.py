@@ -232,8 +232,11 @@ def _scheme(folder: str, attempt: int) -> Path:
 def by_attempt(found: Societies) -> pd.DataFrame:
     """Return a row for each attempt: its score in finals, its society's means, its distillation."""
     scores = kept().lessons.set_index("attempt")["score"]
-    learned = found.worlds[found.worlds["society"].isin(["learned", "shipped"])]
+    worlds = found.worlds
+    learned = worlds[worlds["society"].isin(["learned", "shipped"])]
     means = learned.groupby("attempt", sort=False)[list(OF_ATTEMPTS)].mean()
+    of_schemes = worlds[worlds["society"] == "distilled"].groupby("attempt")[list(OF_ATTEMPTS)]
+    distilled_means = of_schemes.mean().add_prefix("distilled_")
     rows = []
     for attempt, (one, plans) in found.distilled.items():
         rows.append(
@@ -244,6 +247,7 @@ def by_attempt(found: Societies) -> pd.DataFrame:
                 **{f"chosen_{plan}": share for plan, share in plans.items()},
                 "links": one.links,
                 "overlap": one.agreement.overlap,
+                **(distilled_means.loc[attempt].to_dict() if attempt != SHIPPED else {}),
             }
         )
     return pd.DataFrame(rows)
@@ -265,17 +269,22 @@ def as_markdown(found: Societies, attempts: pd.DataFrame, seeds: int, ticks: int
     lines += [
         "",
         "| attempt | score of its finals | wheat of a person | division of labour beyond luck | "
-        "tools delivered | links of the distilled scheme | overlap of its choices |",
-        "|---|---|---|---|---|---|---|",
+        "tools delivered | links of the distilled scheme | overlap of its choices | wheat by it | "
+        "division of labour beyond luck by it |",
+        "|---|---|---|---|---|---|---|---|---|",
     ]
     for row in attempts.to_dict("records"):
-        finals = "–" if np.isnan(row["finals"]) else f"{row['finals']:.2f}"
         lines.append(
-            f"| {row['attempt']} | {finals} | {row['prosperity']:.2f} | "
+            f"| {row['attempt']} | {_known(row['finals'], 2)} | {row['prosperity']:.2f} | "
             f"{row['beyond_chance']:.3f} | {row['delivered']:,.0f} | {row['links']} | "
-            f"{row['overlap']:.3f} |"
+            f"{row['overlap']:.3f} | {_known(row['distilled_prosperity'], 2)} | "
+            f"{_known(row['distilled_beyond_chance'], 3)} |"
         )
     return "\n".join(lines) + "\n"
+
+
+def _known(value: float, digits: int) -> str:
+    return "–" if np.isnan(value) else f"{value:.{digits}f}"
 
 
 def _cell(own: pd.DataFrame, name: str) -> str:

@@ -91,15 +91,17 @@ def settling() -> list[Finding]:
     done = changes[-1] - changes[3 * len(changes) // 4]
     in_a, robots = [int(row["in_a"]) for row in rows()], int(rows()[0]["robots"])
     several = peaks(in_a, robots)
-    again = sum(in_a[place] >= ALMOST_ALL for place in several)
+    # The first rise is step 2, in figure 8.6.
+    again = sum(in_a[place] >= ALMOST_ALL for place in several[1:])
     return [
         Finding(
             "steps 5 to 7, the minority goes back to B, and almost all change to A again "
             f"({ALMOST_ALL} or more)",
             "several cycles",
-            f"from one in A at most to {ALMOST_ALL} or more {again} times, to more than half "
-            f"{len(several)} times",
+            f"after the first rise from one in A at most to {ALMOST_ALL} or more {again} "
+            f"time{'s' * (again != 1)}, to more than half {len(several) - 1} times",
             again > 1,
+            why="in most of its rises fewer than almost all of ours change",
         ),
         Finding(
             "step 8, by accident the wanted split is met, and it stays",

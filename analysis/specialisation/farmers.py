@@ -88,6 +88,10 @@ def differences(worlds: pd.DataFrame, measures: list[str]) -> pd.DataFrame:
     What is distilled from a mind stands beside that mind; what nobody learned, and the model's
     mind, beside each of them.
 
+    Args:
+        worlds: `society`, `attempt`, `seed` and measures, a row for each run.
+        measures: their columns.
+
     Returns:
         A row for each society and measure: `difference`, with its interval over attempts and
         seeds, `low` and `high`.

@@ -245,8 +245,8 @@ def _farmers(
             rows,
             "Table 9. Means with intervals of 95 %, over attempts and seeds where there are "
             "attempts. Changes of roles while settled are "
-            "known of the seeds that settle, whose number is told where it is not all; unknown "
-            "where none does.",
+            "known of the seeds that settle in all attempts, whose number is told where it is not "
+            "all; unknown where none does.",
             numbers=True,
         ),
         html.picture(

@@ -6,7 +6,7 @@ import math
 from itertools import pairwise
 from pathlib import Path
 
-from socialmind.experiments.judging import Finding, above, in_brackets, looked_through
+from socialmind.experiments.judging import Finding, above, in_brackets, looked_through, not_so
 from socialmind.experiments.measures.effects import compared
 from socialmind.experiments.measures.intervals import interval_of
 from socialmind.experiments.overview import Result, rows_of
@@ -106,6 +106,7 @@ def three_objects() -> list[Finding]:
             "a loop where it confuses object and drop zone; erratic for some inputs",
             f"{told('perceptron')}; {in_brackets(longer, '+.2f')} to the other network's",
             above(longer),
+            why=not_so(longer),
         ),
         Finding(
             "the network that the thesis proposes instead does not (9.2.4)",

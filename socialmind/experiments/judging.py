@@ -34,7 +34,10 @@ CRITERION = (
     "much, so what is reproduced need not be precise: rows show the intervals. A share is not "
     f"comparable if its interval covers the thesis's and is wider than {WIDE:.0%}.",
     "Where the thesis shows one robot or one run, or what a rule computes, ours is one as well, "
-    "and reproduced is what holds of it as the row says: numbers equal as printed, an influence of "
+    "and reproduced is what holds of it as the row says; where many runs of ours are known, "
+    "whether the thesis's lies among their middle 95 %. That an attempt succeeds means that its "
+    "finals come to 75 % of the median of all attempts, so it says how alike they are. Numbers "
+    "are equal as printed, an influence of "
     f"{NO_SAY:g} or less as none, of {1 - NO_SAY:g} or more as all. *Not comparable* is what "
     "depends on something that the thesis does not tell, what was learned with budgets too unlike, "
     "and what holds of ours by construction, such as what a run was searched for. So numbers of "

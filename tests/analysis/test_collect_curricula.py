@@ -45,7 +45,7 @@ def test_the_final_task_alone_has_the_ticks_of_the_six_lessons():
         assert sum(one.budget for one in six) == 866_000_000
 
 
-def test_more_of_collect_goes_on_from_what_collect_taught_on_the_same_common_worlds():
+def test_more_of_collect_goes_on_from_what_collect_taught():
     for name in BOTH:
         *_, collect, more = PLANS[name].curriculum().lessons
         assert (more.start, more.budget) == ("known", 400_000_000)

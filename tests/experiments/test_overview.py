@@ -208,7 +208,7 @@ def test_a_representation_counts_where_its_attempt_is_as_good_as_the_best(tmp_pa
 
 
 @pytest.mark.parametrize(("others", "agrees"), [("6", True), ("5", False)])
-def test_how_many_are_artisans_is_a_mean_over_runs(others, agrees, tmp_path, monkeypatch):
+def test_how_many_are_artisans_is_to_lie_among_most_runs(others, agrees, tmp_path, monkeypatch):
     """That one run has six says nothing where all others have five."""
 
     def with_others(rows, _):

@@ -275,7 +275,12 @@ def _go(
     # From the copy, so that what is resumed begins from the very same.
     mind = MindDescription.load(capsule.mind)
     course = TrainingCourse(curriculum, mind, manifest.seed, manifest.engine)
-    forecast = Forecast(course, manifest.attempts)
+    begun_before = {
+        number: Attempt(capsule.attempt(number), number, course).position
+        for number in range(1, manifest.attempts + 1)
+        if capsule.attempt(number).is_dir()
+    }
+    forecast = Forecast(course, manifest.attempts, begun_before)
     begun = time.perf_counter() - float(manifest.timings.get("seconds", 0.0))
     process = {"host": platform.node(), "pid": os.getpid()}
     capsule.update(status=folders.RUNNING, error=None, process=process)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Mapping
 
 from socialmind.learning.lessons.curriculum import Position
 from socialmind.learning.lessons.lesson import Lesson
@@ -21,11 +22,18 @@ class Forecast:
     Args:
         course: what is learned.
         attempts: how many attempts there are.
+        begun: where those stand that were begun before, by their numbers; None behind the end.
     """
 
-    def __init__(self, course: TrainingCourse, attempts: int) -> None:
+    def __init__(
+        self,
+        course: TrainingCourse,
+        attempts: int,
+        begun: Mapping[int, Position | None] | None = None,
+    ) -> None:
         self._course = course
         self._attempts = attempts
+        self._begun = begun or {}
         self._populations = {one.name: population_of(one, course) for one in self._lessons()}
         self._recent: deque[tuple[str, int, float]] = deque(maxlen=RECENT)
         self._first = True
@@ -49,18 +57,20 @@ class Forecast:
             self._first = False
         self._recent.append((lesson.name, self._generation_ticks(lesson), news.seconds))
         paced = sum(ticks for _, ticks, _ in self._recent)
-        whole = self._ahead(Position())
-        rest = self._ahead(news.position)
-        if not paced or whole is None or rest is None:
+        later = [
+            self._ahead(self._begun.get(one, Position()))
+            for one in range(news.attempt + 1, self._attempts + 1)
+        ]
+        ahead = [one for one in (self._ahead(news.position), *later) if one is not None]
+        if not paced or len(ahead) <= len(later):
             return None
-        left = rest - news.generation * self._generation_ticks(lesson)
-        left += (self._attempts - news.attempt) * whole
+        left = sum(ahead) - news.generation * self._generation_ticks(lesson)
         return max(left, 0) * sum(seconds for _, _, seconds in self._recent) / paced
 
-    def _ahead(self, position: Position) -> int | None:
+    def _ahead(self, position: Position | None) -> int | None:
         """Return the ticks from a position to the end of an attempt; None for without end."""
         total = 0
-        at: Position | None = position
+        at = position
         curriculum = self._course.curriculum
         while at is not None:
             cycle = curriculum.cycle_at(at)

@@ -30,6 +30,15 @@ def test_time_goes_with_the_ticks_ahead(lesson, robot, news):
     assert forecast.seconds_left(news(turn, 3, 1.0, attempt=2, item=1)) == 0.0
 
 
+def test_attempts_that_were_begun_have_less_ahead(lesson, robot, news):
+    go, turn = lesson("Go", ticks=10), lesson("Turn", ticks=10)
+    course = TrainingCourse(Curriculum([go, turn]), robot, 0, "compiled")
+    # Two attempts behind attempt 1: one at the second lesson, one behind the end.
+    begun = {1: Position(1), 2: Position(1), 3: None}
+    forecast = Forecast(course, 3, begun)
+    assert forecast.seconds_left(news(turn, 1, 2.0, item=1)) == pytest.approx(2.0 * (5 + 6))
+
+
 def test_a_budget_shortens_it(lesson, robot, news):
     go = lesson("Go", ticks=10, budget=480)
     forecast = Forecast(TrainingCourse(Curriculum([go]), robot, 0, "compiled"), attempts=1)
