@@ -29,6 +29,7 @@ from socialmind.learning.training.finalists import individual_of
 from socialmind.learning.training.result import Training
 from socialmind.runs.arrays_file import save_arrays
 from socialmind.runs.folders import INTERRUPTED, MANIFEST
+from socialmind.sources.folders import model_folder, source_hash
 from socialmind.work.files import remove, replace_file
 
 
@@ -112,6 +113,7 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
         if begun < lessons:
             _begin(training, attempt, lessons, folder)
         program = _program(commit, home) if commit else Path.cwd()
+        _take_source(folder, program)
         if _trained(program, home, [module, kept.name, str(attempt), str(folder.absolute())]):
             raise SocialmindError(f"{folder}: not trained to the end; the same command goes on")
     again = Training(folder)
@@ -201,6 +203,20 @@ def _begin(training: Training, attempt: int, lessons: int, folder: Path) -> None
     made.rename(folder)
     if before.is_dir():
         remove(before)
+
+
+def _take_source(folder: Path, program: Path) -> None:
+    """Let a training be of the model as a program has it.
+
+    A kept one may name the model's files of later on, by which its winners were judged again
+    (`recheck`); whether it was made by these comes out by the weights.
+    """
+    manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    model = program / "models" / model_folder(manifest["model"]["name"]).name
+    if model.is_dir() and source_hash(model) != manifest["model"]["source_sha256"]:
+        manifest["model"]["source_sha256"] = source_hash(model)
+        manifest["model"].pop("sources", None)
+        replace_file(folder / MANIFEST, json.dumps(manifest, indent=2).encode())
 
 
 def _aside(folder: Path) -> Path:

@@ -179,6 +179,19 @@ def test_of_a_training_with_added_lessons_earlier_attempts_are_let_pass(
     assert not list((tmp_path / "rerun").glob("*.before"))
 
 
+def test_a_training_that_was_rechecked_is_trained_by_the_model_of_its_program(kept, tmp_path):
+    """The hash that is kept is then of other files than those of the commit."""
+    shutil.copytree(rerunning.model_folder("collect"), tmp_path / "models" / "collect")
+    with (tmp_path / "models" / "collect" / "lessons.py").open("a") as file:
+        file.write("# a word\n")
+    folder = shutil.copytree(kept, tmp_path / "rerun" / "tiny-1")
+    rerunning._take_source(folder, tmp_path)
+    model = Training(folder).manifest.model
+    assert model["source_sha256"] == rerunning.source_hash(tmp_path / "models" / "collect")
+    assert model["source_sha256"] != Training(kept).manifest.model["source_sha256"]
+    assert "sources" not in model
+
+
 def test_lessons_of_unknown_programs_before_added_ones_are_not_trained_anew(kept, tmp_path):
     manifest = json.loads((kept / "manifest.json").read_text())
     manifest["versions"]["commit from lesson 2 to attempt 2"] = "8e6425c"
