@@ -30,8 +30,9 @@ from socialmind.mind import MindDescription
 
 from . import scheme_evolution
 from .contestants import PICKED, TICKS, Contestant
-from .large_groups import chosen, in_brackets, paired_interval, signed
+from .large_groups import chosen
 from .scheme_economy import WRITTEN, scheme_of
+from .told_intervals import in_brackets, paired_interval, signed
 from .trainings import MODEL
 from .worlds import REPORTED
 

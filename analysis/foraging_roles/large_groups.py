@@ -10,40 +10,30 @@ is the work of; and changes. With a gain of 4 robots are told payoffs four times
 Trips for A and B are up to a tenth longer and shorter in a world, or the other way round, unless
 they are even. What was judged already is not judged again.
 
-`results/dead_zones.csv` says how many robots too many a mind puts up with: those for whose payoff,
-told again and again, it does not change its role. `results/payoffs_at_rest.csv` says how far
-payoffs spread where the split is the wanted one for good, beside what one robot too many takes.
+`results/dead_zones.csv` and `results/payoffs_at_rest.csv` are written too (`dead_zones.py`).
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from scipy.stats import spearmanr
-
-from socialmind.catalogue import load_file
-from socialmind.errors import SocialmindError
-from socialmind.experiments.measures.crossed import crossed_interval
-from socialmind.experiments.measures.intervals import Interval, interval_of, share_interval
-from socialmind.mind import MindDescription, Programmed
-from socialmind.mind.minds import Minds
 
 from . import scheme_evolution
 from .contestants import PICKED, Contestant, contestants
+from .dead_zones import by_dead_zone, dead_zones, spread_of_payoffs
+from .economy_worlds import worlds_of
 from .results import NINE
-from .scheme_economy import WRITTEN, SchemeWorlds
-from .threshold_scan import CONTROLLERS, Responders
-from .trainings import ECONOMY, MODEL
+from .scheme_economy import WRITTEN
+from .told_intervals import in_brackets, paired_interval, signed
 from .worlds import SCHEME_ECONOMY
 
-DELIVERIES = load_file(MODEL / "deliveries.py")
-AS_IT_SHOULD_BE, ROLE = 0.5, "ForageRole"
+AS_IT_SHOULD_BE = 0.5
 RESULTS = Path(__file__).parent / "results"
 WORLDS, FEW = 32, 2
 TICKS, LONG = 60_000, 240_000
@@ -62,7 +52,6 @@ OTHERWISE = {
 }
 """What thirty-six robots might want for, in place of `USUAL`."""
 HALF = "programmed, half tolerated"
-WANTED, DELIVERIES_OF_A_RUN = 2 / 3, 75
 LEFT_OUT = ("fixed roles", "random roles", "greedy", "at_once", "thesis_role")
 KEYS = ["way", "attempt", "robots", "ticks", "gain", "even"]
 
@@ -150,55 +139,6 @@ def judged(
     )
 
 
-def worlds_of(
-    one: Contestant, terms: Mapping[str, Any], worlds: Sequence[int], ticks: int
-) -> tuple[Any, Any]:
-    """Return worlds of the economy in which robots decide, and their minds if they have some.
-
-    Args:
-        one: the robots.
-        terms: of the economy.
-        worlds: seeds.
-        ticks: of a run.
-    """
-    given = ECONOMY.Terms(**terms)
-    drawn = [ECONOMY.World(seed, given, ticks) for seed in worlds]
-    if "programmed" in one.parameters:
-        numbers = np.array([list(numbers_of_scheme(one).values())])
-        return SchemeWorlds(drawn, worlds, numbers, ticks), None
-    if one.way in CONTROLLERS:
-        return Responders(drawn, ticks, one.parameters), None
-    mind = one.mind or MindDescription.load(MODEL / "mind")
-    if not learned_choice(mind):
-        minds = with_genome(ECONOMY.thinking(mind, ROLE), mind, len(worlds))
-        return ECONOMY.Worlds(drawn, 1, ticks), minds
-    drawn = [DELIVERIES.DeliveryWorld(seed, given, ticks) for seed in worlds]
-    parts = DELIVERIES.thinking(mind, ROLE), DELIVERIES.choosing(mind, DELIVERIES.CHOICE)
-    heads = DELIVERIES.Heads(*(with_genome(part, mind, len(worlds)) for part in parts))
-    return DELIVERIES.Deliveries(drawn, 1, ticks, heads), heads
-
-
-def learned_choice(mind: MindDescription) -> bool:
-    """Say whether what ROLE means was learned."""
-    return not isinstance(mind.skill(DELIVERIES.CHOICE).function, Programmed)
-
-
-def with_genome(part: MindDescription, mind: MindDescription, agents: int) -> Minds:
-    """Return a mind of one skill for many robots, with the weights that the whole mind has."""
-    name = next(iter(part.skills))
-    minds = Minds(part, agents=agents, own_genomes=True)
-    minds.set_genome(name, np.tile(mind.skill(name).genome, (agents, 1)))
-    return minds
-
-
-def numbers_of_scheme(one: Contestant) -> Mapping[str, float]:
-    """Return the numbers of a programmed contestant: those that evolved, or those written."""
-    if one.way == scheme_evolution.NAME:
-        evolved = scheme_evolution.kept()[one.attempt].tolist()
-        return dict(zip(WRITTEN, evolved, strict=True))
-    return {**WRITTEN, "tolerance": one.parameters.get("tolerance", WRITTEN["tolerance"])}
-
-
 def chosen() -> Iterator[Contestant]:
     """Yield who is judged: all that learned, were programmed or evolved, and thresholds."""
     for one in contestants():
@@ -237,113 +177,6 @@ def judge_all(
     return table
 
 
-# Dead zones ---------------------------------------------------------------------------------------
-
-
-def dead_zone(mind: MindDescription, in_b: bool, deliveries: int) -> float:
-    """Return the least lack of payoff, told at every delivery, at which a learned mind changes.
-
-    Args:
-        mind: the robot's, with a CollectSelect that changes at 0.5.
-        in_b: its role at first.
-        deliveries: in which it changes.
-
-    Returns:
-        0.001 … 0.5; NaN where it never does.
-    """
-    lacks = np.arange(1, 501) / 1000
-    minds = with_genome(ECONOMY.thinking(mind, ROLE), mind, len(lacks))
-    role = np.full(len(lacks), float(in_b))
-    changed = np.zeros(len(lacks), bool)
-    for _ in range(deliveries):
-        minds.set_sensor("PAYOFF", AS_IT_SHOULD_BE - lacks)
-        minds.set_sensor("ROLE", role)
-        minds.step()
-        role = minds.actuator("ROLE").copy()
-        changed |= (role >= 0.5) != in_b
-    return float(lacks[changed.argmax()]) if changed.any() else float("nan")
-
-
-def robots_off(lack: float, robots: int, wanted: float = WANTED) -> float:
-    """Return by how many robots a split is off where its payoff lacks so much, on the mean.
-
-    The payoff lacks 0.15 · (share − wanted) / (wanted · (1 − wanted)); see `payoff.py`.
-
-    >>> round(robots_off(0.075, 9), 6), round(robots_off(0.075, 36), 6)
-    (1.0, 4.0)
-    """
-    return lack / 0.15 * wanted * (1 - wanted) * robots
-
-
-def dead_zones(some: Iterable[Contestant]) -> pd.DataFrame:
-    """Return how many robots too many ways put up with: a row for each attempt and role."""
-    rows = []
-    for one in some:
-        mind = one.mind or MindDescription.load(MODEL / "mind")
-        if "programmed" in one.parameters:
-            tolerance = numbers_of_scheme(one)["tolerance"] / 100
-            lacks = {"A": tolerance, "B": tolerance}
-        elif one.way in CONTROLLERS or learned_choice(mind):
-            continue  # thresholds have no dead zone; of learned choices the middle is elsewhere
-        else:
-            lacks = {kind: dead_zone(mind, kind == "B", DELIVERIES_OF_A_RUN) for kind in ("A", "B")}
-        for kind, lack in lacks.items():
-            off = {f"of_{number}": robots_off(lack, number) for number in (9, 18, 36)}
-            rows.append({"way": one.way, "attempt": one.attempt, "role": kind, "lack": lack, **off})
-    return pd.DataFrame(rows)
-
-
-# What a payoff can tell ---------------------------------------------------------------------------
-
-
-def payoffs_at_rest(
-    robots: int, even: bool, worlds: Sequence[int], ticks: int = TICKS
-) -> tuple[float, float]:
-    """Return how far payoffs of objects B spread in groups whose split is the wanted one for good.
-
-    Args:
-        robots: how many, a multiple of three.
-        even: whether trips for A and for B are equally long.
-        worlds: seeds.
-        ticks: of a run, of which the second half counts.
-
-    Returns:
-        The mean standard deviation within a world, which time averages out; and the standard
-        deviation between the worlds' means, which it does not.
-    """
-    terms = ECONOMY.Terms(**{**NINE, "numbers": (robots,)})
-    drawn = [ECONOMY.World(seed, terms, ticks) for seed in worlds]
-    found: Any = ECONOMY.Worlds(drawn, 1, ticks)
-    found.role[:] = np.arange(found.most) < round(WANTED * robots)
-    told = []
-    if even:
-        found.uneven[:] = 1.0
-
-    def stays(rows: Any, who: Any, before: Floats, payoff: Floats, minds: Any) -> Floats:
-        late = rows[(found.now[rows] > ticks / 2) & (before[rows] > 0.5)]
-        told.append(np.stack([late, payoff[late]], axis=1))
-        return before
-
-    found.decided = stays
-    while found.go_on(None):
-        pass
-    by_world = pd.DataFrame(np.concatenate(told), columns=["world", "payoff"]).groupby("world")
-    return float(by_world["payoff"].std().mean()), float(by_world["payoff"].mean().std())
-
-
-def spread_of_payoffs(worlds: Sequence[int], ticks: int = TICKS) -> pd.DataFrame:
-    """Return the spread of payoffs beside what one robot too many in B takes of one."""
-    rows = []
-    for even in (False, True):
-        for robots in (9, 18, 36):
-            within, between = payoffs_at_rest(robots, even, worlds, ticks)
-            one = 0.15 / (WANTED * (1 - WANTED)) / robots
-            rows.append(
-                {"robots": robots, "even": even, "within": within, "between": between, "one": one}
-            )
-    return pd.DataFrame(rows)
-
-
 # Reports ------------------------------------------------------------------------------------------
 
 
@@ -369,51 +202,6 @@ def report(table: pd.DataFrame) -> str:
             + " |"
         )
     return "\n".join(lines) + "\n"
-
-
-def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
-    """Return a mean with its interval of 95 %: over trainings and worlds, or worlds alone.
-
-    A single number has none.
-    """
-    square = part.pivot_table(index="attempt", columns="world", values=name).dropna(axis="columns")
-    if square.empty:
-        raise SocialmindError(
-            f"no world in which all attempts at {part['way'].iloc[0]} were judged"
-        )
-    values = square.to_numpy(float)
-    if len(values) > 1:
-        found = crossed_interval(values)
-    elif np.isin(values, (0, 1)).all():  # where all are alike a bootstrap has no width
-        found = share_interval(values[0])
-    else:
-        found = interval_of(values[0])
-    if not np.isfinite(found.low):
-        return f"{found.mean:{form}}"
-    return f"{found.mean:{form}} ({found.low:{form}} to {found.high:{form}})"
-
-
-def paired_interval(more: Floats) -> Interval:
-    """Return a mean difference of the same minds in the same worlds, (attempts, worlds), paired.
-
-    Its bounds are over attempts and worlds, or worlds alone where there is one attempt; NaN where
-    all worlds of a single attempt are alike, which has no width.
-    """
-    if len(more) > 1:
-        return crossed_interval(more)
-    if (more == more[0, 0]).all():
-        return Interval(float(more[0, 0]), float("nan"), float("nan"))
-    return interval_of(more[0])
-
-
-def signed(found: Interval, form: str = "+.2f") -> str:
-    """Return a difference with its interval, if it has one.
-
-    >>> signed(Interval(-0.2, -0.6, 0.0)), signed(Interval(0.0, float("nan"), float("nan")))
-    ('-0.20 (-0.60 to +0.00)', '+0.00')
-    """
-    bounds = f" ({found.low:{form}} to {found.high:{form}})" if np.isfinite(found.low) else ""
-    return f"{found.mean:{form}}{bounds}"
 
 
 def squares_of(table: pd.DataFrame, setting: Setting, name: str) -> dict[str, pd.DataFrame]:
@@ -464,27 +252,6 @@ def beside(table: pd.DataFrame) -> str:
     return "\n".join(lines) + "\n"
 
 
-def by_dead_zone(table: pd.DataFrame, zones: pd.DataFrame) -> str:
-    """Return whether learned minds with wider dead zones are farther off, as a line of Markdown.
-
-    Compared are thirty-six robots on even trips, by rank.
-
-    Args:
-        table: what was judged.
-        zones: the dead zones, a row for each attempt and role.
-    """
-    many = table[(table["robots"] == 36) & (table["gain"] == 1.0) & table["even"]]
-    off = many.groupby(["way", "attempt"])["off"].mean()
-    learned = zones[zones["way"].isin([PICKED, "supervised_role"])]
-    wide = learned.groupby(["way", "attempt"])["of_36"].sum()
-    both = pd.concat([off, wide], axis=1, join="inner")
-    found = spearmanr(both["off"], both["of_36"])
-    return (
-        f"Dead zones of both roles together and robots off, of {len(both)} learned minds: "
-        f"Spearman's ρ = {found.statistic:.2f}, p = {found.pvalue:.2f}.\n"
-    )
-
-
 def main(arguments: Sequence[str]) -> None:
     """Judge, keep and print."""
     if "--quick" in arguments:
@@ -499,7 +266,7 @@ def main(arguments: Sequence[str]) -> None:
         return
     zones = dead_zones(all_judged())
     zones.round(4).to_csv(RESULTS / "dead_zones.csv", index=False, lineterminator="\n")
-    spread = spread_of_payoffs(SCHEME_ECONOMY[:WORLDS])
+    spread = spread_of_payoffs(SCHEME_ECONOMY[:WORLDS], TICKS)
     spread.round(5).to_csv(RESULTS / "payoffs_at_rest.csv", index=False, lineterminator="\n")
     table = judge_all(RESULTS / "large_groups.csv", all_judged(), SETTINGS, WORLDS)
     text = f"{report(table)}\n{beside(table)}\n{by_dead_zone(table, zones)}"

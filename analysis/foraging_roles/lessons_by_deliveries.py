@@ -16,7 +16,8 @@ from pathlib import Path
 import pandas as pd
 
 from .contestants import Contestant
-from .large_groups import run_out, worlds_of
+from .economy_worlds import worlds_of
+from .large_groups import run_out
 from .minds import minds_of
 from .results import IN_THE_ECONOMY
 from .worlds import REPORTED_ECONOMY

@@ -10,8 +10,8 @@ that are known; a learned mind has no callings that one could read.) `results/di
 has the numbers, and how well they tell the decisions in worlds for reporting.
 
 Then learned, distilled, evolved and written decide in the same worlds for reporting, a row of
-`results/schemes.csv` for each way, attempt, condition and world; `results/schemes.md` has the
-means. What was judged already is not judged again.
+`results/schemes.csv` for each way, attempt, condition and measure, a column for each world;
+`results/schemes.md` has the means. What was judged already is not judged again.
 """
 
 from __future__ import annotations
@@ -29,10 +29,12 @@ from socialmind.learning.optimisers.registry import optimiser_named
 
 from . import scheme_evolution
 from .contestants import Contestant
-from .large_groups import chosen, in_brackets, paired_interval, signed, worlds_of
+from .economy_worlds import worlds_of
+from .large_groups import chosen
 from .results import IN_THE_ECONOMY
 from .scheme_economy import DECIDING, WRITTEN, SchemeEconomy, chance, numbers_of, reinforced
 from .threshold_scan import CONTROLLERS
+from .told_intervals import in_brackets, paired_interval, signed
 from .trainings import ECONOMY
 from .worlds import CHOOSING_ECONOMY, SCHEME_ECONOMY
 
@@ -43,6 +45,7 @@ GENERATIONS, SETTINGS = 60, {"population": 20, "step": 0.3}
 WATCHED, FEW = 24, 4
 DISTILLED, LEARNED = "distilled from", "learned"
 KEYS = ["way", "attempt", "condition"]
+MEASURES = ["within_one", "changes", "cost"]
 LESSON = "worlds of the lesson"
 CONDITIONS: Mapping[str, Mapping[str, Any]] = {LESSON: {}, **IN_THE_ECONOMY}
 
@@ -245,9 +248,33 @@ def judged(one: Contestant | Floats, condition: str, worlds: Sequence[int]) -> p
     )
 
 
+def write(found: pd.DataFrame, path: Path) -> None:
+    """Write what was judged, a row for each measure and a column for each world."""
+    rows = [
+        {**dict(zip(KEYS, key, strict=True)), "measure": name,
+         **dict(zip(part["world"], part[name].map("{:.6g}".format), strict=True))}
+        for key, part in found.groupby(KEYS, sort=False)
+        for name in MEASURES
+    ]  # fmt: skip
+    path.parent.mkdir(parents=True, exist_ok=True)
+    pd.DataFrame(rows).to_csv(path, index=False, lineterminator="\n")
+
+
+def read(path: Path) -> pd.DataFrame:
+    """Return what was judged, a row for each way, attempt, condition and world."""
+    parts = []
+    for key, part in pd.read_csv(path).groupby(KEYS, sort=False):
+        own = part.set_index("measure").drop(columns=KEYS).T[MEASURES].rename_axis(columns=None)
+        worlds = own.index.astype(int)
+        parts.append(
+            own.reset_index(drop=True).assign(world=worlds, **dict(zip(KEYS, key, strict=True)))
+        )
+    return pd.concat(parts, ignore_index=True)[[*KEYS, "world", *MEASURES]]
+
+
 def judge_all(path: Path, table: pd.DataFrame, worlds: Sequence[int]) -> pd.DataFrame:
     """Judge all that are not judged yet, and keep what comes of it."""
-    found = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=[*KEYS, "world"])
+    found = read(path) if path.is_file() else pd.DataFrame(columns=[*KEYS, "world"])
     found = found[found["world"].isin(worlds)]  # of others nothing is told
     done = set(found[KEYS].itertuples(index=False, name=None))
     for way, attempt, one in entrants(table):
@@ -258,9 +285,8 @@ def judge_all(path: Path, table: pd.DataFrame, worlds: Sequence[int]) -> pd.Data
         ]
         if rows:
             found = pd.concat([found, *rows] if len(found) else rows, ignore_index=True)
-            found = found[[*KEYS, "world", "within_one", "changes", "cost"]]
-            path.parent.mkdir(parents=True, exist_ok=True)
-            found.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+            found = found[[*KEYS, "world", *MEASURES]]
+            write(found, path)
             print(way, attempt, file=sys.stderr, flush=True)
     return found
 

@@ -29,10 +29,10 @@ from numpy.typing import NDArray
 
 from socialmind.catalogue import load_file
 
-from .large_groups import in_brackets
 from .results import NINE
 from .scheme_economy import DECIDING, WRITTEN
 from .threshold_scan import CONTROLLERS, RULES
+from .told_intervals import in_brackets
 from .trainings import ECONOMY, MODEL
 from .worlds import SCHEME_ECONOMY
 

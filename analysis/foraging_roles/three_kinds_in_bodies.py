@@ -21,8 +21,8 @@ import pandas as pd
 from socialmind.learning.episodes.plane_episodes import Episodes
 
 from .foraging_three import CHANCE, GREED, SCHEME, THRESHOLDS, ForagingThree
-from .large_groups import in_brackets
 from .threshold_scan import CONTROLLERS
+from .told_intervals import in_brackets
 from .worlds import REPORTED
 
 RESULTS = Path(__file__).parent / "results"

@@ -12,6 +12,7 @@ from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
 groups = load_file(FOLDER / "large_groups.py")
+zones = load_file(FOLDER / "dead_zones.py")
 study = load_file(FOLDER / "generalisation.py")
 drawing = load_file(FOLDER / "generalisation_figure.py")
 kinds = load_file(FOLDER / "three_kinds.py")
@@ -41,20 +42,20 @@ def test_what_is_seen_agrees_with_what_worlds_count_themselves():
 
 
 def test_uneven_trips_move_payoffs_at_rest_as_far_in_groups_of_any_size():
-    nine, many = (groups.payoffs_at_rest(n, False, range(8), 30_000) for n in (9, 36))
-    even = groups.payoffs_at_rest(36, True, range(8), 30_000)
+    nine, many = (zones.payoffs_at_rest(n, False, range(8), 30_000) for n in (9, 36))
+    even = zones.payoffs_at_rest(36, True, range(8), 30_000)
     assert nine[0] > 1.5 * many[0] > 0  # what chance does within a world becomes less
     assert many[1] > 0.75 * nine[1]  # what is between worlds does not
     assert even[1] < many[1] / 3
 
 
 def test_a_mind_that_keeps_its_role_has_no_end_to_its_dead_zone():
-    mind = groups.MindDescription.load(groups.MODEL / "mind")
+    mind = zones.MindDescription.load(zones.MODEL / "mind")
     stay = np.zeros(39)
     stay[21] = 1.0
     still = mind.with_modules(skills=[mind.skill("ForageRole").changed(genome=stay)])
-    assert np.isnan(groups.dead_zone(still, True, 10))
-    assert 0 < groups.dead_zone(mind, True, 75) <= groups.dead_zone(mind, True, 5)
+    assert np.isnan(zones.dead_zone(still, True, 10))
+    assert 0 < zones.dead_zone(mind, True, 75) <= zones.dead_zone(mind, True, 5)
 
 
 def test_what_was_judged_is_not_judged_again(tmp_path, monkeypatch):
@@ -122,7 +123,7 @@ def test_focal_robots_are_as_many_as_asked_for():
 def test_told_more_sharply_schemes_and_thresholds_are_scaled():
     ways = {one.way: one for one in study.chosen()}
     assert study.deciding(ways["programmed"], 4.0)[0]["tolerance"] == 1.25
-    given = groups.CONTROLLERS["fixed_thresholds"]["lowest_threshold"]
+    given = zones.CONTROLLERS["fixed_thresholds"]["lowest_threshold"]
     assert study.deciding(ways["fixed_thresholds"], 4.0)[0]["lowest_threshold"] == given / 4
 
 
@@ -200,7 +201,7 @@ def test_reports_tell_worlds_that_are_all_alike_with_an_interval():
 
 
 def test_three_kinds_are_collected_by_the_skills_of_two():
-    two = groups.MindDescription.load(groups.MODEL / "mind")
+    two = zones.MindDescription.load(zones.MODEL / "mind")
     three = bodies.mind()
     for name in ("CollectA", "GoToB+Avoid", "Avoid"):
         assert three.skill(name).genome.tolist() == two.skill(name).genome.tolist()
@@ -212,7 +213,7 @@ def test_three_kinds_are_collected_by_the_skills_of_two():
 def test_the_scheme_of_three_kinds_has_the_numbers_of_two():
     two, three = (
         {one.name: one for one in CognitiveScheme.load(file).cognitons}
-        for file in (groups.MODEL / "scheme.yaml", FOLDER / "three_kinds.yaml")
+        for file in (zones.MODEL / "scheme.yaml", FOLDER / "three_kinds.yaml")
     )
     for name in ("CallingA", "CallingB", "PlentyOfA", "PlentyOfB"):
         one, other = two[name], three[name]

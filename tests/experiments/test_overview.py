@@ -2,6 +2,7 @@
 
 import csv
 import shutil
+import sys
 from pathlib import Path
 
 import pytest
@@ -171,6 +172,10 @@ def changed(monkeypatch, tmp_path, name, change, *files, place="KEPT"):
             writer.writerows(rows)
     instead = tmp_path if kept.is_dir() else tmp_path / kept.name
     monkeypatch.setitem(found.__globals__, place, instead)
+    package = found.__globals__["__name__"].rpartition(".")[0]
+    for name, module in list(sys.modules.items()):  # findings may stand on modules beside them
+        if package and name.startswith(f"{package}.") and getattr(module, place, None) == kept:
+            monkeypatch.setattr(module, place, instead)
     return {one.about: one for one in found()}
 
 

@@ -114,7 +114,8 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
             _begin(training, attempt, lessons, folder)
         program = _program(commit, home) if commit else Path.cwd()
         _take_source(folder, program)
-        if _trained(program, home, [module, kept.name, str(attempt), str(folder.absolute())]):
+        words = [module, kept.name, str(attempt), str(folder.absolute())]
+        if _trained(program, home, words, kernels_for(manifest.platforms)):
             raise SocialmindError(f"{folder}: not trained to the end; the same command goes on")
     again = Training(folder)
     results = [
@@ -280,7 +281,21 @@ def _program(commit: str, home: Path) -> Path:
     return folder
 
 
-def _trained(program: Path, home: Path, words: list[str]) -> int:
+def kernels_for(platforms: Sequence[Mapping[str, str]]) -> dict[str, str]:
+    """Return the environment in which OpenBLAS computes as on the machines that led a training.
+
+    It has routines for each kind of processor, which differ in their last bits; through the
+    eigenvectors of CMA-ES an attempt then goes another way. Those for AMD's Zen are Haswell's,
+    which most other processors have too; of other kinds nothing is asked for.
+
+    >>> kernels_for([{"processor": "znver5"}]), kernels_for([{"processor": "sapphirerapids"}])
+    ({'OPENBLAS_CORETYPE': 'Haswell'}, {})
+    """
+    zen = [one.get("processor", "").startswith("znver") for one in platforms]
+    return {"OPENBLAS_CORETYPE": "Haswell"} if zen and all(zen) else {}
+
+
+def _trained(program: Path, home: Path, words: list[str], kernels: Mapping[str, str]) -> int:
     """Go on with a training by another process; return its exit status."""
     script = home / "train.py"
     script.write_text(TRAIN, encoding="utf-8")
@@ -288,7 +303,7 @@ def _trained(program: Path, home: Path, words: list[str]) -> int:
     with subprocess.Popen(
         [sys.executable, str(script.absolute()), *words],
         cwd=program,
-        env={**os.environ, "PYTHONPATH": path},
+        env={**kernels, **os.environ, "PYTHONPATH": path},
     ) as process:
         try:
             return process.wait()

@@ -154,7 +154,7 @@ def test_of_a_training_with_added_lessons_earlier_attempts_are_let_pass(
     save_arrays(first, middle, arrays)
     trained = []
 
-    def train(program, home, words):
+    def train(program, home, words, kernels):
         folder = Path(words[-1])
         manifest = Training(folder).manifest
         plan = tiny_plans.tiny(*[one["name"] for one in manifest.lessons])
