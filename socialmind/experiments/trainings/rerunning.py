@@ -49,6 +49,11 @@ class Again(NamedTuple):
     commit: str = ""
 
 
+KERNELS = {
+    "znver": "Haswell", "rocketlake": "SkylakeX", "skylake-avx512": "SkylakeX",
+    "cascadelake": "SkylakeX", "icelake": "SkylakeX", "sapphirerapids": "SkylakeX",
+}  # fmt: skip
+"""How the processors that LLVM names compute: by which of OpenBLAS's routines."""
 MANY = 10**6
 """Times round a cycle, more than any has."""
 LessonResult = tuple[Path, Mapping[str, Any], Mapping[str, Any]]
@@ -285,14 +290,16 @@ def kernels_for(platforms: Sequence[Mapping[str, str]]) -> dict[str, str]:
     """Return the environment in which OpenBLAS computes as on the machines that led a training.
 
     It has routines for each kind of processor, which differ in their last bits; through the
-    eigenvectors of CMA-ES an attempt then goes another way. Those for AMD's Zen are Haswell's,
-    which most other processors have too; of other kinds nothing is asked for.
+    eigenvectors of CMA-ES an attempt then goes another way. Of kinds that `KERNELS` does not know,
+    or of several, nothing is asked for.
 
-    >>> kernels_for([{"processor": "znver5"}]), kernels_for([{"processor": "sapphirerapids"}])
+    >>> kernels_for([{"processor": "znver5"}]), kernels_for([{"processor": "znver5"}, {}])
     ({'OPENBLAS_CORETYPE': 'Haswell'}, {})
     """
-    zen = [one.get("processor", "").startswith("znver") for one in platforms]
-    return {"OPENBLAS_CORETYPE": "Haswell"} if zen and all(zen) else {}
+    names = [one.get("processor", "") for one in platforms]
+    cores = {core for kind, core in KERNELS.items() for one in names if one.startswith(kind)}
+    known = all(one.startswith(tuple(KERNELS)) for one in names)
+    return {"OPENBLAS_CORETYPE": cores.pop()} if known and len(cores) == 1 else {}
 
 
 def _trained(program: Path, home: Path, words: list[str], kernels: Mapping[str, str]) -> int:
