@@ -6,7 +6,8 @@ both structures spend the same ticks on each of the six, on the first five what 
 on them in the curriculum, and on the last one `COLLECTING` ticks; who learns the final task alone
 spends as many in all. They are judged on common worlds too (`validation`), so that one sees in the
 curve against ticks whether it has levelled off. The monolith had not; so both go on with Collect
-for `LONGER` ticks, in a lesson of its own that begins with large steps again.
+for `LONGER` ticks, and then for `COLLECTING` more, in lessons of their own that begin with large
+steps again.
 """
 
 from __future__ import annotations
@@ -25,7 +26,9 @@ SIX = tuple(LESSONS.curriculum.items)
 CONTEXT, *FURTHER = load_file(model_folder("collect_retrained") / "lessons.py").curriculum.lessons
 """Avoid, as in the thesis (6.2.2), and then more of the hierarchy, learned while Collect steers."""
 MORE = "More of Collect"
-"""The monolith's lesson in place of the first, and the last one where ticks are equal."""
+"""The monolith's lesson in place of the first, and one behind the six where ticks are equal."""
+STILL_MORE = "Still more of Collect"
+"""The last lesson where ticks are equal."""
 AT_ONCE = 320_000_000
 """Ticks of the six lessons together, for learning all at once."""
 LONG = 0.98
@@ -44,9 +47,9 @@ EQUAL = {
 }
 """Ticks of each lesson where the structures have equal ones."""
 LONGER = 400_000_000
-"""Ticks of Collect in the lesson behind those, with steps that come to the same in the end."""
+"""Ticks of Collect in the first lesson behind those."""
 SHORTER = 0.97
-"""How steps narrow in it."""
+"""How steps narrow in it, so that they come to the same in the end."""
 ENDLESS = 10_000
 """Generations that no lesson comes to: its ticks end it."""
 
@@ -129,11 +132,12 @@ def by_ticks(lesson: Lesson) -> Lesson:
 
 
 def and_more(lessons: Sequence[Lesson]) -> Curriculum:
-    """Return lessons of equal length, and more of the last one."""
+    """Return lessons of equal length, and more of the last one, twice."""
     *_, last = lessons
     settings = {**last.settings, "narrowing": SHORTER}
     more = replace(last, name=MORE, budget=LONGER, start="known", settings=settings)
-    return Curriculum((*lessons, more))
+    still_more = replace(last, name=STILL_MORE, start="known")
+    return Curriculum((*lessons, more, still_more))
 
 
 def equal() -> Curriculum:

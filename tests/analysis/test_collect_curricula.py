@@ -36,21 +36,31 @@ def test_both_have_the_same_ticks_in_each_lesson_and_are_ended_by_them():
         for lesson in (one, two):
             generation = lesson.settings["population"] * lesson.repetitions
             assert lesson.generations * generation * lesson.episode_ticks > 10 * lesson.budget
-    assert [one.name for one in ours] == [*curricula.EQUAL, curricula.MORE]
+    assert [one.name for one in ours] == [*curricula.EQUAL, curricula.MORE, curricula.STILL_MORE]
 
 
 def test_the_final_task_alone_has_the_ticks_of_the_six_lessons():
     for name in PLANS:
-        six = [one for one in PLANS[name].curriculum().lessons if one.name != curricula.MORE]
+        six = PLANS[name].curriculum().lessons[:6]
         assert sum(one.budget for one in six) == 866_000_000
 
 
 def test_more_of_collect_goes_on_from_what_collect_taught():
     for name in BOTH:
-        *_, collect, more = PLANS[name].curriculum().lessons
+        *_, collect, more, still_more = PLANS[name].curriculum().lessons
         assert (more.start, more.budget) == ("known", 400_000_000)
-        assert (more.environment, more.validation) == (collect.environment, collect.validation)
-        assert (more.skills, more.finals) == (collect.skills, collect.finals)
+        assert (still_more.start, still_more.budget) == ("known", 600_000_000)
+        for one in (more, still_more):
+            assert (one.environment, one.validation) == (collect.environment, collect.validation)
+            assert (one.skills, one.finals) == (collect.skills, collect.finals)
+
+
+def test_steps_are_narrow_again_at_the_end_of_each_lesson_of_collect():
+    for name in BOTH:
+        for lesson in PLANS[name].curriculum().lessons[5:]:
+            generation = 100 * lesson.repetitions * lesson.episode_ticks  # a population of 100
+            narrowed = lesson.settings["narrowing"] ** (lesson.budget / generation)
+            assert narrowed < 0.1
 
 
 def test_the_last_lesson_is_long_and_seen_on_common_worlds():
