@@ -155,12 +155,17 @@ def all_judged() -> Iterator[Contestant]:
     yield Contestant(HALF, 0, None, {"programmed": 1.0, "tolerance": half})
 
 
+def read(path: Path, worlds: int = WORLDS) -> pd.DataFrame:
+    """Return what is kept of the first worlds; of others nothing is told."""
+    table = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=[*KEYS, "world"])
+    return table[table["world"].isin(SCHEME_ECONOMY[:worlds])]
+
+
 def judge_all(
     path: Path, some: Iterable[Contestant], settings: Sequence[Setting], worlds: int
 ) -> pd.DataFrame:
     """Judge all that are not judged yet, and keep what comes of it after each."""
-    table = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=[*KEYS, "world"])
-    table = table[table["world"].isin(SCHEME_ECONOMY[:worlds])]  # of others nothing is told
+    table = read(path, worlds)
     done = set(table[KEYS].itertuples(index=False, name=None))
     for one in some:
         for setting in settings:
@@ -174,7 +179,7 @@ def judge_all(
             path.parent.mkdir(parents=True, exist_ok=True)
             table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
             print(*key, file=sys.stderr, flush=True)
-    return table
+    return read(path, worlds)  # with the digits that are kept
 
 
 # Reports ------------------------------------------------------------------------------------------
@@ -264,8 +269,8 @@ def main(arguments: Sequence[str]) -> None:
         ]
         print(report(pd.concat(parts, ignore_index=True)))
         return
-    zones = dead_zones(all_judged())
-    zones.round(4).to_csv(RESULTS / "dead_zones.csv", index=False, lineterminator="\n")
+    zones = dead_zones(all_judged()).round(4)
+    zones.to_csv(RESULTS / "dead_zones.csv", index=False, lineterminator="\n")
     spread = spread_of_payoffs(SCHEME_ECONOMY[:WORLDS], TICKS)
     spread.round(5).to_csv(RESULTS / "payoffs_at_rest.csv", index=False, lineterminator="\n")
     table = judge_all(RESULTS / "large_groups.csv", all_judged(), SETTINGS, WORLDS)

@@ -91,6 +91,11 @@ def report(table: pd.DataFrame) -> str:
     return "\n".join(lines) + "\n"
 
 
+def read(path: Path) -> pd.DataFrame:
+    """Return what is kept."""
+    return pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=KEYS)
+
+
 def judge_all(path: Path, ratios: Sequence[str], worlds: Sequence[int]) -> pd.DataFrame:
     """Judge all that are not judged yet, and keep what comes of it after each.
 
@@ -99,7 +104,7 @@ def judge_all(path: Path, ratios: Sequence[str], worlds: Sequence[int]) -> pd.Da
         ratios: those that are judged.
         worlds: their seeds.
     """
-    table = pd.read_csv(path) if path.is_file() else pd.DataFrame(columns=KEYS)
+    table = read(path)
     done = set(table[KEYS].itertuples(index=False, name=None))
     for ratio, event in SETTINGS:
         for way in WAYS:
@@ -108,7 +113,7 @@ def judge_all(path: Path, ratios: Sequence[str], worlds: Sequence[int]) -> pd.Da
                 table = pd.concat([table, found], ignore_index=True) if len(table) else found
                 table.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
                 print(ratio, event, way, file=sys.stderr, flush=True)
-    return table
+    return read(path)  # with the digits that are kept
 
 
 def main(arguments: Sequence[str]) -> None:

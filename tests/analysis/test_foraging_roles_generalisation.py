@@ -16,6 +16,7 @@ zones = load_file(FOLDER / "dead_zones.py")
 study = load_file(FOLDER / "generalisation.py")
 drawing = load_file(FOLDER / "generalisation_figure.py")
 kinds = load_file(FOLDER / "three_kinds.py")
+schemes = load_file(FOLDER / "scheme_distillation.py")
 in_bodies = load_file(FOLDER / "three_kinds_in_bodies.py")
 bodies = sys.modules[f"{in_bodies.__name__}.foraging_three"]
 
@@ -229,3 +230,28 @@ def test_three_kinds_are_fetched_in_bodies():
     assert found["brought"].item() > 2
     assert found["rescues"].item() == 0
     assert 0 <= found["off"].item() <= 6
+
+
+# What is kept -------------------------------------------------------------------------------------
+
+
+def large_groups_report():
+    table = groups.read(groups.RESULTS / "large_groups.csv")
+    kept_zones = pd.read_csv(groups.RESULTS / "dead_zones.csv")
+    return f"{groups.report(table)}\n{groups.beside(table)}\n{zones.by_dead_zone(table, kept_zones)}"
+
+
+REPORTS = {
+    "large_groups": large_groups_report,
+    "generalisation": lambda: study.report(study.read(study.RESULTS / "generalisation.csv")),
+    "schemes": lambda: schemes.report(schemes.read(schemes.RESULTS / "schemes.csv")),
+    "three_kinds": lambda: kinds.report(pd.read_csv(kinds.RESULTS / "three_kinds.csv")),
+    "three_kinds_in_bodies": lambda: in_bodies.report(
+        in_bodies.read(in_bodies.RESULTS / "three_kinds_in_bodies.csv")
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REPORTS)
+def test_a_kept_report_is_that_of_its_kept_table(name):
+    assert (groups.RESULTS / f"{name}.md").read_text(encoding="utf-8") == REPORTS[name]()
