@@ -37,6 +37,8 @@ RINGS = (1.8, 2.6)
 """The radii of the rings around a robot that emits a signal, over its own."""
 CORNERS = 24
 """Corners of a ring."""
+BESIDE = 10.0
+"""Points from a robot to the middle of its name, and from that to another robot at least."""
 FOOT = 13.0
 """Points of room that the line below the Axes needs: the tick, and the scale."""
 
@@ -96,13 +98,18 @@ class Picture:
         )  # fmt: skip
         self._scale = self._new_scale()
         self._name = ax.annotate(
-            "", (0.0, 0.0), xytext=(0.0, 7.0), textcoords="offset points", size=8, weight="bold",
-            color=look.ink, ha="center", zorder=7, annotation_clip=True,
+            "", (0.0, 0.0), xytext=(0.0, BESIDE), textcoords="offset points", size=8, weight="bold",
+            color=look.ink, ha="center", va="center", zorder=7, annotation_clip=True,
             bbox={"boxstyle": "round,pad=0.1", "facecolor": look.ground, "linewidth": 0},
         )  # fmt: skip
         self._named = named
         self._sensing = sensing
         self.show(scene)
+
+    @property
+    def view(self) -> tuple[float, float, float]:
+        """The middle of what is in view, and half its width."""
+        return self._view
 
     def show(self, scene: Scene, paths: Paths | None = None) -> None:
         """Show another moment of the same plane.
@@ -173,12 +180,29 @@ class Picture:
         drawn.set(offsets=discs[:, :2], widths=widths, heights=widths, angles=[0.0] * len(widths))
 
     def _put_name(self, scene: Scene) -> None:
-        """Write the identity of the robot that is looked at above it, where it is wanted."""
+        """Write the identity of the robot that is looked at beside it, where it is wanted.
+
+        It stands above the robot, or on another side where another robot is in the way.
+        """
         team, identity = self._robot or (None, None)
         robot = scene.robot(identity, team) if self._named else None
         self._name.set_text("" if robot is None else str(robot.identity))
-        if robot is not None:
-            self._name.xy = robot.x, robot.y
+        if robot is None:
+            return
+        self._name.xy = robot.x, robot.y
+        unit = self._width() / (2.0 * self._view[2])
+        others = [
+            (unit * (one.x - robot.x), unit * (one.y - robot.y))
+            for one in scene.robots
+            if one is not robot
+        ]
+        sides = [(0.0, BESIDE), (0.0, -BESIDE), (-BESIDE, 0.0), (BESIDE, 0.0)]
+        room = [
+            min((math.dist(side, other) for other in others), default=BESIDE) for side in sides
+        ]
+        # The first side with room enough, or the one with most.
+        free = next((at for at, most in enumerate(room) if most >= BESIDE), int(np.argmax(room)))
+        self._name.set_position(sides[free])
 
     def _visible(self, radius: float) -> float:
         """Return a radius that can be seen, in units of the plane."""
@@ -259,7 +283,7 @@ class Picture:
         length = _round_length(half / 3)
         share = length / (2 * half)
         bar.set_xdata([1.0 - share, 1.0])
-        text.set(text=f"{length:g}", x=1.0 - share - 3.0 / self._width())
+        text.set(text=f"{length:g} {'unit' if length == 1 else 'units'}", x=1.0 - share - 3.0 / self._width())
 
     def _in_use(self, scene: Scene) -> tuple[float, float, float]:
         """Return the middle and half-width of what holds all bodies, and what was shown before."""
@@ -301,30 +325,40 @@ class Picture:
         return float(self.ax.get_window_extent().width) * 72.0 / root.dpi
 
 
-def key_of(scene: Scene, look: Look = PAPER, robots: bool = True) -> list[Artist]:
+def key_of(
+    scene: Scene,
+    look: Look = PAPER,
+    robots: bool = True,
+    view: tuple[float, float, float] | None = None,
+) -> list[Artist]:
     """Return marks for a legend: what the discs and squares of a scene are.
 
     Args:
         scene: what is drawn.
         look: in which colours.
         robots: whether robots are told of, where nobody else does.
+        view: the middle of what is in view, and half its width; what is outside it is left out.
     """
     dot: dict[str, Any] = {"linestyle": "none", "marker": "o", "markersize": 4.5}
     square = {**dot, "marker": "s", "markersize": 5.5}
-    teams = dict.fromkeys(one.team for one in scene.robots) if robots else {}
+    teams: dict[str, list[list[float]]] = {}
+    for one in scene.robots if robots else ():
+        teams.setdefault(one.team, []).append([one.x, one.y, one.radius])
     marks: list[Artist] = [
         Line2D([], [], label=_said(name), color=colour, markeredgecolor=look.rim,
                markeredgewidth=0.5, **dot)
-        for names, colours in ((teams, look.robots), (scene.objects, look.objects))
-        for name, colour in zip(names, cycle(colours), strict=False)
+        for groups, colours in ((teams, look.robots), (scene.objects, look.objects))
+        for (name, discs), colour in zip(groups.items(), cycle(colours), strict=False)
+        if _in_view(np.asarray(discs), 2, view)
     ]  # fmt: skip
     marks += [
         Patch(label=_said(name), facecolor=(colour, 0.3), edgecolor=colour, hatch=hatch)
-        for name, colour, hatch in zip(
-            scene.zones, cycle(look.zones), cycle(look.zone_hatches), strict=False
+        for (name, squares), colour, hatch in zip(
+            scene.zones.items(), cycle(look.zones), cycle(look.zone_hatches), strict=False
         )
+        if _in_view(squares, 3, view)
     ]
-    if len(scene.obstacles):
+    if len(scene.obstacles) and _in_view(scene.obstacles, 3, view):
         marks.append(
             Line2D([], [], label="obstacles", color=look.obstacle,
                    markeredgecolor=look.obstacle_edge, **square)
@@ -352,6 +386,20 @@ def sensed_key(scenes: Sequence[Scene], look: Look = PAPER) -> list[Line2D]:
         marks.append(Line2D([], [], color=look.path, linestyle="none", label="emits a signal",
                             **ring))  # fmt: skip
     return marks
+
+
+def _in_view(places: Floats, size: int, view: tuple[float, float, float] | None) -> bool:
+    """Say whether any of some bodies, whose half-widths stand in column `size`, is in view.
+
+    Without a view all are, also where there are none yet.
+    """
+    if view is None:
+        return True
+    if not len(places):
+        return False
+    x, y, half = view
+    away = np.abs(places[:, :2] - (x, y)).max(axis=1)
+    return bool((away < half + places[:, size]).any())
 
 
 def _said(name: str) -> str:

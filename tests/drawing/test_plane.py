@@ -151,10 +151,10 @@ def test_without_borders_all_that_was_in_use_is_shown():
 
 def test_the_line_below_tells_tick_scale_and_end():
     drawn = picture(scene(1234))
-    assert texts(drawn) == ["tick 1,234", "5", ""]
+    assert texts(drawn) == ["tick 1,234", "5 units", ""]
     drawn.show(scene(1300, over="collision"))
     assert texts(drawn)[0] == "tick 1,300 · collision"
-    assert texts(picture(scene(), around=4.0))[1] == "1"
+    assert texts(picture(scene(), around=4.0))[1] == "1 unit"
 
 
 def test_a_robot_in_a_wide_arena_can_still_be_seen():
@@ -193,3 +193,23 @@ def test_kinds_of_zones_differ_without_colours():
 def test_the_key_tells_of_what_is_drawn_around_robots():
     told = [mark.get_label() for mark in sensed_key([scene()])]
     assert told == ["range finders", "sensed targets"]
+
+
+def test_the_key_tells_of_what_is_in_view_alone():
+    places = np.array([[30.0, 0.0, 0.0, 3.0]])
+    whole = scene(zones={"drop_zones": places})
+    labels = [mark.get_label() for mark in key_of(whole, view=(0.0, 0.0, 27.5))]
+    assert "drop zones" in labels
+    assert "drop zones" not in [mark.get_label() for mark in key_of(whole, view=(0.0, 0.0, 26.5))]
+
+
+def test_the_name_of_a_robot_stands_where_no_other_robot_does():
+    one, above = (RobotSeen("robots", at, 0.0, 0.8 * at, 0.0, 0.2) for at in (0, 1))
+
+    def beside(*robots):
+        drawn = Picture(Figure((2, 2)).add_subplot(), scene(robots=robots), PAPER, named=True,
+                        robot=("robots", 0))  # fmt: skip
+        return drawn._name.get_position()
+
+    assert beside(one)[1] > 0
+    assert beside(one, above)[1] < 0

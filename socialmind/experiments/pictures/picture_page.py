@@ -56,6 +56,8 @@ class Style:
             them its type is larger.
         plane_first: whether the plane stands at the left of the hierarchy, as in figures 7.5 and
             8.3 of the thesis, in place of its right, as in figure 6.6.
+        rows: moments that a page is to have room for, which says how high each is at most; as many
+            as are on it by default.
     """
 
     look: str | None = None
@@ -66,6 +68,7 @@ class Style:
     width: int | None = None
     inputs: bool = True
     plane_first: bool = False
+    rows: int | None = None
 
 
 class Page:
@@ -97,9 +100,11 @@ class Page:
         width = self._points(suffix)
         self._film = suffix in MOTION
         self._ratio = 0.0
+        self._reads_variables = False
         if repeated.mind is not None:
             plan = planned(repeated.mind, key=self._film, known=True, inputs=style.inputs)
             self._ratio = min(max(plan.width / plan.height, SLENDEREST), WIDEST)
+            self._reads_variables = any(name.startswith("VA:") for name, _ in plan.readings)
         gaps = (3 if self._ratio else 2) * GAP
         # The hierarchy's panel is as high as the plane's with the line below it.
         self._side = (width - gaps - self._ratio * FOOT) / (1.0 + self._ratio)
@@ -107,7 +112,7 @@ class Page:
         self._columns = max(2, int(width / MARK))
         self._foot = 0.0 if self._film else self._key_height()
         if style.width is None and not self._film:
-            highest = (HIGHEST / 25.4 * 72 - self._foot - GAP) / rows - around
+            highest = (HIGHEST / 25.4 * 72 - self._foot - GAP) / (style.rows or rows) - around
             if self._side > highest:
                 self._side = highest
                 width = self._side + self._ratio * (self._side + FOOT) + gaps
@@ -197,10 +202,16 @@ class Page:
     def _draw_key(self) -> None:
         """Say below the moments what their marks, and the hierarchy's colours, are."""
         path = Line2D([], [], color=self._look.path, linewidth=1.2, label="path")
-        marks = [*key_of(self._scenes[0], self._look), path, *sensed_key(self._scenes, self._look)]
+        in_view = {
+            mark.get_label()
+            for (picture, _), scene in zip(self._pictures, self._scenes, strict=True)
+            for mark in key_of(scene, self._look, view=picture.view)
+        }
+        marks = [one for one in key_of(self._scenes[0], self._look) if one.get_label() in in_view]
+        marks += [path, *sensed_key(self._scenes, self._look)]
         several: list[Sequence[Artist]] = [marks]
         if self._repeated.mind is not None:
-            several.insert(0, influence_key())
+            several.insert(0, influence_key(self._reads_variables))
         across, down = self._size
         for row, handles in enumerate(several):
             self.figure.legend(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from socialmind.drawing import style as paper
@@ -103,6 +104,7 @@ def draw_steps(
         SocialmindError: as for `draw_moments`.
     """
     written = []
+    style = replace(style, rows=rows)  # on the last page they are as large as on the others
     for number, begin in enumerate(range(0, len(ticks), rows), 1):
         page = f"{out}-{number}" if number > 1 else str(out)
         part = slice(begin, begin + rows)

@@ -38,6 +38,8 @@ EDGE = {"SK": "#6e6e6e", "SE": "#2564ae", "VA": "#b88a00", "MO": "#b22b19"}
 """Their outlines, and the lines of what skills read."""
 UNKNOWN = "#8c8c8c"
 """Links before the first evaluation."""
+VARIABLE_STYLE = (0, (4, 2))
+"""Of the lines to what reads a variable."""
 INK = "#222222"
 
 COMFORTABLE, SMALLEST, LARGEST = 7.0, 5.0, 9.0
@@ -101,10 +103,12 @@ class HierarchyPicture:
             ax = figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.ax = ax
         self._size = size = _fitted(ax, plan)
+        # Smaller than the names, but to be read.
+        self._number = min(max(0.8 * size, SMALLEST), size)
         for (module, _), curve in plan.readings.items():
             look: dict[str, Any] = {"alpha": 0.45}
             if module.startswith("VA:"):
-                look = {"alpha": 0.9, "linestyle": (0, (4, 2))}
+                look = {"alpha": 0.9, "linestyle": VARIABLE_STYLE}
             _line(ax, _path(curve), EDGE[module[:2]], 0.07 * size, 1.0, **look)
         self._links: dict[tuple[str, str], tuple[PathPatch, PathPatch]] = {}
         for link, curve in plan.routes.items():
@@ -161,7 +165,8 @@ class HierarchyPicture:
                 continue
             if text == "0.00":
                 continue
-            half = 0.8 * text_width(text) / 2 + 0.1, 0.45
+            ems = self._number / self._size
+            half = ems * text_width(text) / 2 + 0.1, 0.56 * ems
             free = [
                 (x, y)
                 for x, y in own
@@ -185,18 +190,26 @@ class HierarchyPicture:
                 x, y = min(free, key=covered.__getitem__)
                 self._taken.append((x, y, *half))
                 self._labels[link] = self.ax.text(
-                    x, y, text, size=0.8 * self._size, color=INK, ha="center", va="center",
+                    x, y, text, size=self._number, color=INK, ha="center", va="center",
                     zorder=4,
                     bbox={"boxstyle": "square,pad=0.08", "facecolor": "white", "edgecolor": "none"},
                 )  # fmt: skip
 
 
-def influence_key() -> list[Line2D]:
-    """Return marks for a legend of several hierarchies: what the colours of links say."""
+def influence_key(variables: bool = False) -> list[Line2D]:
+    """Return marks for a legend of several hierarchies: what the colours of links say.
+
+    Args:
+        variables: whether lines to what reads a variable are told of.
+    """
     marks: list[Line2D] = [
-        Line2D([], [], color=INFLUENCE(sent), linewidth=2.0, label=f"influence {sent:.0f}")
-        for sent in (0.0, 1.0)
+        Line2D([], [], color=INFLUENCE(sent), linewidth=2.0, label=label)
+        for sent, label in ((0.0, "influence 0"), (1.0, "influence 1 or more"))
     ]
+    if variables:
+        marks.append(
+            Line2D([], [], color=EDGE["VA"], linestyle=VARIABLE_STYLE, label="reads a variable")
+        )
     told = "centre of a link: given; edge: transmitted"
     return [*marks, Line2D([], [], linestyle="none", label=told)]
 
