@@ -197,9 +197,7 @@ class Picture:
             if one is not robot
         ]
         sides = [(0.0, BESIDE), (0.0, -BESIDE), (-BESIDE, 0.0), (BESIDE, 0.0)]
-        room = [
-            min((math.dist(side, other) for other in others), default=BESIDE) for side in sides
-        ]
+        room = [min((math.dist(side, other) for other in others), default=BESIDE) for side in sides]
         # The first side with room enough, or the one with most.
         free = next((at for at, most in enumerate(room) if most >= BESIDE), int(np.argmax(room)))
         self._name.set_position(sides[free])
@@ -283,7 +281,10 @@ class Picture:
         length = _round_length(half / 3)
         share = length / (2 * half)
         bar.set_xdata([1.0 - share, 1.0])
-        text.set(text=f"{length:g} {'unit' if length == 1 else 'units'}", x=1.0 - share - 3.0 / self._width())
+        text.set(
+            text=f"{length:g} {'unit' if length == 1 else 'units'}",
+            x=1.0 - share - 3.0 / self._width(),
+        )
 
     def _in_use(self, scene: Scene) -> tuple[float, float, float]:
         """Return the middle and half-width of what holds all bodies, and what was shown before."""

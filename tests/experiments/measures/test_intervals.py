@@ -71,7 +71,7 @@ def test_a_ratio_to_nothing_is_no_number():
     assert some.mean == 0.5 and some.low == 0.5
 
 
-@given(st.lists(st.floats(0, 1), min_size=2, max_size=30))
+@given(st.lists(st.floats(0, 1), min_size=intervals.FEW, max_size=30))
 @settings(max_examples=30)
 def test_it_stays_within_what_was_seen_and_repeats_itself(values):
     found = interval_of(values)
@@ -84,6 +84,33 @@ def test_units_make_no_difference(unit):
     values = np.array([0.0, 0.0, 1.0, 5.0, 7.0])
     found, scaled = interval_of(values), interval_of(values * unit)
     assert (scaled.low / unit, scaled.high / unit) == pytest.approx((found.low, found.high))
+
+
+@given(st.lists(st.floats(0, 1), min_size=2, max_size=intervals.FEW - 1))
+@settings(max_examples=30)
+def test_of_a_handful_it_is_that_by_students_t(values):
+    found = interval_of(values)
+    error = stats.sem(values)
+    expected = stats.t.interval(0.95, len(values) - 1, np.mean(values), error) if error else [0, 0]
+    if error > 1e-9:
+        assert (found.low, found.high) == pytest.approx(expected, rel=1e-6)
+    combined = interval_of(np.reshape(values, (-1, 1)), combine=lambda mean: mean)
+    assert (combined.low, combined.high) == pytest.approx((found.low, found.high), abs=1e-6)
+
+
+@pytest.mark.parametrize("size", [3, 5])
+def test_of_a_handful_it_holds_the_mean_as_often_as_it_says(size):
+    rng = np.random.default_rng(8)
+    found = [interval_of(rng.normal(0.0, 1.0, size)) for _ in range(2000)]
+    assert np.mean([one.low <= 0.0 <= one.high for one in found]) == pytest.approx(0.95, abs=0.015)
+
+
+@pytest.mark.parametrize("free", [1, 2, 3, 4, 5, 30, 31])
+def test_students_quantile_is_that_of_scipy(free):
+    for level in (0.5, 0.95, 0.999):
+        assert intervals.student(level, free) == pytest.approx(
+            stats.t.ppf((1 + level) / 2, free), rel=1e-8
+        )
 
 
 def test_more_numbers_and_lower_levels_make_it_narrower():
@@ -199,7 +226,7 @@ def test_numbers_around_0_are_tied_as_others_are():
 
 
 def test_where_nothing_lies_below_there_is_an_interval():
-    found = interval_of([1.0, 2.0, 3.5, 1.5], combine=lambda mean: (mean - 2.0) ** 2)
+    found = interval_of([1.0, 2.0, 3.5, 1.5, 2.5, 1.5], combine=lambda mean: (mean - 2.0) ** 2)
     assert found.mean == 0.0 and 0.0 <= found.low <= found.high < 1.0
 
 

@@ -67,5 +67,7 @@ def test_steps_go_on_pages_that_fit_a_journal_with_a_key(folder, tmp_path):
         assert image.mode == "P"
         assert image.size[1] / image.info["dpi"][1] * 25.4 <= HIGHEST + 0.1
     text = draw_moments(folder, tmp_path / "x.svg", (0, 20), style).read_text()
-    assert {"robots", "path", "range finders", "influence 1 or more"} <= set(re.findall(">([^<>]+)<", text))
+    assert {"robots", "path", "range finders", "influence 1 or more"} <= set(
+        re.findall(">([^<>]+)<", text)
+    )
     assert "RADBALL" not in text
