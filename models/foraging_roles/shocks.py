@@ -15,6 +15,11 @@ def shock(market, model, rng):
             if left > 0 and robot.is_b == (model.removed_role == 1):
                 robot.die()
                 left -= 1
+        # Where too few have the role others go, so that all worlds lose as many.
+        for robot in model.robots:
+            if left > 0 and robot.is_b != (model.removed_role == 1):
+                robot.die()
+                left -= 1
         begin_anew(model)
     if model.tick == model.add_at:
         for _ in range(model.shift):

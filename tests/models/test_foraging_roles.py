@@ -157,14 +157,17 @@ def test_what_is_wanted_can_be_set_at_any_time():
 
 
 @pytest.mark.parametrize("role", [0, 1])
-def test_robots_of_a_role_are_taken_away(role):
-    model = ForagingRoles(seed=1, start=3, remove_at=5, removed_role=role, hierarchy=staying())
+@pytest.mark.parametrize("shift", [3, 7])
+def test_robots_are_taken_away_of_one_role_as_long_as_it_has_any(role, shift):
+    given = {"removed_role": role, "shift": shift}
+    model = ForagingRoles(seed=1, start=2, remove_at=5, **given, hierarchy=staying())
     model.advance(4)
     before = {0: 9 - model.in_b, 1: model.in_b}
     model.advance(3)
     after = {0: len(model.robots) - model.in_b, 1: model.in_b}
-    assert after[role] == max(before[role] - 3, 0)
-    assert after[1 - role] == before[1 - role]
+    others = max(shift - before[role], 0)
+    assert after == {role: max(before[role] - shift, 0), 1 - role: before[1 - role] - others}
+    assert sum(after.values()) == 9 - shift
 
 
 def test_robots_are_added_and_work():
