@@ -178,7 +178,7 @@ def _means_of_resamples(sample: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def widened(level: float, n: int) -> float:
-    """Return how many standard errors the bootstrap of `FEW` numbers or more reaches to either side.
+    """Return how many standard errors a bootstrap of `FEW` numbers or more reaches either way.
 
     >>> round(widened(0.95, 21), 3)  # t = 2.086 of 20 degrees of freedom, and √(21 / 20)
     2.137
@@ -207,7 +207,7 @@ def student(level: float, free: int) -> float:
 
 
 def _within(angle: float, free: int) -> float:
-    """Return how probable |t| < √free · tan(angle) is (Abramowitz and Stegun, 26.7.3 and 26.7.4)."""
+    """Return how probable |t| < √free · tan(angle) is (Abramowitz & Stegun, 26.7.3 and 26.7.4)."""
     sine, cosine = math.sin(angle), math.cos(angle)
     if free % 2:
         term, total = cosine, 0.0
