@@ -9,7 +9,7 @@ from typing import Any
 from socialmind.learning import Training
 from socialmind.mind import MindDescription
 
-from . import choosing, choosing_again
+from . import choosing, choosing_again, scheme_evolution
 from .role_trainings import PLANS
 from .trainings import kept, mind_of
 
@@ -35,8 +35,30 @@ def minds_of(lesson: str) -> Mapping[int, MindDescription]:
     return {attempt: training.mind(attempt) for attempt in training.finished}
 
 
+def attempts_at(lesson: str) -> list[int]:
+    """Return the numbers of the attempts at a lesson, or at fitting the scheme, that are kept."""
+    return sorted(scheme_evolution.kept() if lesson == scheme_evolution.NAME else minds_of(lesson))
+
+
+def decided_by(lesson: str, attempt: int) -> tuple[dict[str, Any], MindDescription | None]:
+    """Return by what robots of an attempt decide.
+
+    Args:
+        lesson: as that of `minds_of`, or `evolved_scheme`.
+        attempt: its number.
+
+    Returns:
+        Parameters of the model, and the mind; None where a scheme decides.
+    """
+    if lesson == scheme_evolution.NAME:
+        return scheme_evolution.programmed(scheme_evolution.kept()[attempt]), None
+    return {}, minds_of(lesson)[attempt]
+
+
 def command_for(lesson: str) -> str:
     """Return the command that makes a lesson's minds."""
+    if lesson == scheme_evolution.NAME:
+        return "python -m analysis.foraging_roles.scheme_evolution"
     if lesson in CHOICES:
         return f"python -m analysis.foraging_roles.{CHOICES[lesson].__name__.rpartition('.')[2]}"
     trained = "role_trainings" if lesson in PLANS else "trainings"

@@ -1,6 +1,6 @@
 """The programmed fitted too: the scheme's numbers fitted as the networks' weights are.
 
-python -m analysis.foraging_roles.scheme_evolution [ATTEMPTS]     # or gone on with; 3 by default
+python -m analysis.foraging_roles.scheme_evolution [ATTEMPTS]     # or gone on with; 10 by default
 python -m analysis.foraging_roles.scheme_evolution --quick
 
 Optimiser, individuals, worlds, generations and finals are those of the lesson `supervised_role`;
@@ -27,7 +27,7 @@ from socialmind.learning.training import archive
 from socialmind.learning.training.finalists import Finalists, Individual
 from socialmind.runs.arrays_file import load_arrays, save_arrays
 
-from .scheme_economy import WRITTEN, SchemeEconomy, numbers_of
+from .scheme_economy import WRITTEN, SchemeEconomy, numbers_of, scheme_of
 from .trainings import LESSONS
 from .worlds import TRAINING
 
@@ -35,7 +35,7 @@ FOLDER = Path(__file__).parent
 OUT = FOLDER / "results" / "evolved_schemes.csv"
 HOME = FOLDER / "trainings" / "evolved_scheme"
 NAME = "evolved_scheme"
-ATTEMPTS = 3
+ATTEMPTS = 10
 
 
 class Search:
@@ -127,6 +127,12 @@ def kept(path: Path = OUT) -> Mapping[int, np.ndarray]:
     table = pd.read_csv(path)
     rows = table[list(WRITTEN)].to_numpy()
     return dict(zip(table["attempt"].astype(int).tolist(), rows, strict=True))
+
+
+def programmed(numbers: np.ndarray) -> dict[str, Any]:
+    """Return the parameters of robots whose scheme has other numbers, in the order of `WRITTEN`."""
+    tolerance = float(dict(zip(WRITTEN, numbers.tolist(), strict=True))["tolerance"])
+    return {"programmed": 1.0, "tolerance": tolerance, "scheme": scheme_of(numbers)}
 
 
 def main(arguments: Sequence[str]) -> None:

@@ -11,6 +11,7 @@ from socialmind.learning import Training
 from .societies import SOCIETIES, TRAINED, Size
 
 CHOOSING = load_file(TRAINED / "choosing_again.py")
+MINDS = load_file(TRAINED / "minds.py")
 TRAININGS = load_file(TRAINED / "trainings.py")
 FIRST = CHOOSING.choosing
 
@@ -57,7 +58,8 @@ def given(lesson: str) -> tuple[list[list[float]], float]:
         return [[kept[one] for one in several] for several in own], _ticks_of_choosing() / len(own)
     if lesson in plans:
         return [[one] for one in _ticks(lesson).values()], 0.0
-    return [[_ticks_of_plan()]] * (len(TRAININGS.kept().get(lesson, [])) or 1), 0.0
+    several = len(MINDS.attempts_at(lesson)) if lesson != "learned" else 1
+    return [[_ticks_of_plan()]] * several, 0.0
 
 
 def _ticks(trained: str) -> dict[int, float]:

@@ -106,7 +106,7 @@ def attempts_at(lesson: str, size: Size) -> list[int]:
     Raises:
         SocialmindError: none is kept; it says what makes them.
     """
-    found = sorted(MINDS.minds_of(lesson))[: size.attempts]
+    found = MINDS.attempts_at(lesson)[: size.attempts]
     if not found:
         what = f"no attempt at {lesson} is kept in analysis/foraging_roles/results"
         raise SocialmindError(f"{what}; {MINDS.command_for(lesson)} makes them")
@@ -206,9 +206,10 @@ def imported(first: Path) -> list[Path]:
 
 
 def _weights(lesson: str, attempt: int) -> list[Any]:
-    mind = MINDS.minds_of(lesson)[attempt] if lesson else None
+    own, mind = MINDS.decided_by(lesson, attempt) if lesson else ({}, None)
     skills = [] if mind is None else mind.skills.values()
-    return [(one.name, one.genome.tolist()) for one in skills if one.genome is not None]
+    genomes = [(one.name, one.genome.tolist()) for one in skills if one.genome is not None]
+    return [*own.items(), *genomes]
 
 
 def _file(folder: Path, table: str, seeds: range) -> Path:

@@ -69,6 +69,12 @@ SOCIETIES = {
             CONTROLLERS["reinforced_thresholds"], paper.TEAL, (0, (4, 2)),
         ),
         Society(
+            "evolved", "scheme, evolved",
+            "the same scheme, its eight numbers fitted by the optimiser, in the worlds and by the "
+            "loss of the supervised lesson, in place of somebody's",
+            {"programmed": 1.0}, paper.RED, (0, (4, 2)), lesson="evolved_scheme",
+        ),
+        Society(
             "delivered", "learned by deliveries",
             "the skill ForageRole of a hierarchy, learned by all robots as one genome from what "
             "they bring home; CollectSelect was learned before (lesson `delivered_anew`)",

@@ -57,8 +57,8 @@ def lived(
         learned; `spells`, the roles of each robot.
     """
     half = ticks // 2
-    mind = MINDS.minds_of(lesson)[attempt] if lesson else None
-    model = RULES.ForagingByThresholds(seed=seed, hierarchy=mind, **parameters)
+    own, mind = MINDS.decided_by(lesson, attempt) if lesson else ({}, None)
+    model = RULES.ForagingByThresholds(seed=seed, hierarchy=mind, **{**parameters, **own})
     before = watched(model, range(0, half, EVERY))
     model.advance(half - 1 - model.tick)  # what happens does so in the tick that ends at half-time
     state = model.state()

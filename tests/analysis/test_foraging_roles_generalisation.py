@@ -238,7 +238,9 @@ def test_three_kinds_are_fetched_in_bodies():
 def large_groups_report():
     table = groups.read(groups.RESULTS / "large_groups.csv")
     kept_zones = pd.read_csv(groups.RESULTS / "dead_zones.csv")
-    return f"{groups.report(table)}\n{groups.beside(table)}\n{zones.by_dead_zone(table, kept_zones)}"
+    return (
+        f"{groups.report(table)}\n{groups.beside(table)}\n{zones.by_dead_zone(table, kept_zones)}"
+    )
 
 
 REPORTS = {
