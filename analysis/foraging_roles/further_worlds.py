@@ -29,10 +29,9 @@ from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError, nearest
 from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
 from socialmind.experiments.measures.intervals import Interval, share_interval
-from socialmind.mind import MindDescription
 
 from . import choosing, choosing_again
-from .minds import minds_of
+from .minds import attempts_at, decided_by
 from .threshold_scan import CONTROLLERS
 from .trainings import MODEL
 
@@ -47,14 +46,17 @@ WAYS: Mapping[str, str] = {
     "like_bodies": "by deliveries like bodies, every training, nothing chosen",
     "supervised_role": "supervised",
     "programmed": "the written scheme",
+    "evolved_scheme": "the scheme, evolved",
     "fixed_thresholds": "fixed thresholds",
     "reinforced_thresholds": "reinforced thresholds",
 }
 """What they are called in the table."""
 UNLEARNED: Mapping[str, Mapping[str, float]] = {"programmed": {"programmed": 1.0}, **CONTROLLERS}
 """Parameters of the ways that nobody learned, by name."""
+LEARNED = ("delivered_anew", "chosen_again", "like_bodies", "supervised_role")
 COMPARED = (
-    *((way, "programmed") for way in ("delivered_anew", "chosen_again", "supervised_role")),
+    *product((*LEARNED, "evolved_scheme"), ("programmed",)),
+    *product(LEARNED, ("fixed_thresholds", "reinforced_thresholds")),
     ("chosen_again", "delivered_anew"),
     ("like_bodies", "delivered_anew"),
     ("delivered_anew", "supervised_role"),
@@ -67,11 +69,12 @@ def run(ways: Iterable[str], path: Path = OUT) -> None:
     for way in ways:
         if way not in WAYS:
             raise SocialmindError(f"no way called {way!r}; {nearest(way, WAYS)}")
-        for attempt, mind in _minds(way).items():
+        for attempt in _attempts(way):
+            own, mind = decided_by(way, attempt) if attempt else (UNLEARNED[way], None)
             for condition in CONDITIONS:
                 if (way, attempt, condition) in read(path).index:
                     continue
-                given = {**UNLEARNED.get(way, {}), **choosing.CONDITIONS[condition]}
+                given = {**own, **choosing.CONDITIONS[condition]}
                 rules = THRESHOLDS if way in CONTROLLERS else choosing.RULES.ForagingByDeliveries
                 within = choosing.each_settles(mind, given, WORLDS, rules=rules)
                 row = ",".join([way, str(attempt), condition, *map(str, within.astype(int))])
@@ -83,9 +86,9 @@ def run(ways: Iterable[str], path: Path = OUT) -> None:
                 print(way, attempt, condition, within.mean(), file=sys.stderr, flush=True)
 
 
-def _minds(way: str) -> Mapping[int, MindDescription | None]:
-    """Return the minds of a way's attempts; the model's where nobody learned."""
-    return {0: None} if way in UNLEARNED else minds_of(way)
+def _attempts(way: str) -> list[int]:
+    """Return the numbers of a way's attempts; 0 where nobody learned."""
+    return [0] if way in UNLEARNED else attempts_at(way)
 
 
 def read(path: Path = OUT) -> pd.DataFrame:
@@ -101,7 +104,7 @@ def complete(table: pd.DataFrame) -> list[str]:
     return [
         way
         for way in WAYS
-        if known.issuperset(product([way], _minds(way), CONDITIONS)) and _minds(way)
+        if known.issuperset(product([way], _attempts(way), CONDITIONS)) and _attempts(way)
     ]
 
 

@@ -1,6 +1,9 @@
-"""What each lesson of the page was given: attempts, trainings, and ticks of worlds."""
+"""What each lesson of the page was given, and paid for: trainings, ticks of worlds, its loss."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -14,6 +17,17 @@ CHOOSING = load_file(TRAINED / "choosing_again.py")
 MINDS = load_file(TRAINED / "minds.py")
 TRAININGS = load_file(TRAINED / "trainings.py")
 FIRST = CHOOSING.choosing
+TERMS: Mapping[str, str] = {
+    "off": "being away from the wanted split, all robots all the time",
+    "off_late": "the same when there was time to settle",
+    "out_late": "being more than one robot away then",
+    "unsettled": "ever being so in the last quarter",
+    "change": "a change of role for each robot and 10,000 ticks, then",
+    "turns": "a change of what a robot brings, at any time",
+    "counts": "the counts’ share of B being away from the wanted one",
+    "missing": "objects not brought home, all of them",
+}
+"""What a loss is made of, in words."""
 
 
 def budgets(size: Size) -> pd.DataFrame:
@@ -80,3 +94,27 @@ def _ticks_of_plan() -> float:
     one = TRAININGS.LESSONS.lesson
     worlds = one.settings["population"] * one.repetitions * one.generations
     return float((worlds + one.finalists * one.finals) * TRAININGS.ECONOMY.Economy.ticks)
+
+
+def losses() -> pd.DataFrame:
+    """Return what costs a lesson how much, a row for each term of a loss and a column a society.
+
+    Of a lesson with several parts it is the last one's, which its mind comes from.
+    """
+    found: dict[str, dict[str, float]] = {}
+    for one in SOCIETIES.values():
+        if not one.lesson:
+            continue
+        own = {**vars(TRAININGS.ECONOMY.Terms()), **_terms(one.lesson)}
+        found[one.name] = {term: float(own.get(term, 0.0)) for term in TERMS}
+    return pd.DataFrame(found)
+
+
+def _terms(lesson: str) -> Mapping[str, Any]:
+    """The terms in which a lesson differs from the model's own."""
+    trained = FIRST.TRAINED if lesson == CHOOSING.NAME else lesson
+    if trained in FIRST.PLANS:
+        *_, last = FIRST.PLANS[trained].curriculum().lessons
+        judged_by_deliveries = "Delivery" in last.environment.__name__
+        return {"missing": 1.0 if judged_by_deliveries else 0.0, **last.parameters}
+    return dict(TRAININGS.PLANS[lesson].terms) if lesson in TRAININGS.PLANS else {}

@@ -16,7 +16,7 @@ check does not hold, in another run or with other seeds, the page says so in the
 | `best at least X …`, `best at most X …` | the same of the attempt with the most |
 | `more MEASURE SOCIETY CONDITION` | all of the interval is more than in the programmed society |
 | `less MEASURE SOCIETY CONDITION` | all of it is less |
-| `untold MEASURE SOCIETY CONDITION` | the interval of the difference holds 0 |
+| `untold MEASURE SOCIETY CONDITION` | the interval of the difference holds 0, or all but does |
 | `more MEASURE SOCIETY CONDITION than OTHER`, … | the same beside another society |
 | `unchecked` | always: it tells of the study, not of its tables |
 
@@ -33,6 +33,7 @@ programmed robots less learned ones of one society.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -43,6 +44,7 @@ import pandas as pd
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments import html
+from socialmind.experiments.measures.intervals import Interval
 
 from . import farmers
 from .reading import unsure
@@ -135,8 +137,9 @@ def holds(check: str, tables: Mapping[str, pd.DataFrame]) -> bool:
         raise SocialmindError(f"the check {check!r}; see the table in claims.py")
     if match["way"]:
         row = _difference(match["place"], tables)
-        low, high = float(row["low"]), float(row["high"])
-        return {"more": low > 0, "less": high < 0, "untold": low <= 0 <= high}[match["way"]]
+        found = Interval(*(float(row[name]) for name in ("difference", "low", "high")))
+        known = math.isfinite(found.low)
+        return known and found.beyond() == {"more": 1, "less": -1, "untold": 0}[match["way"]]
     row = _row(tables, _MEANS, *_place(match["place"]))
     least, bound = match["side"] == "least", float(match["bound"])
     value = float(row[{None: "mean", "worst": "least", "best": "most"}[match["which"]]])

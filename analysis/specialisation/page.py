@@ -17,6 +17,7 @@ from socialmind.experiments import html
 from socialmind.mind import MindDescription
 
 from . import farmers
+from .budgets import TERMS, losses
 from .claims import found
 from .every_attempt import attempts
 from .plots import KINDS
@@ -41,11 +42,11 @@ def page_of(
     top = [
         html.paragraph(
             "Nine robots forage objects of two kinds, of which twice as many B are wanted as A. "
-            "Who fetches which? A programmed mind, learned ones, and rules that fall short of "
-            "both decide about it in the same worlds; the same trained skills carry out what they "
-            "decide. Then both kinds of minds in one society; then farmers and artisans, with a "
-            "learned mind in the place of their programmed one. Terms are explained under "
-            "“Words”, at the end.",
+            "Who fetches which? A programmed mind, response thresholds, learned minds, and rules "
+            "that fall short of all these decide about it in the same worlds; the same trained "
+            "skills carry out what they decide. Then both kinds of minds in one society; then "
+            "farmers and artisans, with a learned mind in the place of their programmed one. Terms "
+            "are explained under “Words”, at the end.",
             lead=True,
         ),
         found("summary", tables, size),
@@ -101,6 +102,29 @@ def _compared(figures: Mapping[str, Figure], size: Size) -> list[str]:
             "when it does not. A plan that a cogniton opens is considered only where there is that "
             "cogniton.",
             "A cognitive scheme of four cognitons and two plans.",
+        ),
+        html.paragraph(
+            "What a lesson is paid for. No lesson is told what robots are to do, but each is told "
+            "the wanted split: by deliveries means that where a robot stands is seen by what it "
+            "brings home, and not that objects alone are paid for. The loss that is made small is "
+            "the sum of these, each times its number, over worlds of an economy without bodies; "
+            "robots are told the payoff of what they delivered, and never the ratio."
+        ),
+        html.table(
+            [
+                {
+                    "a loss": TERMS[str(term)],
+                    **{
+                        SOCIETIES[str(name)].title: number(value) if value else "–"
+                        for name, value in row.items()
+                    },
+                }
+                for term, row in losses().iterrows()
+            ],
+            "Of lessons with several parts that of the last. Supervised and by the counts, what "
+            "role a robot has is read from its variable ROLE; the evolved scheme is its calling; "
+            "else it is what the robot brought last.",
+            numbers=True,
         ),
     ]
 
@@ -281,12 +305,16 @@ def _definitions() -> list[str]:
             "95 %. Where a lesson has several attempts they are over attempts and worlds: both are "
             "drawn anew, each on its own (Owen, 2007); else they are over worlds, by the "
             "bias-corrected and accelerated bootstrap (Efron, 1987), those of shares by Wilson’s "
-            "formula (1927). Societies are compared in the same worlds; two lessons too, whose "
+            "formula (1927). With fewer than six attempts or worlds a bootstrap is too narrow: "
+            "there they are as many standard errors wide as Student’s t says, and may reach past "
+            "what there can be. Societies are compared in the same worlds; two lessons too, whose "
             "attempts are drawn each on their own. Where all attempts come to the same in all "
             "worlds, a bootstrap gives no interval and none is told: that others would come to the "
             "same is not said by it. Intervals of single attempts in further worlds are Wilson’s. "
             "An interval that holds 0 does not show that there is no difference: it "
-            "says how large one could be. Nothing is corrected for the number of comparisons."
+            "says how large one could be. One that ends within a seventieth of its width of 0 is "
+            "taken to hold it, as another draw of the bootstrap might. Nothing is corrected for "
+            "the number of comparisons."
         ),
     ]
 

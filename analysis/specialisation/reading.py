@@ -34,11 +34,12 @@ WORDS = [
         ("keep the split", "be within one robot of the wanted split all through the last quarter"),
         ("settle", "come within one robot of the wanted split and stay there for 5,000 ticks"),
         ("programmed mind", "a cognitive scheme: cognitons, quantities such as beliefs and needs, "
-         "whose links speak for plans and against them; the plan with the most say is carried "
-         "out. Callings are cognitons that stand for a role"),
+         "whose links speak for plans and against them. Of the plans that are open one is drawn, "
+         "the more probably the more speaks for it. Callings are cognitons that stand for a role"),
         ("learned mind", "a hierarchy of skills, small functions, most of them perceptrons, that "
          "give each other influence. ForageRole writes the variable ROLE, CollectSelect reads it "
-         "and gives its influence to the skill that collects A or to the one that collects B"),
+         "and gives its influence to the skill that collects A or to the one that collects B. It "
+         "draws nothing: what it does follows from what it reads"),
         ("genome", "the weights of the skills that learn; all robots of a society have the same"),
         ("lesson, attempt", "what an optimiser (CMA-ES) is to make better, in which worlds; one "
          "training at it from nothing, with luck of its own"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import pandas as pd
@@ -127,16 +128,16 @@ FALL_SHORT = ("counts", "fixed", "random", "greedy")
 """The societies that are there to show what does not settle, or does not follow."""
 REFERENCE = "programmed"
 """The society that the others are compared with."""
+LESSONS = ("chosen", "delivered", "supervised")
 COMPARED_WITH = (
     ("chosen", "delivered"),
     ("delivered", "supervised"),
-    ("delivered", "random"),
-    ("supervised", "random"),
-    ("chosen", "random"),
+    *product(LESSONS, ("fixed_thresholds", "reinforced_thresholds", "evolved", "random", "greedy")),
     ("fixed", "random"),
 )
 """Societies that are compared with others too: with the lesson that theirs was to mend, with that
-which looks into minds, and with those who never divide the work."""
+which looks into minds, with what nobody learned, with a scheme that was fitted with as much effort
+as one of them, and with those who never divide the work."""
 MIXED_WITH = "delivered"
 """The society whose robots share a society with programmed ones."""
 
@@ -189,8 +190,9 @@ CONDITIONS = {
             "With the ratio turned round", "reverse_at", "s",
         ),
         Condition(
-            "removed", "three taken away", "three robots in A are taken away",
-            "With three robots in A taken away", "remove_at", "^",
+            "removed", "three taken away",
+            "three robots are taken away, of those in A as long as there are any",
+            "With three robots taken away", "remove_at", "^",
         ),
         Condition(
             "added", "three added", "three robots are added",
@@ -198,7 +200,8 @@ CONDITIONS = {
         ),
     )
 }  # fmt: skip
-"""By name. Robots that are taken away have the role A, of which the fewer are wanted."""
+"""By name. Robots that are taken away have the role A, of which the fewer are wanted; where fewer
+than three have it others go too, so that in all worlds as many are left."""
 MIXED = ("undisturbed", "turned")
 """The conditions of mixed societies."""
 

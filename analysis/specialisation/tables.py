@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 import pandas as pd
@@ -96,6 +97,7 @@ FURTHER_WAYS = {
     "like_bodies": "unchosen_further",
     "supervised_role": "supervised_further",
     "programmed": "programmed_further",
+    "evolved_scheme": "evolved_further",
     "fixed_thresholds": "fixed_thresholds_further",
     "reinforced_thresholds": "reinforced_thresholds_further",
 }
@@ -109,16 +111,17 @@ FURTHER_TITLES = dict(
             "the lesson of those chosen, every training, nothing chosen",
             "learned, supervised",
             "programmed",
+            "scheme, evolved",
             "fixed thresholds",
             "reinforced thresholds",
         ),
         strict=True,
     )
 )
+LEARNED_FURTHER = ("chosen_again", "unchosen_further", "delivered_further", "supervised_further")
 FURTHER_PAIRS = (
-    ("chosen_again", "programmed_further"),
-    ("delivered_further", "programmed_further"),
-    ("supervised_further", "programmed_further"),
+    *product((*LEARNED_FURTHER, "evolved_further"), ("programmed_further",)),
+    *product(LEARNED_FURTHER, ("fixed_thresholds_further", "reinforced_thresholds_further")),
     ("chosen_again", "delivered_further"),
     ("unchosen_further", "delivered_further"),
     ("delivered_further", "supervised_further"),

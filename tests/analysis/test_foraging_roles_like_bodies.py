@@ -250,7 +250,7 @@ def test_what_was_chosen_comes_to_in_further_worlds_what_was_reported_of_it():
 
 def test_ways_are_compared_in_the_same_worlds_and_only_whole_ones(tmp_path, monkeypatch):
     attempts = {"delivered_anew": (1, 2), "chosen_again": (1, 2)}
-    monkeypatch.setattr(later, "minds_of", lambda way: dict.fromkeys(attempts.get(way, ()), "a"))
+    monkeypatch.setattr(later, "attempts_at", lambda way: list(attempts.get(way, ())))
     rows = [
         [way, attempt, condition, *([0, 1] if way == "delivered_anew" else [1, 1])]
         for way, several in attempts.items()

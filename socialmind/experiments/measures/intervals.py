@@ -26,6 +26,9 @@ LEVEL = 0.95
 """How often such an interval holds the mean of all that could have been measured."""
 RESAMPLES = 10_000
 """How often the sample is drawn from itself."""
+SURE = 0.015
+"""How much of its width an interval is away from a value at least that is said to lie outside it:
+two standard errors of a bound, that is of the 2.5 % quantile of so many draws."""
 FEW = 6
 """Numbers from which on the bootstrap is used."""
 _AT_ONCE = 4_000_000
@@ -44,6 +47,25 @@ class Interval:
     mean: float
     low: float
     high: float
+
+    def beyond(self, value: float = 0.0) -> int:
+        """Say whether all of the interval lies on one side of a value.
+
+        A bound of a bootstrap is itself known to half a hundredth of the width; where it is nearer
+        than `SURE` of the width to the value, another draw might tell otherwise, and nothing is
+        said.
+
+        Args:
+            value: which.
+
+        Returns:
+            1 above it, -1 below it, 0 where that cannot be told.
+
+        >>> Interval(1.0, 0.2, 1.8).beyond(), Interval(1.0, 0.001, 2.0).beyond()
+        (1, 0)
+        """
+        margin = SURE * (self.high - self.low)
+        return int(self.low > value + margin) - int(self.high < value - margin)
 
     def record(self) -> dict[str, float | None]:
         """Return the interval as JSON has it, with null for a bound that nobody knows.
