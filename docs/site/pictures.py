@@ -2,7 +2,7 @@
 
 Most are what the commands and the code of a page leave behind: the pages are followed as their
 reader does. The others are made by commands that stand below, or are screenshots of the studio.
-All go to docs/figures, with a palette and at most WIDTH pixels wide. With names, only these.
+All go to docs/figures as they are made, with every colour that they have. With names, only these.
 """
 
 import os
@@ -17,14 +17,11 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from following import follow
-from PIL import Image
 
 ROOT = Path(__file__).parents[2]
 FIGURES = ROOT / "docs" / "figures"
-WIDTH = 1400
-COLOURS = (256, 128, 64, 32)
-MOST = 150_000
-"""Bytes of a picture."""
+MOST = 200_000
+"""Bytes that a picture may have."""
 
 PAGES: dict[str, dict[str, str]] = {
     "tutorials/culture.md": {
@@ -52,7 +49,7 @@ PAGES: dict[str, dict[str, str]] = {
 
 COMMANDS: dict[str, tuple[tuple[str, ...], str]] = {
     "lands": (
-        ("run farmer-artisan --seed 1 --ticks 500000 --figures --out lands",),
+        ("run farmer-artisan --figures --out lands",),
         "lands/figures/lands.png",
     ),
     "flock": (("run boids --figures --out boids",), "boids/figures/snapshots.png"),
@@ -149,21 +146,14 @@ def main(names: list[str]) -> None:
 
 
 def keep(pictures: dict[str, str]) -> None:
-    """Put pictures among those of the documentation, as small as they may be.
+    """Put pictures among those of the documentation.
 
     Args:
         pictures: the file of each by its name.
     """
     for name, file in pictures.items():
-        image = Image.open(file).convert("RGB")
-        if image.width > WIDTH:
-            size = (WIDTH, round(image.height * WIDTH / image.width))
-            image = image.resize(size, Image.Resampling.LANCZOS)
         target = FIGURES / f"{name}.png"
-        for colours in COLOURS:
-            image.quantize(colours, dither=Image.Dither.NONE).save(target, optimize=True)
-            if target.stat().st_size <= MOST:
-                break
+        shutil.copyfile(file, target)
         print(target.relative_to(ROOT), target.stat().st_size)
 
 

@@ -6,6 +6,7 @@ text in vector files stays text, and the colours are told apart by the colour-bl
 """
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from io import BytesIO
@@ -16,10 +17,12 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.backend_bases import RendererBase
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import MaxNLocator, ScalarFormatter
 from PIL import Image
 
 from socialmind.work.files import replace_file
@@ -109,7 +112,33 @@ def figure(width: float, height: float, gap: float = 1.0) -> Figure:
     [3.54, 2.36]
     """
     layout = ConstrainedLayoutEngine(w_pad=gap / 25.4)
-    return Figure(figsize=(width / 25.4, height / 25.4), layout=layout)
+    return _Paper(figsize=(width / 25.4, height / 25.4), layout=layout)
+
+
+class _Paper(Figure):
+    """A figure whose axes write numbers as texts do: 2,000.
+
+    Formatters are put in when it is drawn: panels, insets and bars of colours are added to a
+    figure, and scales bring formatters of their own.
+    """
+
+    def draw(self, renderer: RendererBase) -> None:
+        for one in self.findobj(Axis):
+            given = one.get_major_formatter()
+            # Formatters that somebody chose stay.
+            if type(given) is ScalarFormatter:
+                grouped = _Grouped()
+                vars(grouped).update(vars(given))
+                one.set_major_formatter(grouped)
+        super().draw(renderer)
+
+
+class _Grouped(ScalarFormatter):
+    """Matplotlib's usual numbers, with commas between the thousands."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        whole, point, rest = super().__call__(x, pos).partition(".")
+        return re.sub(r"\d{4,}", lambda found: f"{int(found[0]):,}", whole) + point + rest
 
 
 def grid(count: int, width: float, height: float) -> tuple[Figure, list[Axes]]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from string import ascii_lowercase
+from typing import Any
 
 import pandas as pd
 from matplotlib.axes import Axes
@@ -11,11 +13,12 @@ from matplotlib.figure import Figure
 from socialmind.drawing import style as paper
 from socialmind.errors import SocialmindError
 from socialmind.experiments.comparing.futures import Futures
+from socialmind.experiments.figures.axis_text import wrapped
+from socialmind.experiments.figures.labels import with_unit
 
 COLOURS = (paper.GREY, paper.BLUE, paper.RED, paper.GOLD, paper.PURPLE)
-"""Of the reference and of the others; the colour-blind tell them apart."""
-DASHES: tuple[str, ...] = ("-", "-", "--", "-.", ":")
-PANEL = 42.0
+"""Of the reference and of the others; the colour-blind tell them apart, in grey their dashes do."""
+PANEL = 46.0
 """Height of a panel of a column, with its difference below, in mm."""
 
 
@@ -34,7 +37,7 @@ def draw_futures(axes: Axes, futures: Futures, column: str, unit: str = "") -> A
     for place, group in enumerate(futures.groups):
         rows = futures.of(column, group)
         _line(axes, rows["tick"], rows["mean"], rows["low"], rows["high"], place, group)
-    return _dressed(axes, futures, _with_unit(column.replace("_", " "), unit))
+    return _dressed(axes, futures, with_unit(_said(column), unit))
 
 
 def draw_difference(axes: Axes, futures: Futures, column: str, unit: str = "") -> Axes:
@@ -49,12 +52,12 @@ def draw_difference(axes: Axes, futures: Futures, column: str, unit: str = "") -
     Returns:
         The panel.
     """
-    axes.axhline(0.0, color=COLOURS[0], linewidth=0.8)
+    axes.axhline(0.0, color=COLOURS[0], linestyle=_dashes(0), linewidth=0.8)
     for place, group in enumerate(futures.groups[1:], 1):
         rows = futures.of(column, group)
         low, high = rows["difference_low"], rows["difference_high"]
         _line(axes, rows["tick"], rows["difference"], low, high, place, group)
-    return _dressed(axes, futures, _with_unit("difference", unit))
+    return _dressed(axes, futures, with_unit("difference", unit))
 
 
 def figure_of(futures: Futures, units: Mapping[str, str] | None = None) -> Figure:
@@ -94,6 +97,11 @@ def figure_of(futures: Futures, units: Mapping[str, str] | None = None) -> Figur
             draw_futures(above, futures, name, unit).set_xlabel("")
             above.tick_params(labelbottom=False)
             draw_difference(below, futures, name, unit)
+        shown = [axes for axes in panels.flat if axes.get_visible()]
+        differences = set(panels[1::2].flat)
+        for axes, letter in zip(shown, ascii_lowercase, strict=False):
+            title = f"difference from {_said(futures.groups[0])}" if axes in differences else ""
+            paper.panel_title(axes, letter, wrapped(title, axes))
         lines, names = panels[0][0].get_legend_handles_labels()
         figure.legend(lines, names, loc="outside upper left", ncols=len(names))
     return figure
@@ -110,7 +118,7 @@ def _line(
 ) -> None:
     """Draw a group's line and band; time is in thousand ticks where the axis will be."""
     time = ticks / (1000.0 if ticks.max() >= 10_000 else 1.0)
-    axes.plot(time, middle, color=COLOURS[place], linestyle=DASHES[place], label=group)
+    axes.plot(time, middle, color=COLOURS[place], linestyle=_dashes(place), label=_said(group))
     axes.fill_between(time, low, high, color=COLOURS[place], alpha=0.25, linewidth=0)
 
 
@@ -124,5 +132,9 @@ def _dressed(axes: Axes, futures: Futures, label: str) -> Axes:
     return axes
 
 
-def _with_unit(label: str, unit: str) -> str:
-    return f"{label} ({unit})" if unit else label
+def _dashes(place: int) -> Any:
+    return paper.DASHES.get(COLOURS[place], "-")
+
+
+def _said(name: str) -> str:
+    return name.replace("_", " ")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -30,25 +31,34 @@ class Labels:
 
     def axis(self, column: str, prefix: str = "") -> str:
         """Return what stands at an axis: the name, and the unit in brackets."""
-        unit = self.units.get(column, "")
-        name = f"{prefix}{self.name(column)}"
-        # A unit that repeats the name says nothing more.
-        return f"{name} ({unit})" if unit and unit != name else name
+        return with_unit(f"{prefix}{self.name(column)}", self.units.get(column, ""))
 
     def also(self, names: Mapping[str, str], units: Mapping[str, str]) -> Labels:
         """Return these labels with others in front of them."""
         return Labels({**self.names, **names}, {**self.units, **units})
 
 
-def value_name(value: Any) -> str:
-    """Return a value of what varies as a figure writes it: a file by its name.
+def with_unit(name: str, unit: str) -> str:
+    """Return a name with its unit in brackets, but where the name says it already.
 
-    >>> value_name(0.5), value_name(True), value_name("schemes/bold.yaml")
-    ('0.5', 'true', 'bold')
+    >>> with_unit("artisans", "agents"), with_unit("stones in the way", "stones")
+    ('artisans (agents)', 'stones in the way')
+    """
+    said = not unit or re.search(rf"(?<!\w){re.escape(unit)}(?!\w)", name)
+    return name if said else f"{name} ({unit})"
+
+
+def value_name(value: Any) -> str:
+    """Return a value of what varies as a figure writes it: a file or a folder by its name.
+
+    >>> value_name(0.5), value_name(True), value_name("schemes/very_bold.yaml"), value_name(2000)
+    ('0.5', 'true', 'very bold', '2,000')
     """
     if isinstance(value, str):
         path = Path(value)
-        return path.stem if path.suffix in (".yaml", ".yml", ".cogscheme") else path.name or value
+        name = path.stem if path.suffix in (".yaml", ".yml", ".cogscheme") else path.name or value
+        # A mind beside a model's own is called mind_NAME.
+        return name.removeprefix("mind_").replace("_", " ") or name
     if isinstance(value, bool) or type(value).__name__ in ("bool", "bool_"):
         return str(bool(value)).lower()
-    return f"{value:,.6g}" if abs(value) >= 10_000 else f"{value:.6g}"
+    return f"{value:,.6g}" if abs(value) >= 1000 else f"{value:.6g}"

@@ -293,6 +293,8 @@ def _fit(axes: Axes, table: pd.DataFrame, along: Varying) -> None:
     if len(along.values) <= FEW:
         axes.xaxis.set_major_locator(FixedLocator(list(along.values)))
         axes.set_xticks(list(along.values), [value_name(value) for value in along.values])
+    elif not along.logarithmic and all(float(value).is_integer() for value in along.values):
+        axes.xaxis.set_major_locator(MaxNLocator("auto", integer=True, steps=(1, 2, 5, 10)))
 
 
 def _at(table: pd.DataFrame, column: str, x: str, a: Any, y: str, b: Any) -> float:

@@ -6,6 +6,7 @@ import matplotlib as mpl
 import numpy as np
 import pandas as pd
 import pytest
+from matplotlib.colors import to_rgb
 
 from socialmind.drawing import style as paper
 from socialmind.errors import SocialmindError
@@ -104,6 +105,37 @@ def test_panels_take_and_give_axes_with_units():
     below = paper.figure(90, 60).subplots()
     assert draw_difference(below, found, "wheat") is below
     assert below.lines[-1].get_ydata().tolist() == pytest.approx([1.0] * 3)
+
+
+def test_a_unit_that_is_the_columns_name_is_said_once():
+    found = futures({"a": several(range(4), 0.0), "b": several(range(4), 1.0)})
+    above, below = figure_of(found, {"wheat": "wheat"}).axes
+    assert above.get_ylabel() == "wheat" and below.get_ylabel() == "difference (wheat)"
+
+
+def test_panels_have_letters_row_by_row_and_say_what_differences_are_from():
+    groups = {name: several([1], shift) for name, shift in (("all_bound", 0.0), ("free", 1.0))}
+    for runs in groups.values():
+        runs[0].series["more"] = 1.0
+    figure = figure_of(futures(groups))
+    heads = [axes.get_title(loc="left") for axes in figure.axes]
+    assert [re.search(r"bf{(\w)}", head)[1] for head in heads] == list("abcd")
+    assert ["difference from all bound" in head for head in heads] == [False, False, True, True]
+    assert [text.get_text() for text in figure.legends[0].texts] == ["all bound", "free"]
+
+
+def grey(colour):
+    """How light a colour is in print without colours."""
+    return float(np.dot([0.299, 0.587, 0.114], to_rgb(colour)))
+
+
+def test_lines_that_are_alike_in_grey_have_other_dashes():
+    groups = {str(seed): several([seed], seed) for seed in range(5)}
+    lines = figure_of(futures(groups)).axes[0].lines
+    looks = [(grey(line.get_color()), line._dash_pattern) for line in lines]
+    for place, (light, dashes) in enumerate(looks):
+        for other, others in looks[:place]:
+            assert abs(light - other) > 0.12 or dashes != others
 
 
 def test_a_figure_is_as_wide_as_a_column_or_a_page(tmp_path):

@@ -13,7 +13,7 @@ from socialmind.drawing import style
 from socialmind.experiments.figures import palette
 from socialmind.experiments.figures.design import Varying
 from socialmind.experiments.figures.estimates import effects, estimates
-from socialmind.experiments.figures.labels import Labels, value_name
+from socialmind.experiments.figures.labels import Labels, value_name, with_unit
 from socialmind.experiments.figures.panels import (
     draw_bands,
     draw_effects,
@@ -54,6 +54,13 @@ def test_a_curve_goes_through_the_means_with_their_intervals():
     assert line.get_linestyle() == "-"
     low, high = axes.get_ylim()
     assert low < ordered["low"].min() and high > ordered["high"].max()
+
+
+def test_many_whole_numbers_stand_at_whole_ticks():
+    axes = panel()
+    many = [0, 2, 4, 6, 8, 9, 10, 11, 12, 16, 20]
+    draw_response(axes, estimates(table(x=many), ["x"], "y"), "x")
+    assert [tick for tick in axes.get_xticks() if 0 <= tick <= 20] == [0, 5, 10, 15, 20]
 
 
 def test_lines_are_told_apart_by_colour_marker_and_dashes():
@@ -201,8 +208,16 @@ def test_ordered_colours_get_lighter_also_in_grey():
 
 def test_values_are_written_short():
     assert value_name("/some/where/bold.yaml") == "bold"
+    assert value_name("gatherer/mind_by_hand.yaml") == "by hand"
+    assert value_name("gatherer/mind_learned") == "learned"
     assert value_name(np.float64(0.1 + 0.2)) == "0.3"
-    assert value_name(123456.0) == "123,456"
+    assert value_name(123456.0) == "123,456" and value_name(1000) == "1,000"
+
+
+def test_a_unit_that_the_name_says_is_not_said_again():
+    labels = Labels({"n": "stones in the way"}, {"n": "stones", "share": "%"})
+    assert labels.axis("n") == "stones in the way" and labels.axis("share") == "share (%)"
+    assert with_unit("stonework", "stone") == "stonework (stone)"
 
 
 def test_type_is_never_smaller_than_seven_points_and_settings_stay():
