@@ -16,7 +16,7 @@ from .mounds import MOMENTS, SETTINGS
 MAP_SEED = 0
 MAPS = ("one kind", "four kinds")
 KINDS = ListedColormap(["white", "#173f39", "#f0cf7a", paper.TEAL, paper.PURPLE])
-"""Of no chip, and of the kinds of chips: other tints than those of the settings, and in grey too each
+"""Of no chip, and of the kinds of chips: other tints than those of the settings; in grey too each
 has a shade of its own."""
 LINES = {
     "one kind": (paper.INK, "o"),
@@ -62,7 +62,7 @@ def _maps(figure: SubFigure) -> None:
         axes.images[0].set_cmap(KINDS)
         axes.set_ylabel("y (patches)" if letter == "a" else "")
         paper.panel_title(axes, letter, setting.capitalize())
-    figure.suptitle(f"Chips at tick {MOMENTS[-1]:,}; edges meet", fontsize=8)
+    figure.suptitle(f"Chips at tick {MOMENTS[-1]:,}; edges meet", x=0.02, ha="left", fontsize=8)
 
 
 def _lines(axes: Axes, table: pd.DataFrame, column: str) -> None:
