@@ -18,10 +18,13 @@ from .colonies import ALL, BRIDGES, FIELDS
 
 MAP_SEED = 100
 MAP_TICKS = (100, 2_000)
+HOMEWARD, BARE = "marked homeward only", "no pheromone"
+MARKING = {HOMEWARD: paper.RED, BARE: paper.GREY}
+"""The colours of what is laid where, blue where both ways are marked."""
 LINES = {
-    "one pile": (paper.BLUE, "o"),
-    "three piles": (paper.RED, "s"),
-    "a hundred crumbs": (paper.GREY, "^"),
+    "one pile": (paper.PURPLE, "o"),
+    "three piles": (paper.TEAL, "s"),
+    "a hundred crumbs": (paper.GOLD, "^"),
 }
 MARKS_EVERY = 10
 """Looks from one mark on a line to the next."""
@@ -79,7 +82,8 @@ def _shares(axes: Axes, bridges: pd.DataFrame) -> None:
     for place, setting in enumerate(BRIDGES):
         values = bridges.loc[bridges["setting"] == setting, "north"].to_numpy()
         spread = place + rng.uniform(-0.2, 0.2, len(values))
-        axes.plot(values, spread, "o", color=paper.BLUE, markersize=2.2, alpha=0.7, mew=0)
+        colour = MARKING.get(setting, paper.BLUE)
+        axes.plot(values, spread, "o", color=colour, markersize=2.2, alpha=0.7, mew=0)
         mean = interval_of(values)
         axes.plot([mean.low, mean.high], [place, place], color=paper.INK, linewidth=0.8)
         axes.plot(mean.mean, place, "|", color=paper.INK, markersize=6)
@@ -95,7 +99,7 @@ def _shares(axes: Axes, bridges: pd.DataFrame) -> None:
 def _drops(axes: Axes, drops: pd.DataFrame) -> None:
     for setting, name, colour, mark in (
         ("20 and 40 steps", "marked both ways", paper.BLUE, "o"),
-        ("marked homeward only", "homeward only", paper.RED, "s"),
+        (HOMEWARD, "homeward only", MARKING[HOMEWARD], "s"),
     ):
         rows = drops[drops["setting"] == setting].groupby("drop")["wins"]
         bars = [interval_of(values) for _, values in rows]
@@ -126,6 +130,7 @@ def _fields(axes: Axes, looks: pd.DataFrame) -> None:
                 markevery=MARKS_EVERY, label=field if marks else None,
             )  # fmt: skip
     axes.set_xlim(0, FIELD_TICKS)
+    axes.xaxis.set_major_formatter("{x:,.0f}")
     axes.set_ylim(0, 1.02 * ALL)
     axes.set_xlabel("time (ticks)")
     axes.set_ylabel("pieces brought home")

@@ -161,7 +161,7 @@ def draw(results: pd.DataFrame) -> Figure:
         axes.set_yticks(range(len(TOGETHER)), list(TOGETHER))
         axes.invert_yaxis()
         axes.set_xlim(-0.06, 1.06)
-        axes.set_xticks((0, 0.5, 1), ("0\nkeepers", "0.5", "1\nsharers"))
+        axes.set_xticks((0, 0.5, 1), ("0\nkeepers", "0.5\n", "1\nsharers"))
         axes.set_xlabel("sharers' part of the living")
     return figure
 
@@ -172,7 +172,10 @@ def _runs(axes: Axes, row: int, parts: np.ndarray) -> None:
     axes.plot(parts, spread, ".", color=paper.GOLD, markersize=2.5, zorder=1)
     found = interval_of(parts)
     axes.plot([found.low, found.high], [row, row], color=paper.INK, linewidth=1.0, zorder=2)
-    axes.plot(found.mean, row, "o", color=paper.BLUE, markersize=4, zorder=3)
+    # Open, so that runs which all agree are seen within it.
+    axes.plot(
+        found.mean, row, "o", color=paper.BLUE, markerfacecolor="none", markersize=5.5, zorder=3
+    )
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

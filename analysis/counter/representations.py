@@ -121,13 +121,20 @@ def lines_of(rows: list[Row]) -> list[str]:
 
 
 def draw(rows: list[Row]) -> Figure:
-    """Draw the variable step by step, a line for each attempt, a panel for each training."""
+    """Draw the variable step by step, a panel for each training.
+
+    A line is an attempt that has a correct sequence of two; the others are counted.
+
+    Args:
+        rows: of the attempts.
+    """
     names = list(dict.fromkeys(row["training"] for row in rows))
     with paper.style():
-        figure = paper.figure(paper.PAGE, 66)
-        panels = figure.subplots(1, len(names), squeeze=False)[0]
+        figure = paper.figure(paper.PAGE, 80)
+        panels = figure.subplots(1, len(names), squeeze=False, sharey=True)[0]
         for place, (axes, name) in enumerate(zip(panels, names, strict=True)):
-            own = [one for one in rows if one["training"] == name and one["step 1"] is not None]
+            every = [one for one in rows if one["training"] == name]
+            own = [one for one in every if one["step 1"] is not None]
             alike = Counter(
                 (row["correct_sequences"] >= GOOD,
                  tuple(row[f"step {number + 1}"] for number in range(len(STEPS))))
@@ -135,26 +142,26 @@ def draw(rows: list[Row]) -> Figure:
             )  # fmt: skip
             for (good, values), count in alike.items():
                 look = WELL if good else OTHERS
-                axes.plot(range(1, len(STEPS) + 1), values, linewidth=0.5 * count + 0.3, **look)
-            if not own:
-                axes.text(0.5, 0.5, "no correct sequence", ha="center", color=paper.GREY,
-                          transform=axes.transAxes)  # fmt: skip
+                axes.plot(range(1, len(STEPS) + 1), values, linewidth=0.5 * count + 0.3,
+                          clip_on=False, **look)  # fmt: skip
+            axes.text(0.04, 0.97, f"{len(own)} of {len(every)} drawn", va="top", fontsize=7,
+                      transform=axes.transAxes)  # fmt: skip
             axes.set_xlim(0.8, len(STEPS) + 0.2)
             axes.set_xticks(range(1, len(STEPS) + 1))
             axes.set_xlabel("step of a sequence of two")
-            # Counters count in tenths.
-            axes.set_ylim(
-                -0.02, max([0.32, *(1.04 * line.get_ydata().max() for line in axes.lines)])
-            )
             paper.panel_title(axes, "abcdef"[place], TITLES[name])
+        panels[0].set_ylim(-0.02, 1.12)
+        panels[0].set_yticks(np.linspace(0, 1, 6))
         panels[0].set_ylabel("variable Count (0 … 1)")
         marks = [
             Line2D([], [], label=what, **look)
             for look, what in (
-                (WELL, f"{GOOD:.0%} or more of its sequences correct"),
+                (WELL, f"{100 * GOOD:.0f} % or more of its sequences correct"),
                 (OTHERS, "fewer"),
             )
         ]
-        title = "an attempt; the broader a line, the more come to the same"
-        figure.legend(handles=marks, loc="outside lower center", ncols=2, title=title)
+        steps = ", ".join(f"{number} {what}" for number, what in enumerate(STEPS, 1))
+        title = f"{steps}\na line: an attempt; the broader, the more come to the same"
+        legend = figure.legend(handles=marks, loc="outside lower center", ncols=2, title=title)
+        legend.get_title().set(fontsize=7, multialignment="center")
     return figure

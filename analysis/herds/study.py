@@ -12,9 +12,7 @@ import argparse
 import math
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
-from numpy.typing import ArrayLike
 
 from socialmind.drawing import style as paper
 from socialmind.experiments.measures.effects import compared
@@ -23,6 +21,7 @@ from socialmind.work.side_by_side import side_by_side
 
 from .pastures import BEGIN, EVERY, SETTINGS, lived
 from .plots import draw
+from .survival import surviving
 
 HERE = Path(__file__).parent / "results"
 SHOWN = {
@@ -77,25 +76,6 @@ def longer(herds: pd.DataFrame, others: pd.DataFrame) -> Interval | None:
     if not len(pairs) or not pairs[:, 1].any() or not pairs[:, 3].any():
         return None
     return interval_of(pairs, combine=lambda a, b, c, d: a / b - c / d if b and d else math.nan)
-
-
-def surviving(lives: ArrayLike, ended: ArrayLike) -> tuple[list[float], list[float]]:
-    """Return the share of herds that live longer, by age (Kaplan and Meier, 1958).
-
-    Args:
-        lives: ticks of each herd.
-        ended: whether it ended then, or was still there when the run ended.
-
-    Returns:
-        Ages at which herds ended, from 0 on, and the shares that outlive them.
-    """
-    lives, ended = np.asarray(lives), np.asarray(ended, bool)
-    ages, shares = [0.0], [1.0]
-    for age in np.unique(lives[ended]):
-        share = 1 - (lives[ended] == age).sum() / (lives >= age).sum()
-        ages.append(float(age))
-        shares.append(shares[-1] * float(share))
-    return ages, shares
 
 
 def half_life(herds: pd.DataFrame) -> float:
@@ -161,11 +141,7 @@ def main() -> None:
         table.to_csv(arguments.out / f"{name}.csv", index=False, float_format="%.5g")
     text = as_markdown(pastures, herds, arguments.ticks)
     (arguments.out / "tables.md").write_text(text, encoding="utf-8")
-    curves = {
-        setting: surviving(rows["life"], rows["ended"])
-        for setting, rows in herds.groupby("setting", sort=False)
-    }
-    paper.save({"study": draw(looks, curves)}, arguments.out)
+    paper.save({"study": draw(looks, herds)}, arguments.out)
     print(text)
 
 

@@ -22,9 +22,16 @@ def make(out: Path, quick: bool = False) -> list[Path]:
     return made(out, quick)
 
 
+def redraw(out: Path) -> list[Path]:
+    """Draw the figures from the kept tables; the argument is as above."""
+    from .study import redrawn
+
+    return redrawn(out)
+
+
 studies = (
     Study(
         NAME, "which parameters of the farmer-artisan society count: Morris, then Sobol", make,
-        quick=partial(make, quick=True),
+        quick=partial(make, quick=True), kept=redraw,
     ),
 )  # fmt: skip

@@ -6,14 +6,19 @@ from pathlib import Path
 
 import pandas as pd
 
+from socialmind.catalogue import load_model
+from socialmind.documents.labels import labels_of_parameters
 from socialmind.drawing import style as paper
 from socialmind.experiments import Sensitivity, Sweep, sensitivity_of
-from socialmind.experiments.measures.intervals import interval_of
+from socialmind.experiments.figures.labels import Labels
+from socialmind.experiments.measures.intervals import LEVEL, interval_of
 from socialmind.experiments.sensitivity.figure import figure_of
+from socialmind.experiments.sensitivity.indices import MORRIS, REGRESSION, SOBOL
 from socialmind.experiments.sensitivity.words import report
 
-from .sweeps import OUTPUTS, QUICK, SCREENING, SETTLING, SHARES, UNITS
+from .sweeps import MODEL, OUTPUTS, QUICK, RANGES, SCREENING, SETTLING, SHARES, UNITS
 
+KEPT = Path(__file__).parent / "results"
 WINDOW = 25_000
 """Ticks over which the society's numbers are averaged, to see whether they still move."""
 ENDS = ("artisans", "wheat", "tools")
@@ -21,6 +26,12 @@ ENDS = ("artisans", "wheat", "tools")
 BEFORE = "artisan_share_before"
 """The share of artisans in the third of a run before the last."""
 NUMBERS = {"artisan_share": "artisans", "wheat_each": "wheat", "tools_each": "tools"}
+NAMES = {
+    **NUMBERS, "max_tool_production": "tool production, at most",
+    "n_villages": "number of villages",
+}  # fmt: skip
+"""What figures call outputs, and parameters whose meaning is too long for an axis."""
+METHODS = {"ends": REGRESSION, SCREENING.name: MORRIS, SHARES.name: SOBOL}
 
 
 def make(out: Path, quick: bool = False, workers: int | None = None) -> list[Path]:
@@ -65,8 +76,34 @@ def told(name: str, swept: Sweep, found: Sensitivity, out: Path) -> list[Path]:
         _write(found.table, out / f"{name}_indices.csv"),
         _write(found.luck, out / f"{name}_luck.csv"),
         text,
-        *paper.save({name: figure_of(found, UNITS)}, out),
+        *paper.save({name: figure_of(found, labels())}, out),
     ]
+
+
+def redrawn(out: Path) -> list[Path]:
+    """Draw the figures from the kept tables.
+
+    Args:
+        out: the folder.
+    """
+    return paper.save({name: figure_of(kept(name), labels()) for name in METHODS}, out)
+
+
+def kept(name: str) -> Sensitivity:
+    """Return what the kept tables of a sweep say, as far as figures go."""
+    words = {"parameter": "string", "other": "string"}
+    table = pd.read_csv(KEPT / f"{name}_indices.csv", dtype=words)
+    luck = pd.read_csv(KEPT / f"{name}_luck.csv")
+    parameters = tuple(one for one in RANGES if one in set(table["parameter"]))
+    return Sensitivity(
+        METHODS[name], name, parameters, RANGES, tuple(luck["output"]),
+        table.fillna({"parameter": "", "other": ""}), luck, LEVEL, 0, (),
+    )  # fmt: skip
+
+
+def labels() -> Labels:
+    """Return what the figures call parameters and outputs, and the units of outputs."""
+    return labels_of_parameters(load_model(MODEL)).also(NAMES, UNITS)
 
 
 def windows(swept: Sweep, width: int) -> pd.DataFrame:

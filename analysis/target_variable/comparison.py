@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.lines import Line2D
 
 from socialmind.catalogue import load_model
 from socialmind.drawing import style as paper
@@ -26,7 +27,7 @@ SEED = 73
 """Of the worlds that attempts are scored in."""
 MEASURES = ("path_ratio", "path", "objects", "survived")
 MARK = 1.3
-"""How much longer than those of the plain hierarchy ways may be."""
+"""How much longer than those of the plain hierarchy ways may be: a bound of this project's own."""
 TITLES = {
     "selecting": "influence\nnetwork",
     "selecting_hidden": "influence\nnetwork, one\nhidden layer",
@@ -102,27 +103,36 @@ def draw(rows: list[Row]) -> Figure:
     """Draw the ratio of each attempt, with its interval over worlds."""
     names = list(dict.fromkeys(row["training"] for row in rows))
     with paper.style():
-        figure = paper.figure(paper.COLUMN, 68)
+        figure = paper.figure(paper.COLUMN, 78)
         axes = figure.subplots()
         for place, name in enumerate(names):
             own = [row for row in rows if row["training"] == name]
             for number, row in enumerate(own):
                 at = place + 0.5 * ((number + 0.5) / len(own) - 0.5)
                 if not np.isfinite(row["path_ratio"]):
-                    axes.plot(at, 0.04, "x", color=paper.RED, markersize=3,
-                              transform=axes.get_xaxis_transform())  # fmt: skip
+                    # On the axis, not above it, where it would read as a ratio.
+                    axes.plot(at, 0.0, "x", color=paper.RED, markersize=4, clip_on=False,
+                              zorder=5, transform=axes.get_xaxis_transform())  # fmt: skip
                     continue
                 axes.plot([at, at], [row["path_ratio_low"], row["path_ratio_high"]],
                           color=paper.GREY, linewidth=0.8)  # fmt: skip
                 axes.plot(at, row["path_ratio"], "o", color=paper.BLUE, markersize=3)
         # 1 and the mark are in sight wherever the points are.
         axes.plot([0, 0], [1.0, 1.05 * MARK], alpha=0.0)
-        axes.axhline(MARK, color=paper.RED, linewidth=0.6, linestyle=(0, (3, 2)))
+        axes.axhline(MARK, color=paper.INK, linewidth=0.6, linestyle=(0, (3, 2)))
         axes.set_xticks(range(len(names)), [TITLES[name] for name in names])
+        axes.tick_params(axis="x", length=0)
         axes.set_xlim(-0.5, len(names) - 0.5)
         axes.set_ylabel("way for an object\n(plain hierarchy: 1)")
-        axes.set_xlabel(
-            "Points: attempts; bars: intervals of 95 % over\n"
-            f"{rows[0]['worlds']} worlds; dashed: {MARK}; ×: no object home"
-        )
+        axes.set_xlabel("function of CollectVariable")
+        attempt: dict[str, Any] = {"color": paper.GREY, "marker": "o", "markersize": 3}
+        attempt |= {"markerfacecolor": paper.BLUE, "markeredgecolor": paper.BLUE}
+        none: dict[str, Any] = {"color": paper.RED, "marker": "x", "markersize": 4}
+        key = [
+            Line2D([], [], label="an attempt, with its interval", **attempt),
+            Line2D([], [], label="no object home", linestyle="none", **none),
+            Line2D([], [], label=f"{MARK}, our bound", color=paper.INK, linewidth=0.6,
+                   linestyle=(0, (3, 2))),
+        ]  # fmt: skip
+        figure.legend(handles=key, loc="outside upper left", ncols=2)
     return figure

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pandas as pd
 from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.ticker import MultipleLocator
 
@@ -14,6 +15,9 @@ from .mounds import MOMENTS, SETTINGS
 
 MAP_SEED = 0
 MAPS = ("one kind", "four kinds")
+KINDS = ListedColormap(["white", "#173f39", "#f0cf7a", paper.TEAL, paper.PURPLE])
+"""Of no chip, and of the kinds of chips: other tints than those of the settings; in grey too each
+has a shade of its own."""
 LINES = {
     "one kind": (paper.INK, "o"),
     "two kinds": (paper.BLUE, "s"),
@@ -42,8 +46,8 @@ def draw(table: pd.DataFrame) -> Figure:
         panels[0].yaxis.set_major_formatter("{x:g}")
         panels[1].set(ylim=(0, 1.02), ylabel="share of patches around")
         panels[1].set_xlabel("time (thousand ticks)")
-        paper.panel_title(panels[0], "c", "Piles; dots at the right: scattered anew")
-        paper.panel_title(panels[1], "d", "Chips beside their kind; dots: by chance")
+        paper.panel_title(panels[0], "c", "Piles; open marks: scattered anew")
+        paper.panel_title(panels[1], "d", "Chips beside their kind; open: by chance")
         panels[1].legend(loc="upper left", bbox_to_anchor=(0, -0.28), ncols=2)
     return figure
 
@@ -55,13 +59,16 @@ def _maps(figure: SubFigure) -> None:
         society = model(MAP_SEED, **SETTINGS[setting])
         society.advance(MOMENTS[-1])
         load_figures(model.folder()).map_of_chips(axes, society.world)
+        axes.images[0].set_cmap(KINDS)
         axes.set_ylabel("y (patches)" if letter == "a" else "")
         paper.panel_title(axes, letter, setting.capitalize())
+    figure.suptitle(f"Chips at tick {MOMENTS[-1]:,}; edges meet", x=0.02, ha="left", fontsize=8)
 
 
 def _lines(axes: Axes, table: pd.DataFrame, column: str) -> None:
+    """Draw means over time, and what chance does at the right, each setting a little aside."""
     chance = {"piles": "scattered_piles", "together": "by_chance"}[column]
-    for setting, (colour, mark) in LINES.items():
+    for place, (setting, (colour, mark)) in enumerate(LINES.items()):
         rows = table[table["setting"] == setting]
         mean = rows.groupby("tick")[column].mean()
         axes.plot(
@@ -69,7 +76,9 @@ def _lines(axes: Axes, table: pd.DataFrame, column: str) -> None:
             label=setting, clip_on=False,
         )  # fmt: skip
         last = rows.loc[rows["tick"] == MOMENTS[-1], chance].mean()
-        axes.plot(1.03, last, marker=mark, color=colour, markersize=3, clip_on=False,
-                  transform=axes.get_yaxis_transform())  # fmt: skip
+        axes.plot(
+            1.03 + 0.025 * place, last, marker=mark, color=colour, markersize=3.2, clip_on=False,
+            markerfacecolor="white", markeredgewidth=0.8, transform=axes.get_yaxis_transform(),
+        )  # fmt: skip
     axes.set_xlim(0, MOMENTS[-1] / 1000)
     axes.xaxis.set_major_locator(MultipleLocator(5))

@@ -44,17 +44,18 @@ def draw(tables: dict[str, pd.DataFrame]) -> Figure:
 
 def _answers(axes: Axes, answers: pd.DataFrame) -> None:
     stimuli = np.geomspace(answers["stimulus"].min(), answers["stimulus"].max(), 101)
-    for _, _, threshold, _, colour, mark, dashes in CASTES:
+    for _, _, threshold, name, colour, mark, dashes in CASTES:
         ideal = [works(stimulus, threshold) for stimulus in stimuli]
         axes.plot(stimuli, ideal, color=colour, linestyle=dashes)
         known = answers[answers["threshold"] == threshold].groupby("stimulus")["work"]
         bars = [interval_of(values) for _, values in known]
-        _with_bars(axes, [stimulus for stimulus, _ in known], bars, colour, mark)
+        _with_bars(axes, [stimulus for stimulus, _ in known], bars, colour, mark, name)
     axes.set_xscale("log")
     axes.xaxis.set_major_formatter("{x:g}")
     axes.set_ylim(0, 1)
     axes.set_xlabel("stimulus, held as it is")
     axes.set_ylabel("share of time at work")
+    axes.legend(loc="lower right")
     paper.panel_title(axes, "a", "Who works, by the stimulus")
 
 
@@ -78,10 +79,12 @@ def _told(axes: Axes, told: pd.DataFrame) -> None:
     axes.axvspan(0, TOLD["away"], color=paper.GREY, alpha=0.18, linewidth=0)
     axes.text(TOLD["away"] / 2, 1_060, "away", ha="center", va="center", fontsize=7)
     for (removed, _), rows in told.groupby(["removed", "agent"]):
-        colour, dashes = (paper.RED, "--") if removed else (paper.BLUE, "-")
+        colour, dashes = (paper.INK, "--") if removed else (paper.TEAL, "-")
         axes.plot(rows["since"], rows["threshold"], color=colour, linestyle=dashes, linewidth=0.9)
     axes.set_xlim(-TOLD["before"], TOLD["away"] + TOLD["after"])
     axes.set_ylim(0, 1_120)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter("{x:,.0f}")
     axes.set_xlabel("ticks since the removal")
     axes.set_ylabel("θ for the task")
     paper.panel_title(axes, "c", "Five workers; dashes: specialists taken away")
@@ -106,20 +109,21 @@ def _division(axes: Axes, special: pd.DataFrame) -> None:
 
 def _absences(axes: Axes, away: pd.DataFrame) -> None:
     shown = away[(away["workers"] == SIZE) & (away["away"] > 0)]
-    for forgets, name, colour, mark in (
-        (True, "those away forget", paper.RED, "s"),
-        (False, "those away forget nothing", paper.BLUE, "o"),
+    # A little apart, since up to 500 ticks both are the same.
+    for forgets, name, colour, mark, dashes, aside in (
+        (True, "those away forget", paper.GOLD, "s", "-", 0.95),
+        (False, "those away forget nothing", paper.INK, "o", "--", 1.05),
     ):
         rows = shown[shown["forgets"] == forgets].groupby("away")["other_role"]
         bars = [interval_of(values) for _, values in rows]
-        ticks = [ticks for ticks, _ in rows]
-        axes.plot(ticks, [one.mean for one in bars], color=colour)
+        ticks = [aside * ticks for ticks, _ in rows]
+        axes.plot(ticks, [one.mean for one in bars], color=colour, linestyle=dashes)
         _with_bars(axes, ticks, bars, colour, mark, name)
     axes.set_xscale("log")
     axes.xaxis.set_major_formatter("{x:,.0f}")
     axes.set_ylim(0, 1)
     axes.set_xlabel("ticks away")
-    axes.set_ylabel("workers with another role")
+    axes.set_ylabel("share of workers\nwith another role")
     axes.legend(loc="upper left")
     paper.panel_title(axes, "e", "5,000 ticks after the specialists' return")
 

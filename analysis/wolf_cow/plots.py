@@ -34,6 +34,7 @@ def draw(pastures: pd.DataFrame, looks: pd.DataFrame) -> Figure:
         panels = figure.subplots(3, 1, height_ratios=(1.2, 1, 1))
         _cows(panels[0], looks)
         _by_bulls(panels[1], pastures, "early_killed")
+        panels[1].set_xlabel("bulls (number)")
         panels[1].set_ylabel("cows eaten")
         paper.panel_title(panels[1], "b", f"Eaten in the first {EARLY} ticks")
         _by_bulls(panels[2], pastures, "cows")
@@ -57,6 +58,7 @@ def _cows(axes: Axes, looks: pd.DataFrame) -> None:
         )  # fmt: skip
     axes.set_ylim(0, 1.4 * axes.get_ylim()[1])  # room for the legend
     axes.set_ylabel("cows")
+    axes.xaxis.set_major_formatter("{x:,.0f}")
     axes.legend(loc="upper right")
     paper.panel_title(axes, "a", f"{SHOWN} bulls; bands: 10 to 90 % of seeds")
 

@@ -125,28 +125,40 @@ def sequences(memory: Memory) -> list[list[int]]:
 def over_time(memory: Memory) -> Figure:
     """Draw the variable, and which task has how much influence, over time.
 
+    The steps of the first correct sequence, as `sequences` gives them, are numbered.
+
     Args:
         memory: what the mind did.
     """
-    figure = paper.figure(paper.PAGE, 80)
+    figure = paper.figure(paper.PAGE, 90)
     upper, lower = figure.subplots(2, 1, sharex=True)
     scale = 1.0
     for axes in (upper, lower):
         scale = paper.time_axis(axes, list(memory.tick))
+        axes.set_xlim(left=0)
+        axes.xaxis.set_major_formatter("{x:,.0f}")
     upper.set_xlabel("")
     time = memory.tick / scale
     upper.step(time, memory.value, where="post", color=paper.INK)
     for what, mark, colour in (
-        (memory.delivered, "o", paper.BLUE),
-        (memory.correct, "^", paper.RED),
+        (memory.delivered, "o", paper.GOLD),
+        (memory.correct, "^", paper.PURPLE),
     ):
         at = np.flatnonzero(np.diff(what, prepend=0) > 0)
         name = "object delivered" if mark == "o" else "correct sequence"
-        upper.plot(time[at], memory.value[at], mark, color=colour, markersize=3, label=name)
+        upper.plot(time[at], memory.value[at], mark, color=colour, markersize=3.5, label=name)
     # Room for the legend above what the variable comes to.
-    upper.set_ylim(-0.04, min(1.4, 1.6 * max(0.2, float(memory.value.max(initial=0.0)))))
+    top = min(1.4, 1.6 * max(0.2, float(memory.value.max(initial=0.0))))
+    upper.set_ylim(-0.04, top)
     upper.set_ylabel(f"variable {VARIABLE} (0 … 1)")
     upper.legend(loc="upper right", ncols=2)
+    for number, place in enumerate(next(iter(sequences(memory)), []), 1):
+        for axes in (upper, lower):
+            axes.axvline(time[place], color=paper.PALE, linewidth=0.5, zorder=0)
+        upper.annotate(
+            str(number), (time[place], top), ha="left" if number % 2 == 0 else "right", va="top",
+            xytext=(1 if number % 2 == 0 else -1, 0), textcoords="offset points", fontsize=7,
+        )  # fmt: skip
     for name, colour in TASKS.items():
         lower.step(
             time,
@@ -160,4 +172,6 @@ def over_time(memory: Memory) -> Figure:
     lower.set_yticks([0.0, 0.5, 1.0])
     lower.set_ylabel("influence (0 … 1)")
     lower.legend(loc="upper right", ncols=2)
+    paper.panel_title(upper, "a", "What the variable holds; numbers: steps of a sequence")
+    paper.panel_title(lower, "b", "Which task has how much influence")
     return figure

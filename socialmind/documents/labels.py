@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from socialmind.documents.markdown import tables_in
 from socialmind.documents.odd.words import CONCEPTS, plain, words_of
-from socialmind.experiments.figures.labels import Labels
+from socialmind.experiments.figures.labels import Labels, word_name
 from socialmind.experiments.sweeps.columns import Names
 from socialmind.experiments.sweeps.measures.expressions import Expression
 
@@ -27,12 +27,6 @@ KEEPING = ("mean", "median", "min", "max", "sum", "std", "first", "last", "abs",
 SAID = {"min": "least", "max": "greatest", "std": "standard deviation", "first": "first value"}
 """What they are called, if not by their names."""
 _LATE = re.compile(r"(\w+)\((\w+)(?:\[-(\d+):\])?\)")
-_LINK = re.compile(r"(influence|reinforcement|conditional)\.(.+)\.(\w+)")
-_START = re.compile(r"(start|at_birth|chance|inherited)\.(.+)")
-_STARTS = {
-    "start": "{} at the start", "at_birth": "{} at birth", "chance": "chance of {} at birth",
-    "inherited": "inherited {}",
-}  # fmt: skip
 
 
 def labels_of_sweep(manifest: SweepManifest, model_class: type[Model] | None) -> Labels:
@@ -45,12 +39,12 @@ def labels_of_sweep(manifest: SweepManifest, model_class: type[Model] | None) ->
     names: dict[str, str] = {}
     units: dict[str, str] = {}
     columns = Names(tuple(manifest.columns), tuple(manifest.measures))
-    declared = {} if model_class is None else dict(model_class.parameters)
+    declared = Labels() if model_class is None else labels_of_parameters(model_class)
     for one in manifest.columns:
         column = columns.of_varied(one)
-        if one in declared:
-            names[column] = _short(one, declared[one].doc)
-            units[column] = declared[one].unit
+        if one in declared.names:
+            names[column] = declared.names[one]
+            units[column] = declared.units[one]
         else:
             names[column] = word_name(one)
     recorded = {} if model_class is None else units_recorded(model_class)
@@ -61,6 +55,13 @@ def labels_of_sweep(manifest: SweepManifest, model_class: type[Model] | None) ->
         text = record.get("expression", "")
         names[name], units[name] = _of_measure(name, text, manifest.every, recorded)
     return Labels(names, {name: unit for name, unit in units.items() if unit not in ("", "–")})
+
+
+def labels_of_parameters(model_class: type[Model]) -> Labels:
+    """Return what the parameters of a model are called, and their units."""
+    declared = model_class.parameters
+    names = {name: _short(name, one.doc) for name, one in declared.items()}
+    return Labels(names, {name: one.unit for name, one in declared.items()})
 
 
 def units_recorded(model_class: type[Model]) -> dict[str, str]:
@@ -77,26 +78,6 @@ def units_recorded(model_class: type[Model]) -> dict[str, str]:
                     # The table of the series comes first; agents have columns of the same names.
                     found.setdefault(name, row[1])
     return found
-
-
-def word_name(word: str) -> str:
-    """Return what a word of a scheme is called.
-
-    >>> word_name("humans.influence.WheatNeed.GrowWheat"), word_name("start.Farmer")
-    ('influence of WheatNeed on GrowWheat (humans)', 'Farmer at the start')
-    """
-    link, start = _LINK.search(word), _START.search(word)
-    owner = word[: (link or start).start()].rstrip(".") if link or start else ""  # type: ignore[union-attr]
-    if link:
-        said = {
-            "influence": "influence of {} on {}", "reinforcement": "reinforcement of {1} by {0}",
-            "conditional": "condition {} of {}",
-        }[link[1]].format(link[2], link[3])  # fmt: skip
-        return f"{said} ({owner})" if owner else said
-    if start:
-        said = _STARTS[start[1]].format(start[2])
-        return f"{said} ({owner})" if owner else said
-    return word.replace("decision_maker.", "decision maker: ").replace("_", " ").replace(".", " ")
 
 
 def defaults_of(model_class: type[Model] | None) -> dict[str, Any]:

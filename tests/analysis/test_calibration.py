@@ -7,6 +7,7 @@ import pytest
 
 from socialmind.experiments.calibration.reporting import identifying
 from socialmind.experiments.studies import find
+from socialmind.sources.loading import load_file
 
 TOPIC = Path(__file__).parents[2] / "analysis" / "calibration"
 
@@ -46,6 +47,15 @@ def test_its_verdicts_follow_from_its_recoveries(kept):
         "reinforcement.Farmer.TradeWheatForTools", "reinforcement.Farmer.TradeToolsForWheat",
     }  # fmt: skip
     assert both == pytest.approx(-0.89, abs=0.005)
+
+
+def test_each_recovery_of_a_method_is_a_dot():
+    recoveries = pd.read_csv(TOPIC / "results" / "methods-recovery.csv")
+    panels = load_file(TOPIC / "page.py").draw_methods(recoveries).axes
+    assert len(panels) == 2 and panels[0].get_ylim() == panels[1].get_ylim()
+    for axes in panels:
+        dots = [line for line in axes.lines if line.get_marker() == "o"]
+        assert [len(line.get_ydata()) for line in dots] == [6] * 4
 
 
 @pytest.mark.study

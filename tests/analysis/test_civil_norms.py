@@ -39,6 +39,8 @@ def test_the_figure_shows_every_run():
     dots = [line for line in axes.lines if line.get_marker() == "."]
     assert len(dots) == len(STUDY.TOGETHER)
     assert all(list(line.get_xdata()) == [0.0, 0.75] for line in dots)
+    means = [line for line in axes.lines if line.get_marker() == "o"]
+    assert {line.get_markerfacecolor() for line in means} == {"none"}
 
 
 def test_alone_without_culturons_a_run_comes_to_the_same():

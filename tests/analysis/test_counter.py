@@ -78,3 +78,5 @@ def test_attempts_are_told_apart_by_what_their_variable_holds():
     (axes,) = representations.draw(rows).axes
     widths = [round(line.get_linewidth(), 1) for line in axes.lines]
     assert widths == [1.3, 0.8, 0.8]  # the first two attempts come to the same
+    assert [text.get_text() for text in axes.texts] == ["4 of 5 drawn"]
+    assert axes.get_ylim()[0] < 0 and axes.get_ylim()[1] > 1

@@ -11,6 +11,7 @@ from socialmind.sources.loading import load_file
 FOLDER = Path(__file__).parents[2] / "analysis" / "herds"
 PASTURES = load_file(FOLDER / "pastures.py")
 STUDY = load_file(FOLDER / "study.py")
+SURVIVAL = load_file(FOLDER / "survival.py")
 
 
 def test_distances_of_followers_go_the_short_way_round():
@@ -27,6 +28,14 @@ def test_the_share_of_herds_that_outlive_an_age():
     ages, shares = STUDY.surviving([2, 3, 5, 8], [True, False, True, False])
     assert ages == [0.0, 2.0, 5.0]
     assert shares == pytest.approx([1.0, 0.75, 0.375])
+
+
+def test_a_curve_has_a_band_over_seeds_and_marks_who_still_lived():
+    rows = {"seed": [0, 0, 1, 1], "life": [2, 3, 5, 8], "ended": [True, False, True, False]}
+    curve = SURVIVAL.curve_of(pd.DataFrame(rows))
+    assert curve.ages.tolist() == [0, 2, 3, 5, 8] and curve.seen_last.tolist() == [3, 8]
+    assert curve.share([0, 2.5, 9]).tolist() == pytest.approx([1.0, 0.75, 0.375])
+    assert (curve.low <= curve.shares).all() and (curve.shares <= curve.high).all()
 
 
 def test_the_mean_life_counts_the_ticks_of_those_that_still_live():

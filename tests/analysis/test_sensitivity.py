@@ -8,6 +8,7 @@ import pytest
 
 from socialmind.catalogue import load_model
 from socialmind.experiments import Sensitivity
+from socialmind.experiments.sensitivity.figure import figure_of
 from socialmind.experiments.studies import find
 from socialmind.sources.loading import load_file
 
@@ -73,6 +74,14 @@ def test_both_designs_stand_side_by_side():
     assert rows.index.tolist() == ["b", "a", "c"]
     assert rows["screened"].tolist() == [True, False, False]
     assert rows["counts"].tolist()[:2] == [True, True] and pd.isna(rows.loc["c", "counts"])
+
+
+def test_figures_are_drawn_from_the_kept_tables():
+    kept = {name: STUDY.kept(name) for name in STUDY.METHODS}
+    assert all(len(one.outputs) == 3 for one in kept.values())
+    assert len(kept["screening"].parameters) == len(SWEEPS.RANGES)
+    names = [text.get_text() for text in figure_of(kept["shares"], STUDY.labels()).legends[0].texts]
+    assert "second order" in names and "total order by luck alone" in names
 
 
 @pytest.mark.study

@@ -1,9 +1,7 @@
 """What columns of sweeps are called at axes, and their units."""
 
-import pytest
-
 from socialmind.catalogue import load_model
-from socialmind.documents.labels import labels_of_sweep, units_recorded, word_name
+from socialmind.documents.labels import labels_of_parameters, labels_of_sweep, units_recorded
 
 MEASURES = {
     "settled": {"expression": "mean(artisans[-20:])"},
@@ -46,16 +44,7 @@ def test_units_of_the_series_are_those_of_its_own_table():
     assert units["artisans"] == "agents" and units["specialisation"] == "0 … 1"
 
 
-@pytest.mark.parametrize(
-    ("word", "name"),
-    [
-        ("influence.WheatNeed.GrowWheat", "influence of WheatNeed on GrowWheat"),
-        ("reinforcement.Farmer.Sell", "reinforcement of Sell by Farmer"),
-        ("bulls.influence.a.b.Go", "influence of a.b on Go (bulls)"),
-        ("at_birth.ToolStock", "ToolStock at birth"),
-        ("decision_maker.bias", "decision maker: bias"),
-        ("humans.scheme", "humans scheme"),
-    ],
-)
-def test_words_of_schemes_read_as_words(word, name):
-    assert word_name(word) == name
+def test_parameters_are_called_the_same_without_a_sweep():
+    labels = labels_of_parameters(load_model("farmer_artisan"))
+    assert labels.axis("tool_price") == "price of a tool (wheat a tool)"
+    assert labels.name("demand_intensity") == "demand intensity"

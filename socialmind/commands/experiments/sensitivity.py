@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from socialmind.experiments.sensitivity.indices import Sensitivity
+    from socialmind.experiments.sweeps.result import Sweep
+    from socialmind.model import Model
 
 NAME = "sensitivity"
 """What the folder, the figure and the text are called that are written."""
@@ -51,9 +53,11 @@ def sensitivity(
 ) -> None:
     """Say what the outputs of a sweep depend on, by the method that its design is made for."""
     os.environ["MPLBACKEND"] = "Agg"
+    from socialmind.documents.labels import labels_of_sweep
     from socialmind.experiments.sensitivity.figure import figure_of
     from socialmind.experiments.sensitivity.indices import sensitivity_of
     from socialmind.experiments.sensitivity.words import report
+    from socialmind.experiments.sweeps.result import Sweep
     from socialmind.society.settings import pair
 
     units = dict(pair(one) for one in unit or ())
@@ -64,8 +68,20 @@ def sensitivity(
     lines = report(found)
     if not quiet:
         typer.echo("\n".join(lines))
-    for path in write(found, lines, figure_of(found, units), out or folder / NAME):
+    sweep = Sweep(folder)
+    labels = labels_of_sweep(sweep.manifest, _model_of(sweep)).also({}, units)
+    for path in write(found, lines, figure_of(found, labels), out or folder / NAME):
         typer.echo(path)
+
+
+def _model_of(sweep: Sweep) -> type[Model] | None:
+    """Return the model of a sweep, which says what parameters are called; None if not at hand."""
+    from socialmind.runs.sources import recorded_class
+
+    try:
+        return recorded_class(sweep.capsule, trust=False)
+    except SocialmindError:
+        return None
 
 
 def write(found: Sensitivity, lines: list[str], figure: Figure, out: Path) -> list[Path]:

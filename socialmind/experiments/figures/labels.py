@@ -8,6 +8,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+_LINK = re.compile(r"(influence|reinforcement|conditional)\.(.+)\.(\w+)")
+_START = re.compile(r"(start|at_birth|chance|inherited)\.(.+)")
+_STARTS = {
+    "start": "{} at the start", "at_birth": "{} at birth", "chance": "chance of {} at birth",
+    "inherited": "inherited {}",
+}  # fmt: skip
+
 
 @dataclass(frozen=True)
 class Labels:
@@ -62,3 +69,23 @@ def value_name(value: Any) -> str:
     if isinstance(value, bool) or type(value).__name__ in ("bool", "bool_"):
         return str(bool(value)).lower()
     return f"{value:,.6g}" if abs(value) >= 1000 else f"{value:.6g}"
+
+
+def word_name(word: str) -> str:
+    """Return what a word of a scheme is called.
+
+    >>> word_name("humans.influence.WheatNeed.GrowWheat"), word_name("start.Farmer")
+    ('influence of WheatNeed on GrowWheat (humans)', 'Farmer at the start')
+    """
+    link, start = _LINK.search(word), _START.search(word)
+    owner = word[: (link or start).start()].rstrip(".") if link or start else ""  # type: ignore[union-attr]
+    if link:
+        said = {
+            "influence": "influence of {} on {}", "reinforcement": "reinforcement of {1} by {0}",
+            "conditional": "condition {} of {}",
+        }[link[1]].format(link[2], link[3])  # fmt: skip
+        return f"{said} ({owner})" if owner else said
+    if start:
+        said = _STARTS[start[1]].format(start[2])
+        return f"{said} ({owner})" if owner else said
+    return word.replace("decision_maker.", "decision maker: ").replace("_", " ").replace(".", " ")

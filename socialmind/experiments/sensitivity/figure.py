@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
+from string import ascii_lowercase
+from textwrap import fill
 
+import numpy as np
 import pandas as pd
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from socialmind.drawing import style as paper
+from socialmind.experiments.figures.labels import Labels
 from socialmind.experiments.sensitivity import effects, regression, variance
 from socialmind.experiments.sensitivity.indices import (
     FAST,
@@ -25,9 +31,9 @@ LOOKS = {
     variance.FIRST: ("first order", paper.BLUE, "o"),
     variance.TOTAL: ("total order", paper.RED, "s"),
     variance.SECOND: ("second order", paper.PURPLE, "D"),
-    effects.MU_STAR: ("mu*", paper.RED, "s"),
-    effects.MU: ("mu", paper.BLUE, "o"),
-    effects.SIGMA: ("sigma", paper.GOLD, "^"),
+    effects.MU_STAR: ("μ*", paper.RED, "s"),
+    effects.MU: ("μ", paper.BLUE, "o"),
+    effects.SIGMA: ("σ", paper.GOLD, "^"),
     regression.SRC: ("regression coefficient", paper.BLUE, "o"),
     regression.PARTIAL_RANK: ("partial rank correlation", paper.RED, "s"),
     regression.RATIO: ("correlation ratio", paper.PURPLE, "D"),
@@ -39,107 +45,175 @@ SHOWN = {
     MORRIS: (effects.MU_STAR, effects.MU, effects.SIGMA),
     REGRESSION: (regression.SRC, regression.PARTIAL_RANK, regression.RATIO),
 }
+AXES = {MORRIS: "change over a parameter's range", REGRESSION: "coefficient, correlation"}
+"""What stands at the axes of a method; shares of the variance at those of others."""
 PAIRS = 10
 """So many pairs at most have room in a panel."""
-ROW, AROUND = 5.0, 22.0
-"""Height of a parameter in a panel, and of what stands around it, in mm."""
+ACROSS = 3
+"""Panels beside one another, at most."""
+ROW, PAIR, AROUND = 5.0, 8.0, 17.0
+"""Height of a parameter and of a pair in a panel, and of what stands around it, in mm."""
+LETTER = 1.5
+"""Width of a letter of a title, in mm, about."""
 
 
-def draw_indices(axes: Axes, found: Sensitivity, output: str, unit: str = "") -> Axes:
+def draw_indices(
+    axes: Axes, found: Sensitivity, output: str, labels: Labels | None = None,
+    order: Sequence[str] | None = None,
+) -> Axes:  # fmt: skip
     """Draw the indices of all parameters, those of most effect above, with their intervals.
 
-    A grey band is the total order, or mu*, that a parameter without any effect has by luck.
+    A grey band is the total order, or μ*, that a parameter without any effect has by luck.
 
     Args:
         axes: the panel.
         found: the sensitivity of a sweep.
         output: one of its outputs.
-        unit: of the output, for the effects of Morris's design.
+        labels: what parameters are called, and the unit of the output for Morris's effects.
+        order: of the parameters, from above; by default as this output has it.
 
     Returns:
         The panel.
     """
-    names = found.ordered(output)
-    texts = found.of(output, regression.RATIO)["parameter"].tolist()
+    labels = labels or Labels()
+    names = list(order or _order(found, [output]))
     shown = [one for one in SHOWN[found.method] if len(found.of(output, one))]
-    places = {name: float(place) for place, name in enumerate([*names, *texts])}
+    places = {name: float(place) for place, name in enumerate(names)}
     for number, index in enumerate(shown):
         rows = found.of(output, index)
-        shift = 0.0 if index == regression.RATIO else 0.22 * (number - (len(shown) - 1) / 2)
+        shift = 0.0 if index == regression.RATIO else 0.26 * (number - (len(shown) - 1) / 2)
         _dots(axes, rows, [places[one] + shift for one in rows["parameter"]], index)
     floor = float(found.luck.loc[found.luck["output"] == output, "floor"].iloc[0])
     if math.isfinite(floor) and floor > 0:
         label = f"{LOOKS[MAIN[found.method]][0]} by luck alone"
         axes.axvspan(0.0, floor, color=paper.GREY, alpha=0.18, linewidth=0, label=label)
-    label = {
-        MORRIS: "change over a parameter's range" + (f" ({unit})" if unit else ""),
-        REGRESSION: "coefficient, correlation",
-    }.get(found.method, "share of the variance")
-    return _dressed(axes, list(places), label)
+    text = AXES.get(found.method, "share of the variance")
+    unit = labels.units.get(output, "") if found.method == MORRIS else ""
+    return _dressed(axes, map(labels.name, names), f"{text} ({unit})" if unit else text)
 
 
-def draw_pairs(axes: Axes, found: Sensitivity, output: str) -> Axes:
-    """Draw what pairs of parameters do together, beyond each alone: the largest, with intervals.
+def draw_pairs(
+    axes: Axes, found: Sensitivity, output: str, labels: Labels | None = None,
+    order: Sequence[tuple[str, str]] | None = None,
+) -> Axes:  # fmt: skip
+    """Draw what pairs of parameters do together, beyond each alone, with intervals.
 
     Args:
         axes: the panel.
         found: Sobol indices.
         output: one of the outputs.
+        labels: what parameters are called.
+        order: the pairs, from above; by default those that are largest for this output.
 
     Returns:
         The panel.
     """
-    rows = found.of(output, variance.SECOND)
-    rows = rows.sort_values("value", ascending=False, kind="stable").head(PAIRS)
+    labels = labels or Labels()
+    pairs = list(order or _order_of_pairs(found, [output]))
+    rows = found.of(output, variance.SECOND).set_index(["parameter", "other"]).loc[pairs]
     _dots(axes, rows, [float(place) for place in range(len(rows))], variance.SECOND)
-    names = [f"{a} × {b}" for a, b in zip(rows["parameter"], rows["other"], strict=True)]
+    names = (f"{labels.name(a)} ×\n{labels.name(b)}" for a, b in pairs)
     return _dressed(axes, names, "share of the variance")
 
 
-def figure_of(found: Sensitivity, units: Mapping[str, str] | None = None) -> Figure:
-    """Return a figure of all outputs: a panel each, for Sobol indices with the pairs beside it.
+def figure_of(found: Sensitivity, labels: Labels | None = None) -> Figure:
+    """Return a figure of all outputs: a panel each, for Sobol indices with the pairs below it.
+
+    Panels side by side share their parameters, ordered by what they do to all outputs, and panels
+    of one measure their x axis.
 
     Args:
         found: the sensitivity of a sweep.
-        units: of outputs, by name.
+        labels: what parameters and outputs are called, and the units of outputs.
     """
-    pairs = len(found.of(found.outputs[0], variance.SECOND)) > 0
-    across = 2 if pairs or len(found.outputs) > 1 else 1
-    count = len(found.outputs) * (2 if pairs else 1)
-    down = -(-count // across)
-    most = min(len(found.of(found.outputs[0], variance.SECOND)), PAIRS)
-    height = ROW * max(len(found.parameters), most) + AROUND
+    labels = labels or Labels()
+    outputs = found.outputs
+    across = min(ACROSS, len(outputs))
+    width = paper.PAGE if across > 1 else paper.COLUMN
+    order, pairs = _order(found, outputs), _order_of_pairs(found, outputs)
+    kinds = [(ROW * len(order) + AROUND, False)]
+    if pairs:
+        kinds.append((PAIR * len(pairs) + AROUND, True))
+    groups = [outputs[at : at + across] for at in range(0, len(outputs), across)]
+    rows = [(group, height, paired) for group in groups for height, paired in kinds]
+    heights = [height for _, height, _ in rows]
     with paper.style():
-        figure = paper.figure(paper.PAGE if across > 1 else paper.COLUMN, height * down + 6, gap=2)
-        panels = list(figure.subplots(down, across, squeeze=False).flat)
-        for place, output in enumerate(found.outputs):
-            axes = panels[2 * place if pairs else place]
-            draw_indices(axes, found, output, (units or {}).get(output, ""))
-            title = output.replace("_", " ")
-            axes.set_title(title)
-            if pairs:
-                draw_pairs(panels[2 * place + 1], found, output)
-                panels[2 * place + 1].set_title(f"{title}: pairs")
-        for axes in panels[count:]:
-            axes.set_visible(False)
-        marks, names = panels[0].get_legend_handles_labels()
-        columns = len(names) if across > 1 else 2
-        figure.legend(marks, names, loc="outside upper left", ncols=columns)
+        figure = paper.figure(width, sum(heights) + 6, gap=1.5)
+        panels = figure.subplots(len(rows), across, squeeze=False, height_ratios=heights)
+        drawn: list[Axes] = []
+        for line, (group, _, paired) in zip(panels, rows, strict=True):
+            for axes, output in zip(line, group, strict=False):
+                if paired:
+                    draw_pairs(axes, found, output, labels, pairs)
+                else:
+                    draw_indices(axes, found, output, labels, order)
+                if axes is not line[0]:
+                    axes.tick_params(axis="y", labelleft=False)
+                name = labels.name(output) + (": pairs" if paired else "")
+                letters = int((0.62 if across > 1 else 0.5) * width / across / LETTER)
+                letter = ascii_lowercase[len(drawn) % len(ascii_lowercase)]
+                paper.panel_title(axes, letter, fill(name, letters))
+                axes.set_xlabel(fill(axes.get_xlabel(), letters + 4))
+                drawn.append(axes)
+            for axes in line[len(group) :]:
+                axes.set_visible(False)
+        if found.method != MORRIS:  # whose effects are in units of the outputs
+            _share(drawn)
+        _legend(figure, drawn, found.level, 4 if across > 1 else 2)
     return figure
+
+
+def _order(found: Sensitivity, outputs: Sequence[str]) -> list[str]:
+    """Return the parameters by what they do to outputs, names without an order below numbers."""
+    sizes = []
+    for output in outputs:
+        rows = found.of(output, MAIN[found.method])
+        size = rows.set_index("parameter")["value"].abs()
+        sizes.append(size / size.max())
+    together = pd.concat(sizes, axis=1).fillna(-1.0).sum(axis=1)
+    numbers = together.sort_values(ascending=False, kind="stable").index.tolist()
+    texts = found.table.loc[found.table["index"] == regression.RATIO, "parameter"]
+    return [*numbers, *texts.drop_duplicates()]
+
+
+def _order_of_pairs(found: Sensitivity, outputs: Sequence[str]) -> list[tuple[str, str]]:
+    """Return the pairs that share most of the variance of outputs, the most first."""
+    rows = pd.concat([found.of(output, variance.SECOND) for output in outputs])
+    together = rows.groupby(["parameter", "other"], sort=False)["value"].mean()
+    return together.sort_values(ascending=False, kind="stable").head(PAIRS).index.tolist()
+
+
+def _share(panels: Sequence[Axes]) -> None:
+    limits = np.array([axes.get_xlim() for axes in panels])
+    for axes in panels:
+        axes.set_xlim(limits[:, 0].min(), limits[:, 1].max())
+
+
+def _legend(figure: Figure, panels: Sequence[Axes], level: float, columns: int) -> None:
+    """Name what any panel shows, and the lines beside the marks."""
+    known: dict[str, Artist] = {}
+    for axes in panels:
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+            known.setdefault(label, handle)
+    known[f"interval of {100 * level:g} %"] = Line2D([], [], color=paper.GREY, linewidth=1.0)
+    figure.legend(
+        known.values(), known, loc="outside upper left", ncols=min(len(known), columns + 1)
+    )
 
 
 def _dots(axes: Axes, rows: pd.DataFrame, places: Sequence[float], index: str) -> None:
     label, colour, mark = LOOKS[index]
     value, low, high = (rows[name].to_numpy(float) for name in ("value", "low", "high"))
     axes.hlines(places, low, high, color=colour, linewidth=1.0)
-    axes.plot(value, places, mark, color=colour, markersize=3.2, label=label)
+    axes.plot(value, places, mark, color=colour, markersize=3.2, linestyle="none", label=label)
 
 
-def _dressed(axes: Axes, names: Sequence[str], label: str) -> Axes:
+def _dressed(axes: Axes, names: Iterable[str], label: str) -> Axes:
+    named = list(names)
     axes.axvline(0.0, color=paper.INK, linewidth=0.6, zorder=0)
     axes.xaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
-    axes.set_ylim(len(names) - 0.4, -0.6)
-    axes.set_yticks(range(len(names)), [name.replace("_", " ") for name in names])
+    axes.set_ylim(len(named) - 0.4, -0.6)
+    axes.set_yticks(range(len(named)), named)
     axes.tick_params(axis="y", length=0)
     axes.spines["left"].set_visible(False)
     axes.set_xlabel(label)

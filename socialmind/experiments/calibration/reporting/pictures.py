@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from string import ascii_lowercase
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,15 +13,16 @@ import numpy as np
 from socialmind.drawing import style as paper
 from socialmind.experiments.calibration.result import Fit
 from socialmind.experiments.calibration.target import SERIES, TICK
+from socialmind.experiments.figures.labels import word_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-WIDTH, HEIGHT = 60.0, 52.0
+WIDTH, HEIGHT = 60.0, 56.0
 """Of a panel, in millimetres."""
-LONGEST = 26
-"""Characters of a line over a panel."""
+LONGEST = 30
+"""Characters of a line over or below a panel."""
 
 
 def figures_of(fit: Fit) -> dict[str, Figure]:
@@ -32,23 +35,31 @@ def figures_of(fit: Fit) -> dict[str, Figure]:
 
 
 def draw_recovery(fit: Fit) -> Figure:
-    """Draw for each parameter what was found against what was true, with intervals."""
+    """Draw for each parameter what was found against what was true, with intervals.
+
+    A dot is the best trial, an interval of a surface through all of them: it need not hold the dot.
+    """
     table = fit.parameters.set_index("parameter")
     figure, panels = paper.grid(len(fit.manifest.vary), WIDTH, HEIGHT)
-    for axes, one in zip(panels, fit.manifest.vary, strict=False):
+    labels = {True: "found, with its interval", False: "found; the interval misses the truth"}
+    for number, (axes, one) in enumerate(zip(panels, fit.manifest.vary, strict=False)):
         name = one["name"]
         rows = fit.recovery[fit.recovery["parameter"] == name]
-        axes.plot([one["low"], one["high"]], [one["low"], one["high"]], color=paper.PALE, zorder=1)
+        ends = [one["low"], one["high"]]
+        axes.plot(ends, ends, color=paper.PALE, zorder=1, label="found = true")
         for _, row in rows.iterrows():
-            colour = paper.BLUE if row["covers"] else paper.RED
+            held = bool(row["covers"])
+            colour = paper.BLUE if held else paper.RED
             axes.plot([row["true"]] * 2, [row["low"], row["high"]], color=colour, linewidth=0.7)
-            axes.plot(row["true"], row["found"], "o", color=colour, markersize=3, zorder=3)
+            # Not clipped: a dot at the end of a range is whole.
+            axes.plot(row["true"], row["found"], "o" if held else "s", color=colour, markersize=3,
+                      zorder=3, clip_on=False, label=labels[held])  # fmt: skip
         _scaled(axes, one, both=True)
         axes.set_xlabel("true")
         axes.set_ylabel("found")
-        axes.set_title(
-            f"{_in_lines(name)}\n{table.loc[name, 'verdict']}, gain {table.loc[name, 'gain']:.2f}"
-        )
+        said = f"{table.loc[name, 'verdict']}, gain {table.loc[name, 'gain']:.2f}"
+        _head(axes, number, f"{_in_lines(name)}\n{said}")
+    _key(figure, panels)
     return figure
 
 
@@ -58,26 +69,32 @@ def draw_profiles(fit: Fit) -> Figure:
     trials = fit.trials[(fit.trials["search"] == 0) & np.isfinite(fit.trials["distance"])]
     luck = fit.best["luck"]
     top = _top(fit.profiles["distance"], luck)
-    for axes, one in zip(panels, fit.manifest.vary, strict=False):
+    near = trials["distance"] <= top
+    for number, (axes, one) in enumerate(zip(panels, fit.manifest.vary, strict=False)):
         name = one["name"]
         every = fit.profiles[fit.profiles["parameter"] == name]
         rows = every.dropna(subset=["distance"])
-        axes.plot(trials[name], trials["distance"], ".", color=paper.PALE, markersize=2, zorder=1,
-                  label="a trial")  # fmt: skip
+        axes.plot(trials.loc[near, name], trials.loc[near, "distance"], ".", color=paper.PALE,
+                  markersize=2, zorder=1, label="a trial")  # fmt: skip
+        if not near.all():
+            far = trials.loc[~near, name]
+            axes.plot(far, np.full(len(far), top), "|", color=paper.GREY, markersize=5,
+                      markeredgewidth=0.5, clip_on=False, label="a trial farther away")  # fmt: skip
         axes.plot(rows["value"], rows["distance"], "o-", color=paper.BLUE, markersize=3,
                   label="the least in a tenth of the range")  # fmt: skip
         middles = [_middle(row["from"], row["to"], one["log"]) for _, row in every.iterrows()]
-        axes.plot(middles, every["smooth"], color=paper.PURPLE, linewidth=0.8,
-                  label="a surface through all trials")  # fmt: skip
+        axes.plot(middles, every["smooth"], color=paper.PURPLE, linewidth=1.0,
+                  linestyle=paper.DASHES[paper.PURPLE],
+                  label="a surface through all trials, cut at 0")  # fmt: skip
         axes.axvline(fit.values[name], color=paper.INK, linewidth=0.6, label="found")
         if luck is not None:
             axes.axhline(luck, color=paper.GOLD, linewidth=0.8, label="plausible below")
         _scaled(axes, one)
         axes.set_ylim(-0.04 * top, top)  # a surface that comes to nothing is seen
         axes.set_xlabel(_in_lines(name))
-        axes.set_ylabel("distance")
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=min(3, len(panels)))
+        axes.set_ylabel("distance from the data")
+        _head(axes, number, "")
+    _key(figure, panels)
     return figure
 
 
@@ -86,7 +103,7 @@ def draw_best(fit: Fit) -> Figure:
     target, runs = fit.target, fit.best_runs
     figure, panels = paper.grid(len(target.columns), WIDTH, HEIGHT)
     for n, (axes, name) in enumerate(zip(panels, target.columns, strict=False)):
-        axes.set_title(name)
+        _head(axes, n, name.replace("_", " "))
         if target.kind == SERIES:
             wide = runs.pivot_table(name, TICK, "run") if len(runs) else None
             unit = paper.time_axis(axes, target.ticks)
@@ -123,9 +140,23 @@ def _scaled(axes: Axes, one: Mapping[str, Any], both: bool = False) -> None:
         axes.set_ylim(one["low"], one["high"])
 
 
+def _head(axes: Axes, number: int, title: str) -> None:
+    paper.panel_title(axes, ascii_lowercase[number % len(ascii_lowercase)], title)
+
+
+def _key(figure: Figure, panels: Sequence[Axes]) -> None:
+    """Name below a figure what any of its panels shows."""
+    known: dict[str, Any] = {}
+    for axes in panels:
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+            known.setdefault(label, handle)
+    columns = min(3, len(panels))
+    figure.legend(known.values(), known, loc="outside lower center", ncols=columns)
+
+
 def _in_lines(name: str) -> str:
-    """Return a name that fits over a panel: what is long is broken behind its first full stop."""
-    return name if len(name) <= LONGEST else name.replace(".", ".\n", 1)
+    """Return what a parameter is called, in lines that fit over or below a panel."""
+    return fill(word_name(name), LONGEST)
 
 
 def _middle(low: float, high: float, log: bool) -> float:

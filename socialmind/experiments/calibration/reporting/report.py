@@ -39,7 +39,9 @@ def report_of(fit: Fit) -> str:
         "(grey), and a smooth surface through all of them (purple). Where they are flat, the "
         "parameter hardly matters to these data. Below the golden line values are plausible. A "
         "search looks little where trials are bad: there the blue line lies too high rather than "
-        "too low.",
+        "too low. Strokes at the upper edge are trials farther away. The surface is one of squared "
+        "distances, and where these would be below 0 it is cut at 0; an interval that is taken "
+        "from it holds all values there.",
         "![Distance by each parameter](figures/profiles.png)",
         "## To repeat it",
         "In this folder:",
@@ -172,7 +174,11 @@ def _recovery(fit: Fit) -> Iterable[str]:
         "of 0.5 or more, *roughly* of 0.35 or more."
     )
     yield from _verdicts(fit, summary)
-    yield "![Found against true; red where the interval misses](figures/recovery.png)"
+    yield "![Found against true; red squares where the interval misses](figures/recovery.png)"
+    yield (
+        "Dots are the best trials, bars the intervals. An interval is taken from all trials (a "
+        "surface through them, or a posterior), so the best of them may lie outside."
+    )
 
 
 def _recovered(summary: pd.DataFrame) -> list[dict[str, str]]:
