@@ -93,7 +93,9 @@ def write_society(out: Path) -> list[Path]:
     with paper.style():
         lands = FIGURES.lands(maps, size, village)
         minds = FIGURES.mind(agents[agents["tick"] <= SPECIALISED], scheme)
-        mind = FIGURES.mind(agents[agents["tick"] <= one["tick"]], scheme, [(title, one)])
+        mind = FIGURES.mind(
+            agents[agents["tick"] <= one["tick"]], scheme, [(title, one)], over_time=False
+        )
         stocks = FIGURES.stocks(series)
     shares = [
         {

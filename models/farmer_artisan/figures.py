@@ -34,6 +34,8 @@ COLOURS = {  # of cognitons and plans
     "TradeWheatForTools": paper.GOLD,
     "TradeToolsForWheat": paper.GOLD,
 }
+# Of people whose plan has a colour: a mark, so that grey tells them too, and how large it is.
+MARKS = {paper.BLUE: ("o", 1.0), paper.RED: ("^", 1.5), paper.GOLD: ("v", 1.3), "white": ("o", 1.0)}
 ACTIVITY = LinearSegmentedColormap.from_list("wheat to tools", paper.BLUE_TO_RED)
 # The ticks of figures 3.8, 3.9, 3.11 and 3.13.
 THESIS_TICKS = (
@@ -236,12 +238,16 @@ def _map(
         )  # fmt: skip
     if len(people):
         plans = people["plan"].astype(object).where(people["plan"].notna(), None)
-        axes.scatter(
-            people["x"].to_numpy(float), people["y"].to_numpy(float),
-            c=[COLOURS.get(plan, "white") for plan in plans],
-            s=min(2.55, 0.9 * patch) ** 2, edgecolors=paper.INK, linewidths=min(0.45, 0.15 * patch),
-            zorder=4, rasterized=crowd, clip_on=False,
-        )  # fmt: skip
+        colours = np.array([COLOURS.get(plan, "white") for plan in plans])
+        for colour, (marker, larger) in MARKS.items():
+            own = people[colours == colour]
+            axes.scatter(
+                own["x"].to_numpy(float), own["y"].to_numpy(float), color=colour, marker=marker,
+                s=(larger * min(2.55, 0.9 * patch)) ** 2,
+                # A dark one on a land of its colour would not be seen.
+                edgecolors=paper.INK if colour == "white" else "white",
+                linewidths=min(0.45, 0.15 * patch), zorder=4, rasterized=crowd, clip_on=False,
+            )  # fmt: skip
 
 
 def _map_key(figure: Figure, axes: Axes) -> None:
@@ -253,8 +259,9 @@ def _map_key(figure: Figure, axes: Axes) -> None:
                markeredgecolor=paper.INK, markeredgewidth=0.7, markersize=6,
                label="more tools than wheat"),
         *(
-            Line2D([], [], marker="o", color="none", markerfacecolor=colour,
-                   markeredgecolor=paper.INK, markeredgewidth=0.45, markersize=3, label=name)
+            Line2D([], [], marker=MARKS[colour][0], color="none", markerfacecolor=colour,
+                   markeredgecolor=paper.INK if colour == "white" else "white",
+                   markeredgewidth=0.45, label=name, markersize=3 * MARKS[colour][1])
             for name, colour in (
                 ("person growing wheat", paper.BLUE),
                 ("making tools", paper.RED),
@@ -279,6 +286,7 @@ def mind(
     agents: pd.DataFrame,
     scheme: CognitiveScheme | None,
     shown: Sequence[tuple[str, pd.Series]] | None = None,
+    over_time: bool = True,
 ) -> Figure:
     """Draw the inside of three minds at the last recorded tick, and all specialisations over time.
 
@@ -289,18 +297,22 @@ def mind(
         agents: one row an agent and recorded tick.
         scheme: the scheme whose decision maker gives the probabilities; without it, none are drawn.
         shown: other minds in place of these three: for each its heading, and its row of `agents`.
+        over_time: whether there are trajectories.
 
     Returns:
         A figure with a row for each mind and one for the trajectories.
     """
     shown = _typical(agents) if shown is None else shown
-    figure = paper.figure(paper.PAGE, 38 * len(shown) + 58, gap=2.0)
-    parts = figure.subfigures(
-        len(shown) + 1, 1, height_ratios=[38.0] * len(shown) + [58.0], squeeze=False
-    )[:, 0]
+    heights = [38.0] * len(shown) + [58.0] * over_time
+    figure = paper.figure(paper.PAGE, sum(heights), gap=2.0)
+    parts = figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
     letters = iter("abcdefgh")
+
+    def headed(title: str) -> str:
+        return f"$\\bf{{{next(letters)}}}$   {title}" if len(heights) > 1 else title
+
     drawn = [
-        _one_mind(part, f"$\\bf{{{next(letters)}}}$   {title}", row, scheme)
+        _one_mind(part, headed(title), row, scheme)
         for part, (title, row) in zip(parts, shown, strict=False)
     ]
     for panels in zip(*drawn, strict=True):  # alike for every mind, so that minds compare
@@ -308,7 +320,8 @@ def mind(
         high = max(axes.get_xlim()[1] for axes in panels)
         for axes in panels:
             axes.set_xlim(low, high)
-    _trajectories(parts[-1], agents, letters)
+    if over_time:
+        _trajectories(parts[-1], agents, letters)
     return figure
 
 

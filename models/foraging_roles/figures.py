@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 A, B = paper.GOLD, paper.PURPLE
 ROLES = LinearSegmentedColormap.from_list("A to B", (A, "#f2ead9", "#e4dcec", B))
+UNDECIDED = "#ebe3e2"
 MOMENTS = 8  # pictures of the arena, as many as the thesis has steps
 ON_TIME = 1.1  # how far the pictures go beyond the last change of roles
 SHORT = 4000  # ticks that they cover at least
@@ -122,36 +123,37 @@ def steps(run: Run) -> Figure:
     figure = paper.figure(paper.PAGE, 112)
     panels = figure.subplots(2, MOMENTS // 2, squeeze=False).flat
     model = model_of(Capsule(run.folder))
-    for tick, axes in zip(moments.tolist(), panels, strict=False):
+    for letter, tick, axes in zip("abcdefgh", moments.tolist(), panels, strict=False):
         model.advance(tick - model.tick)
         scene = scene_of(model)
         Picture(axes, replace(scene, robots=()), sensing=False)  # triangles stand for them
-        _colour_by_role(axes, model)
-        in_b = model.in_b
-        axes.set_title(f"{len(model.robots) - in_b} A, {in_b} B")
+        paper.panel_title(axes, letter, _colour_by_role(axes, model))
     for axes in list(panels):
         axes.set_visible(False)
     marks = [
-        Line2D(
-            [],
-            [],
-            marker="^",
-            linewidth=0,
-            color=colour,
-            markeredgecolor=paper.INK,
-            label=f"robots in the role {name}",
-        )
-        for name, colour in (("A", A), ("B", B))
-    ]
+        Line2D([], [], marker="^", linewidth=0, color=colour, markersize=4.6,
+               markeredgecolor=paper.INK, markeredgewidth=0.7, label=f"robots: {name}")
+        for name, colour in (("A", A), ("undecided", UNDECIDED), ("B", B))
+    ]  # fmt: skip
     marks += key_of(scene, robots=False)
     figure.legend(handles=marks, loc="outside lower center", ncols=len(marks))
     return figure
 
 
-def _colour_by_role(axes: Axes, model: Model) -> None:
-    """Draw the robots as triangles in the colours of their roles, and larger than they are."""
+def _colour_by_role(axes: Axes, model: Model) -> str:
+    """Draw the robots as triangles in the colours of their roles, and larger than they are.
+
+    Returns:
+        How many have which role.
+    """
     robots = list(model.robots)
-    for colour, in_b in ((A, False), (B, True)):
-        own = [one for one in robots if one.is_b == in_b]
+    ways = {
+        "A": (A, [one for one in robots if one.role < 0.5]),
+        "B": (B, [one for one in robots if one.role > 0.5]),
+        "undecided": (UNDECIDED, [one for one in robots if one.role == 0.5]),
+    }
+    for colour, own in ways.values():
         axes.plot([one.x for one in own], [one.y for one in own], "^", color=colour, markersize=4.6,
                   mec=paper.INK, mew=0.7, zorder=5.1, scalex=False, scaley=False)  # fmt: skip
+    said = [f"{len(own)} {name}" for name, (_, own) in ways.items() if own or name != "undecided"]
+    return ", ".join(said)
