@@ -4,12 +4,17 @@ python -m analysis.foraging_roles.foretelling
 
 A row of `results/foretelling.csv` is an attempt at `delivered_anew` and a condition: the share of
 worlds within one robot of the wanted split all through the last quarter, in both economies, in
-worlds for choosing; and in bodies, as `analysis/specialisation` keeps it.
+worlds for choosing; and in bodies, in the ten worlds of `analysis/specialisation`, and in the forty
+`further` ones, in which robots are not added. What is printed is how the attempts' shares in an
+economy go with those in bodies, by condition: Pearson's correlation, Spearman's, and Pearson's
+least and greatest where one attempt is left out.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +24,7 @@ from socialmind.experiments.studies import topics
 from socialmind.mind import MindDescription
 
 from . import economy_like_bodies as like_bodies
+from . import further_worlds
 from .minds import minds_of
 from .results import NINE
 from .trainings import ECONOMY, LESSONS
@@ -65,12 +71,14 @@ def foretold() -> pd.DataFrame:
     """Return the shares of worlds, a row for each attempt and condition."""
     bodies = pd.read_csv(IN_BODIES)
     own = bodies[bodies["society"] == SOCIETY].set_index(["attempt", "condition"])["within"]
+    further = further_worlds.read().mean(axis=1)
     rows = [
         {
             "attempt": attempt,
             "condition": condition,
             **{name: share_within(name, mind, condition) for name in ECONOMIES},
             "bodies": float(own.loc[(attempt, condition)]),  # type: ignore[arg-type]
+            "further": float(further.get((LESSON, attempt, condition), math.nan)),
         }
         for attempt, mind in minds_of(LESSON).items()
         for condition in EVENTS
@@ -78,11 +86,33 @@ def foretold() -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
+def alike(found: pd.DataFrame) -> pd.DataFrame:
+    """Return how shares in economies go with those in bodies, over attempts.
+
+    Returns:
+        A row for each economy, `worlds` in bodies and condition: `pearson`, `spearman`, and the
+        `least` and the `most` that Pearson's is without one of the attempts.
+    """
+    rows = []
+    for economy, worlds in product(ECONOMIES, ("bodies", "further")):
+        for condition, part in found.dropna(subset=worlds).groupby("condition", sort=False):
+            pair = part.set_index("attempt")[[economy, worlds]]
+            without = [pair.drop(one).corr().iloc[0, 1] for one in pair.index]
+            rows.append(
+                {
+                    "economy": economy,
+                    "worlds": worlds,
+                    "condition": condition,
+                    "pearson": pair.corr().iloc[0, 1],
+                    "spearman": pair.corr("spearman").iloc[0, 1],
+                    "least": min(without),
+                    "most": max(without),
+                }
+            )
+    return pd.DataFrame(rows)
+
+
 if __name__ == "__main__":
     found = foretold()
     found.to_csv(OUT, index=False, float_format="%.4g", lineterminator="\n")
-    for name in ECONOMIES:
-        away = (found[name] - found["bodies"]).abs()
-        print(
-            f"{name}: correlation {found[name].corr(found['bodies']):.2f}, away {away.mean():.3f}"
-        )
+    print(alike(found).round(2).to_string(index=False))

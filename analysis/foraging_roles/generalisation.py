@@ -28,9 +28,10 @@ from socialmind.experiments.measures.intervals import Interval
 from socialmind.learning.episodes.plane_episodes import Episodes
 from socialmind.mind import MindDescription
 
-from . import scheme_evolution
+from . import choosing_again, scheme_evolution
 from .contestants import PICKED, TICKS, Contestant
 from .large_groups import chosen
+from .minds import attempts_at, minds_of
 from .scheme_economy import WRITTEN, scheme_of
 from .told_intervals import in_brackets, paired_interval, signed
 from .trainings import MODEL
@@ -72,7 +73,17 @@ PAIRS = (
     ("delivered_narrow", 2, "supervised_role", 2),
 )
 """Way and attempt of one and of the other, picked by what they come to alone: of deliveries those
-that succeed. Each is focal with three and with six of nine robots."""
+that succeed. These, and those drawn by lot, are focal with three and with six of nine robots."""
+AGAIN = choosing_again.NAME
+LESSONS = ("delivered_anew", AGAIN)
+BY_LOT = (
+    *((lesson, "programmed") for lesson in LESSONS),
+    ("delivered_anew", "supervised_role"),
+    (AGAIN, "delivered_anew"),
+)
+"""Ways of which `DRAWN` pairs each are made whose attempts are drawn."""
+DRAWN, LOT = 3, 62
+"""How many, and the seed of the draw."""
 MET = (TURNED, USUAL)
 """The situations of pairs."""
 SHARES = (3, 6)
@@ -108,11 +119,29 @@ class Society:
         return (*given, self.robots, self.situation)
 
 
+def drawn_pairs() -> Iterator[tuple[str, int, str, int]]:
+    """Yield pairs as those of `PAIRS` whose attempts are drawn by lot, none of a lesson twice.
+
+    >>> [pair for pair in drawn_pairs() if pair[2] == "programmed"][0][0]
+    'delivered_anew'
+    """
+    rng = np.random.default_rng(LOT)
+    for way, other in BY_LOT:
+        own = rng.permutation(attempts_at(way))[:DRAWN].tolist()
+        others = [0] * DRAWN
+        if other != "programmed":
+            others = rng.permutation(attempts_at(other))[:DRAWN].tolist()
+        for one, two in zip(own, others, strict=True):
+            yield way, one, other, two
+
+
 def societies() -> Iterator[Society]:
     """Yield all societies that are judged: pairs first, then each way alone in each situation."""
     known = {(one.way, one.attempt): one for one in chosen()}
+    again = minds_of(AGAIN).items()
+    known |= {(AGAIN, number): Contestant(AGAIN, number, mind) for number, mind in again}
     for met in MET:
-        for way, attempt, other, other_attempt in PAIRS:
+        for way, attempt, other, other_attempt in (*PAIRS, *drawn_pairs()):
             for share in SHARES:
                 pair = known[way, attempt], known[other, other_attempt]
                 yield Society(*pair, share, met)

@@ -136,4 +136,25 @@ def _further(tables: Mapping[str, pd.DataFrame]) -> list[str]:
             numbers=True,
         ),
         html.table(apart, "", numbers=True),
+        _trainings(tables["further-attempts"], conditions),
     ]
+
+
+def _trainings(table: pd.DataFrame, conditions: list[str]) -> str:
+    """A table of all trainings at the lesson of those that were chosen in bodies."""
+    own = table[table["society"] == "unchosen_further"]
+    shares_of = own.pivot(index="attempt", columns="condition", values="within")
+    rows: list[dict[str, object]] = [
+        {
+            "training": training,
+            **{CONDITIONS[name].title: percent(float(row[name])) for name in conditions},
+        }
+        for training, row in shares_of.iterrows()
+    ]
+    return html.table(
+        rows,
+        "Every training at the lesson of those chosen in bodies, as its last lesson left it, in "
+        "the worlds of Table 3. Which trainings began anew hung on what the ones before had come "
+        "to, so that they are not draws of their own, as the intervals above take them.",
+        numbers=True,
+    )

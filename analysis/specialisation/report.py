@@ -23,6 +23,7 @@ from .tables import (
     between_kinds,
     differences,
     further,
+    further_attempts,
     judged,
     means,
     named_further,
@@ -97,7 +98,9 @@ def tables_of(records: Records, village: farmers.Found, size: Size) -> dict[str,
         of_robots = pd.concat([of_robots, *looked_at, later])
         told = LATER.differences(kept).rename(columns={"mean": "difference"})
         away = pd.concat([away, named_further(told)])
+    tables = {"further-attempts": further_attempts(LATER.read())} if size == FULL else {}
     return {
+        **tables,
         "worlds": worlds,
         "attempts": attempts(alone),
         "chosen": choices,

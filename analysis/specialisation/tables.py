@@ -258,6 +258,22 @@ def named_further(table: pd.DataFrame) -> pd.DataFrame:
     return told.rename(columns=names).assign(measure="within")
 
 
+def further_attempts(table: pd.DataFrame) -> pd.DataFrame:
+    """Return in what share of the further worlds each attempt keeps the split.
+
+    Args:
+        table: by way, attempt and condition, a column a world.
+
+    >>> rows = pd.MultiIndex.from_tuples([("like_bodies", 3, "turned")],
+    ...                                  names=["way", "attempt", "condition"])
+    >>> further_attempts(pd.DataFrame([[1, 0, 1, 1]], index=rows))
+                society  attempt condition  within
+    0  unchosen_further        3    turned    0.75
+    """
+    found = table.mean(axis=1).rename("within").reset_index()
+    return found.replace({"way": FURTHER_WAYS}).rename(columns={"way": "society"})
+
+
 def attempts(worlds: pd.DataFrame) -> pd.DataFrame:
     """Return what each attempt came to in how many `worlds`: the means of measures over them."""
     groups = worlds.groupby(["society", "attempt", "condition"], sort=False)
