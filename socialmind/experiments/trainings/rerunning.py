@@ -2,9 +2,10 @@
 
 `recheck` judges the winners that are kept. Here an attempt is trained anew, from nothing, and each
 lesson's winner is compared with the kept one: its weights are to be the very same. Where the
-training records the commit of the program that made it, that program is taken from the repository's
-history: an engine that was mended since pays its robots otherwise, and they learn something else.
-Lessons that were added later are learned by the program that added them.
+training records a commit, of the program that made it or of one that gives the same weights, that
+program is taken from the repository's history: an engine that was mended since pays its robots
+otherwise, and they learn something else. Lessons that were added later are learned by the program
+that added them.
 """
 
 from __future__ import annotations
@@ -106,7 +107,7 @@ def rerun(
         The lessons, each with a winner of the very same weights.
 
     Raises:
-        SocialmindError: no such attempt is kept, the program that made it is not in the
+        SocialmindError: no such attempt is kept, the program that it records is not in the
             repository's history, it was stopped, or a lesson came to other weights.
     """
     training = kept_with(kept, attempt)
@@ -307,7 +308,7 @@ def _program(commit: str, home: Path) -> Path:
         except (OSError, subprocess.CalledProcessError) as error:
             why = str(getattr(error, "stderr", None) or error).strip()
             raise SocialmindError(
-                f"made by the program of commit {commit}, which cannot be had here: {why}; "
+                f"its program, of commit {commit}, cannot be had here: {why}; "
                 "expected git, and a clone with the whole history"
             ) from error
         made = _emptied(folder)

@@ -228,7 +228,7 @@ def test_a_training_records_by_which_program_each_attempt_was_begun(
 
 def test_a_commit_that_is_not_in_the_history_is_told(kept, tmp_path):
     edited(kept / "manifest.json", commit="0123456789")
-    with pytest.raises(SocialmindError, match="of commit 0123456789, which cannot be had here"):
+    with pytest.raises(SocialmindError, match="of commit 0123456789, cannot be had here"):
         rerun(kept, PLANS, 1, tmp_path / "rerun")
 
 
