@@ -4,20 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.lines import Line2D
-
-from socialmind.drawing import style as paper
-
-from .tables import write_rows
 
 if TYPE_CHECKING:
     import pandas as pd
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
     from socialmind.learning import Training
 
@@ -28,20 +20,13 @@ END = 10
 EARLY = 100
 """The generation by which the thesis finds most attempts of base skills at their maximum."""
 FELL_SHORT = 0.75
-"""Of the median attempt's finals, below which an attempt counts as one that failed."""
-WORTH = {
-    "best": "score of the best",
-    "mean": "mean score",
-    "validated": "score, common worlds",
-}
-PANEL = 46.0
-"""Height of a row of panels, in mm."""
-SMOOTHED = 200
-"""Generations from which on a curve of training is drawn as running medians."""
-WINDOW = 15
-"""Generations of a running median."""
-COMMON = 64
-"""Worlds on which curves of base skills are judged too."""
+"""Of the median attempt's score, below which an attempt counts as one that failed."""
+WORLDS = 128
+"""In which winners are judged once more: the same for all attempts, and used for nothing else.
+Those of the finals chose the winner, and are others for each attempt."""
+
+Judged = Mapping[tuple[int, str], float]
+"""What winners come to in those worlds, by attempt and lesson."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +39,7 @@ class Curves:
         panels: for each, the lesson and the column of its curve.
         thesis: what the thesis says of its own.
         generations: that each attempt has in the thesis.
+        beside: lessons that have no panel, and whose winners are told of all the same.
     """
 
     name: str
@@ -61,6 +47,7 @@ class Curves:
     panels: tuple[tuple[str, str], ...]
     thesis: str
     generations: int
+    beside: tuple[str, ...] = ()
 
     @property
     def lessons(self) -> tuple[str, ...]:
@@ -95,6 +82,7 @@ FIGURES = (
         "10 of 10 attempts succeed within 1,500 generations; GoToObject+Avoid is slightly more "
         "difficult",
         1500,
+        ("GoToObject", "GoToDropZone", "Avoid", "Collect"),
     ),
     Curves(
         "figure-6.5",
@@ -130,11 +118,18 @@ def curves_of(figure: Curves, trainings: Mapping[str, Training]) -> pd.DataFrame
     return pd.concat([longest[key] for key in order], ignore_index=True)
 
 
-def attempts_of(curves: pd.DataFrame, trainings: Mapping[str, Training]) -> list[dict[str, Any]]:
+def attempts_of(
+    curves: pd.DataFrame, trainings: Mapping[str, Training], judged: Mapping[str, Judged]
+) -> list[dict[str, Any]]:
     """Return a row for each attempt at a lesson: how far it came, and when it was near its best.
 
     Where a curve was validated, that says so on common worlds; otherwise the scores of training,
     which are from other worlds in each generation.
+
+    Args:
+        curves: as `curves_of` gives them.
+        trainings: by plan.
+        judged: what winners come to in the worlds that all share, by plan.
     """
     rows = []
     for (lesson, attempt), own in curves.groupby(["lesson", "attempt"], sort=False):
@@ -156,6 +151,7 @@ def attempts_of(curves: pd.DataFrame, trainings: Mapping[str, Training]) -> list
                 "half": round(float(at_the_end(values[: max(1, len(values) // 2)])), 4),
                 "finals": round(float(finals["score"]), 4),
                 "finals_deviation": round(float(finals["deviation"]), 4),
+                "shared": round(judged[plan][attempt, lesson], 4),
                 "seconds": round(float(own["seconds"].sum()), 1),
             }
         )
@@ -181,45 +177,18 @@ def first_near(values: np.ndarray, near: float = NEAR) -> int:
     return int(np.argmax(values >= end - near * abs(end))) + 1
 
 
-def short_of(finals: Sequence[float], usual: float | None = None) -> list[bool]:
-    """Return which attempts failed, by their final individuals in worlds of their own.
+def short_of(scores: Sequence[float], usual: float | None = None) -> list[bool]:
+    """Return which attempts failed, by what their winners come to.
 
     Args:
-        finals: of the attempts.
+        scores: of the attempts.
         usual: what is to be come near to; the attempts' own median by default.
 
     >>> short_of([4.0, 4.0, 2.9]), short_of([4.0, 4.0, 2.9], usual=6.0)
     ([False, False, True], [True, True, True])
     """
-    least = FELL_SHORT * float(np.median(finals) if usual is None else usual)
-    return [one < least for one in finals]
-
-
-def findings(rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return what can be said of each lesson's attempts, a line each."""
-    lines = []
-    for lesson in dict.fromkeys(row["lesson"] for row in rows):
-        own = [row for row in rows if row["lesson"] == lesson]
-        finals = [row["finals"] for row in own]
-        short = [row for row, one in zip(own, short_of(finals), strict=True) if one]
-        early = sum(row["near_end_from"] <= EARLY for row in own)
-        gained = np.mean([row["end"] for row in own]) / np.mean([row["half"] for row in own]) - 1
-        latest = max(row["near_end_from"] for row in own)
-        longest = max(row["generations"] for row in own)
-        reached = (
-            f"{early} of {len(own)} are within {NEAR:.0%} of what they come to in the end by "
-            f"generation {EARLY}, the last one at {latest}; "
-        )
-        share = ", ".join(f"attempt {row['attempt']}, {row['finals']:.2f}" for row in short)
-        lines.append(
-            f"{lesson}: {len(own)} attempts of {length_of(own)} generations. Judged "
-            f"{own[0]['judged']}, {reached if longest > EARLY else ''}from half-way to the end "
-            f"{gained:+.1%}. By their finals, the individuals that came of them in worlds of their "
-            f"own, {len(short)} of {len(own)} fell short (below {FELL_SHORT:.0%} of the median, "
-            f"{np.median(finals):.2f}{f': {share}' if share else ''}); they come to "
-            f"{min(finals):.2f} to {max(finals):.2f}."
-        )
-    return lines
+    least = FELL_SHORT * float(np.median(scores) if usual is None else usual)
+    return [one < least for one in scores]
 
 
 def length_of(rows: Sequence[Mapping[str, Any]]) -> str:
@@ -230,141 +199,3 @@ def length_of(rows: Sequence[Mapping[str, Any]]) -> str:
     """
     each = sorted({row["generations"] for row in rows})
     return f"{each[0]:,}" + (f" to {each[-1]:,}" if each[1:] else "")
-
-
-def budget(figure: Curves, rows: Sequence[Mapping[str, Any]]) -> str:
-    """Return our generations and ticks beside the thesis's generations."""
-    parts = []
-    for lesson in figure.lessons:
-        own = [row for row in rows if row["lesson"] == lesson]
-        ticks = max(row["ticks"] for row in own) / 1e6
-        parts.append(f"{lesson} {length_of(own)} generations, up to {ticks:,.0f} million ticks")
-    same = all(row["generations"] == figure.generations for row in rows)
-    return (
-        f"Budget of an attempt: {'; '.join(parts)}. Thesis: {figure.generations:,} generations; "
-        "its individuals and the worlds of each it does not tell, so ticks cannot be compared"
-        f"{'' if same else ', and **the budgets are not equal**'}."
-    )
-
-
-def draw_curves(figure: Curves, curves: pd.DataFrame, rows: Sequence[Mapping[str, Any]]) -> Figure:
-    """Draw a panel for each lesson and column.
-
-    Args:
-        figure: which.
-        curves: as `curves_of` gives them.
-        rows: of the attempts.
-    """
-    across = min(2, len(figure.panels))
-    down = -(-len(figure.panels) // across)
-    with paper.style():
-        drawn = paper.figure(paper.COLUMN, PANEL * down + 8)
-        panels = drawn.subplots(down, across, squeeze=False)
-        for place, (axes, (lesson, column)) in enumerate(
-            zip(panels.flat, figure.panels, strict=True)
-        ):
-            own = [row for row in rows if row["lesson"] == lesson]
-            _draw(axes, curves[curves["lesson"] == lesson], column, own)
-            if any(row["generations"] != figure.generations for row in own):
-                axes.set_xlabel(f"generation (thesis: {figure.generations:,})")
-            paper.panel_title(axes, "abcd"[place], lesson)
-            if place % across and figure.panels[place - 1][1] == column:
-                axes.set_ylabel("")  # the panel at its left says it
-        drawn.legend(handles=_key(rows), loc="outside lower center", ncols=3, columnspacing=1.2,
-                     handlelength=1.6)  # fmt: skip
-    return drawn
-
-
-def _draw(axes: Axes, own: pd.DataFrame, column: str, rows: Sequence[Mapping[str, Any]]) -> None:
-    longest = int(own["generation"].max())
-    lines = []
-    for row in rows:
-        line = own.loc[own["attempt"] == row["attempt"], column]
-        if column != "validated" and longest > SMOOTHED:
-            line = line.rolling(WINDOW, center=True, min_periods=1).median()
-        lines.append(line.to_numpy())
-    paper.attempts(axes, lines, short_of([row["finals"] for row in rows]))
-    if longest > 2 * EARLY:
-        axes.axvline(EARLY, color=paper.GREY, linewidth=0.6, linestyle=(0, (3, 2)))
-    axes.set_ylim(bottom=min(0.0, *(float(one.min()) for one in lines)))
-    axes.set_xlabel("generation")
-    axes.set_ylabel(WORTH[column])
-
-
-def _key(rows: Sequence[Mapping[str, Any]]) -> list[Line2D]:
-    """Return the key of all panels."""
-    by_lesson = [[row for row in rows if row["lesson"] == one["lesson"]] for one in rows]
-    failed = [one for own in by_lesson for one in short_of([row["finals"] for row in own])]
-    return paper.attempts_key([range(row["generations"]) for row in rows], failed)
-
-
-def caption(figure: Curves, rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return what a figure's marks mean, a sentence each."""
-    smooth = max(row["generations"] for row in rows) > SMOOTHED
-    columns = {column for _, column in figure.panels}
-    texts = [
-        "A grey line is an attempt, red where its final individual fell short; blue is the median "
-        "of the attempts, as far as all of them go, and a dot where an attempt's lesson ends."
-    ]
-    if columns & {"best", "mean"}:
-        texts.append(
-            "Scores of training are of other worlds in each generation, the same for all its "
-            "individuals: a dip is a generation whose worlds are hard, for the mean as for the "
-            "best, and the best of many is luck in part, the more the less alike they are, so "
-            "scores fall as a population comes to be alike."
-        )
-    if smooth and "best" in columns:
-        texts.append(f"They are drawn as running medians over {WINDOW} generations.")
-    if "validated" in columns:
-        texts.append(f"Common worlds are {COMMON} that no generation is trained in.")
-    if smooth:
-        texts.append(f"The dashed line is generation {EARLY}.")
-    return texts
-
-
-def write_curves(
-    figure: Curves, trainings: Mapping[str, Training], made: Sequence[str], out: Path
-) -> list[Path]:
-    """Write a figure, what it says (Markdown), its curves and a row for each attempt (CSV).
-
-    Only an attempt's own row says which training it is from, as curves are long.
-
-    Args:
-        figure: which.
-        trainings: by plan.
-        made: how they came about, a line each.
-        out: the folder, made where it is missing.
-
-    Returns:
-        The files written.
-    """
-    curves = curves_of(figure, trainings)
-    rows = attempts_of(curves, trainings)
-    written = paper.save({figure.name: draw_curves(figure, curves, rows)}, out)
-    page = out / f"{figure.name}.md"
-    lines = [
-        f"# Figure {figure.name.removeprefix('figure-')}: {' and '.join(figure.lessons)}",
-        "",
-        *made,
-        "",
-        f"- Thesis: {figure.thesis}.",
-        *(f"- Ours: {line}" for line in findings(rows)),
-        f"- {budget(figure, rows)}",
-        "",
-        " ".join(caption(figure, rows)),
-        "",
-    ]
-    page.write_text("\n".join(lines), encoding="utf-8")
-    columns = ["lesson", "attempt", "generation", "ticks", "best", "mean"]
-    columns += [one for one in ("validated",) if one in curves]
-    shown: list[dict[str, Any]] = [
-        dict(zip(columns, row, strict=True)) for row in curves[columns].itertuples(index=False)
-    ]
-    for row in shown:
-        row |= {name: f"{row[name]:.5g}" for name in columns[4:]}
-    return [
-        *written,
-        page,
-        write_rows(out / f"{figure.name}.csv", shown),
-        write_rows(out / f"{figure.name}-attempts.csv", rows),
-    ]

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING
 from socialmind.catalogue import load_model
 from socialmind.experiments.judging import (
     Finding,
-    covers,
-    covers_all,
     in_brackets,
 )
 from socialmind.experiments.measures.effects import compared
@@ -33,11 +31,8 @@ KINDS = {"hierarchical": "hierarchy", "monolithic": "monolith"}
 LEVEL = "table-6.1-equal-ticks"
 """The table of trainings with equal ticks in each lesson."""
 BASE_SKILLS = ("GoToObject", "GoToDropZone", "Avoid")
-SHARES = "unknown; of longer runs a smaller share is survived, and the thesis's length is not told"
-MONOLITH = (
-    "the thesis's monolith learned the whole curriculum with 1,000 generations a skill or more; "
-    "ours has ten generations of Collect at the end"
-)
+MODELS = {ENDS: "collect", GOES_ON: "collect", FLAT: "collect_power"}
+"""The model of each benchmark."""
 
 
 def cell(table: str, structure: str, measure: str, benchmark: str = ENDS) -> dict[str, str]:
@@ -78,9 +73,9 @@ def by_attempt(
     }
 
 
-def gained(table: str, before: str, after: str, measure: str) -> Interval:
+def gained(table: str, before: str, after: str, measure: str, benchmark: str = ENDS) -> Interval:
     """Return by how much attempts of the same number differ, with an interval over attempts."""
-    one, other = (by_attempt(table, structure, measure) for structure in (before, after))
+    one, other = (by_attempt(table, structure, measure, benchmark) for structure in (before, after))
     return interval_of([other[number] - one[number] for number in one if number in other])
 
 
@@ -100,11 +95,11 @@ def more(
     return compared(other, one, paired=False).difference
 
 
-def untold(model: str) -> str:
-    """Return why numbers of objects cannot be compared."""
+def untold(benchmark: str) -> str:
+    """Return why numbers of objects and shares of a run cannot be compared."""
     return (
-        f"ours are runs of {load_model(model).ticks:,} ticks, how long the thesis's are it does "
-        "not tell"
+        f"ours are runs of {load_model(MODELS[benchmark]).ticks:,} ticks, how long the thesis's "
+        "are it does not tell"
     )
 
 
@@ -150,41 +145,27 @@ def unfinished(*kinds: str) -> str:
     )
 
 
-def survived(
-    table: str,
-    structure: str,
-    name: str = "",
-    ours: str = "",
-    apart: str = "",
-    benchmark: str = ENDS,
+def measured(
+    measure: str, table: str, structure: str, name: str = "", ours: str = "", benchmark: str = ENDS
 ) -> Finding:
-    """Return what share of a run a structure survives.
+    """Return what a structure comes to, which depends on how long a run is: it is not comparable.
 
     Args:
+        measure: ``objects`` or ``survived``.
         table: in which it stands.
         structure: which.
         name: what it is called; as in the table by default.
         ours: what is told of ours; what the table says by default.
-        apart: why it cannot be compared, where it cannot.
         benchmark: where.
     """
-    row = cell(table, structure, "survived", benchmark)
-    share, thesis = interval(row), float(row["thesis"])
-    wide = "the interval covers nearly all that there can be" if covers_all(share, thesis) else ""
+    given = table, structure, measure, benchmark
+    what = "objects" if measure == "objects" else "share of the run survived"
     return Finding(
-        f"{name or structure}: share of the run survived",
-        reported(table, structure, "survived", benchmark),
-        ours or told(table, structure, "survived", benchmark),
-        covers(share, thesis),
-        why=SHARES,
-        apart=apart or wide,
+        f"{name or structure}: {what}",
+        reported(*given),
+        ours or told(*given),
+        apart=untold(benchmark),
     )
-
-
-def collected(table: str, structure: str, model: str, benchmark: str = ENDS) -> Finding:
-    """Return how many objects a structure collects in a benchmark, which is not comparable."""
-    given = table, structure, "objects", benchmark
-    return Finding(f"{structure}: objects", reported(*given), told(*given), apart=untold(model))
 
 
 def scores(plan: str) -> pd.DataFrame:

@@ -19,14 +19,13 @@ from .kept_cells import (
     KEPT,
     KINDS,
     LEVEL,
-    MONOLITH,
     after_what,
     by_attempt,
     form,
+    measured,
     more,
     reported,
     scores,
-    survived,
     told,
     unfinished,
     untold,
@@ -116,7 +115,6 @@ def by_lessons(kind: str, benchmark: str) -> Finding:
         f"{' against '.join(ours)}: {in_brackets(difference, '+.2f')}",
         above(difference),
         why=not_so(difference),
-        apart=MONOLITH if kind == "monolithic" else "",
     )
 
 
@@ -124,27 +122,22 @@ def shares(kind: str) -> list[Finding]:
     """Return what a structure survives of a run that a collision ends, in each training."""
     name, here = KINDS[kind], f"{kind}, curriculum"
     return [
-        survived(
-            "table-6.1",
-            here,
-            f"{name} by curriculum",
-            apart=MONOLITH if kind == "monolithic" else "",
-        ),
-        survived(
+        measured("survived", "table-6.1", here, f"{name} by curriculum"),
+        measured(
+            "survived",
             LEVEL,
             here,
             f"{name} by curriculum, equal ticks in each lesson",
             f"{with_equal_ticks(kind, 'survived')}; {with_seeds(kind)}",
-            unfinished(kind),
         ),
-        survived("table-6.1", f"{kind}, final task only", f"{name}, final task only"),
+        measured("survived", "table-6.1", f"{kind}, final task only", f"{name}, final task only"),
     ]
 
 
 def objects(kind: str) -> list[Finding]:
     """Return how many objects a structure collects in both benchmarks, in each training."""
     name, here, alone = KINDS[kind], f"{kind}, curriculum", f"{kind}, final task only"
-    reason = untold("collect")
+    reason = untold(ENDS)
     what = "objects, if a collision ends the run and if none does"
 
     def both(of: Callable[[str], str]) -> str:
@@ -159,7 +152,7 @@ def objects(kind: str) -> list[Finding]:
             f"{name} by curriculum: {what}",
             thesis,
             both(lambda where: told("table-6.1", here, "objects", where)),
-            apart=f"{reason}; {MONOLITH}" if kind == "monolithic" else reason,
+            apart=reason,
         ),
         Finding(
             f"{name} by curriculum, equal ticks in each lesson: {what}",

@@ -48,16 +48,30 @@ def make_table(name: str, way: Way, out: Path) -> list[Path]:
 
 
 def make_figure(name: str, way: Way, out: Path) -> list[Path]:
-    from .figures import FIGURES, write_curves
+    from socialmind.experiments.trainings.rechecking import in_common_worlds
+
+    from .figure_pages import write_curves
+    from .figures import FIGURES, WORLDS
     from .trainings import PLANS
 
     (figure,) = (one for one in FIGURES if one.name == name)
+    worlds = QUICK_WORLDS if way is Way.QUICK else WORLDS
     given = {plan: PLANS.training(plan, way, out) for plan in figure.plans}
     trainings = {plan: training for plan, (training, _) in given.items() if training is not None}
     told = [line for _, line in given.values()]
     if not trainings:
         raise SocialmindError(f"{name}: {'; '.join(told)}")
-    return write_curves(figure, trainings, _lines(name, way, told, ""), out)
+    about = (
+        f"The winner of each lesson was judged once more in {worlds} worlds that all attempts "
+        "share and nothing else uses."
+    )
+    judged = {
+        plan: in_common_worlds(
+            training, PLANS[plan].curriculum().lessons, {*figure.lessons, *figure.beside}, worlds
+        )
+        for plan, training in trainings.items()
+    }
+    return write_curves(figure, trainings, judged, _lines(name, way, told, about), out)
 
 
 def make_equal_ticks(name: str, way: Way, out: Path) -> list[Path]:

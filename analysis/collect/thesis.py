@@ -8,7 +8,7 @@ from socialmind.experiments.overview import Result
 
 from .figure_findings import avoiding, base_skills, collecting, complex_skills, spent
 from .kept_cells import spent_in
-from .retraining_findings import power, retraining
+from .retraining_findings import power, retraining, shared_draws
 from .structure_findings import same_seeds, structures
 
 results = (
@@ -28,7 +28,7 @@ results = (
            partial(spent_in, "table-6.1", ("hierarchical, curriculum", "monolithic, curriculum",
                    "hierarchical, final task only", "monolithic, final task only")),
            ("hierarchy", "monolith", "hierarchy_at_once", "monolith_at_once", "hierarchy_level",
-            "monolith_level"), same_seeds),
+            "monolith_level"), same_seeds, ("table-6.1-equal-ticks", "figure-6.5-equal-ticks")),
     Result("table 6.2", "more resources for Avoid, or Avoid learned in context", "table-6.2",
            retraining, "Avoid 1,000 or 2,500 generations, 1,500 in context",
            partial(spent_in, "table-6.2", ("Avoid as in the curriculum", "Avoid with more ticks",
@@ -37,8 +37,8 @@ results = (
     Result("table 6.3", "power management: two variants on two Avoids", "table-6.3", power,
            "not told",
            partial(spent_in, "table-6.3", ("Retrained, original Avoid",
-                   "Encapsulated, original Avoid", "Retrained, retrained Avoid",
-                   "Encapsulated, retrained Avoid")),
+                   "Encapsulated, original Avoid", "Retrained, all skills in context",
+                   "Encapsulated, all skills in context")),
            ("power_retrained_original", "power_encapsulated_original", "power_retrained",
-            "power_encapsulated")),
+            "power_encapsulated"), shared_draws),
 )  # fmt: skip

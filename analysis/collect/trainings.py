@@ -73,7 +73,7 @@ def power_mind(variant: str, folder: str) -> MindDescription:
     Args:
         variant: `encapsulated` or `retrained` (figure 6.7).
         folder: the model whose trained mind it is: `collect` with the original Avoid,
-            `collect_retrained` with the one learned in context.
+            `collect_retrained` with all skills below Collect learned in context.
     """
     lessons = power()
     mind: MindDescription = getattr(lessons, variant)(lessons.known(folder))
@@ -81,10 +81,14 @@ def power_mind(variant: str, folder: str) -> MindDescription:
 
 
 def power_plan(variant: str, folder: str) -> TrainingPlan:
-    """Return the training of one variant on one Avoid."""
-    avoid = {"collect": "original", "collect_retrained": "retrained"}[folder]
+    """Return the training of one variant on one mind."""
+    on = {
+        "collect": "the original Avoid",
+        "collect_retrained": "all skills below Collect retrained in context (attempt 2 of "
+        "`in_context`)",
+    }[folder]
     return TrainingPlan(
-        f"power management, {variant}, on the {avoid} Avoid (6.3)",
+        f"power management, {variant}, on {on} (6.3)",
         5,
         partial(power_mind, variant, folder),
         lambda: Curriculum(power().lessons),

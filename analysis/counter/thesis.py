@@ -106,6 +106,16 @@ results = (
         first_steps,
         "not told",
         budget,
+        trainings=("counter",),
+        also=("representations",),
     ),
-    Result("figure 7.6", "steps 4 and 5", "figure-7.5", last_steps, "not told", budget),
+    Result(
+        "figure 7.6",
+        "steps 4 and 5",
+        "figure-7.5",
+        last_steps,
+        "not told",
+        budget,
+        trainings=("counter",),
+    ),
 )

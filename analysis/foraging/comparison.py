@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from socialmind.catalogue import load_model
-from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
+from socialmind.experiments.measures.crossed import crossed_interval
 from socialmind.experiments.measures.intervals import Interval
 from socialmind.experiments.scoring import score
 from socialmind.mind import MindDescription
@@ -119,14 +119,17 @@ class Result:
         return crossed_interval(self.values(measured))
 
     def difference(self, measured: Measured, other: Result) -> Interval:
-        """Return by how much it is more than another's.
+        """Return by how much it is more than another's, attempt by attempt and world by world.
 
-        Where both are the attempts of one training, attempt by attempt and world by world.
+        All trainings have one seed, so attempts of one number share draws also where they are of
+        two trainings, and what both learn under the same conditions is the same to the last bit.
         """
-        own, others = self.values(measured), other.values(measured)
-        if self.condition.training == other.condition.training:
-            return crossed_interval(own - others)
-        return crossed_difference(own, others)
+        both = [one for one in self.worlds if one in other.worlds]
+        own, others = (
+            Result(one.condition, {each: one.worlds[each] for each in both}, one.best)
+            for one in (self, other)
+        )
+        return crossed_interval(own.values(measured) - others.values(measured))
 
 
 def result(condition: Condition, training: Training | None, worlds: int = WORLDS) -> Result | None:
@@ -186,7 +189,13 @@ def write_table(results: Results, lines: Sequence[str], out: Path) -> list[Path]
     reference = results[0][1]
     text = ["# Four robots forage", "", *lines, "", f"| robots | {titles} |", rule]
     text += [f"| {condition.name} | {_cells(found)} |" for condition, found in results]
-    text += ["", "By how much more than foraging together:", "", f"| robots | {titles} |", rule]
+    text += [
+        "",
+        "By how much more than foraging together, attempt by attempt:",
+        "",
+        f"| robots | {titles} |",
+        rule,
+    ]
     text += [
         f"| {condition.name} | {_cells(found, reference)} |" for condition, found in results[1:]
     ]

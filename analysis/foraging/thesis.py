@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from socialmind.experiments.judging import NO_SAY, Finding, below, in_brackets, looked_through
+from socialmind.experiments.judging import MOST, NO_SAY, Finding, in_brackets, looked_through
 from socialmind.experiments.measures.intervals import Interval
 from socialmind.experiments.overview import Result, row_of, rows_of
 from socialmind.experiments.trainings.budgets import budget_of
@@ -35,19 +35,24 @@ def found_by() -> str:
 
 
 def several(step: int, *skills: str) -> str:
-    """Return the influence of skills in a step, in words."""
-    return ", ".join(f"{skill} {sent(step, skill):.2f}" for skill in skills)
+    """Return the influence of skills in a step, in words, with their parts of it where they move.
+
+    Args:
+        step: which.
+        skills: which.
+    """
+    return ", ".join(f"{one} {sent(step, one):.2f} ({part(step, one):.0%})" for one in skills)
 
 
 def first_steps() -> list[Finding]:
-    idle = max(sent(step, "Idle") for step in range(1, 9))
-    others = max(sent(1, one) for one in MOVING if one != "Search+Avoid")
+    idle = max(part(step, "Idle") for step in range(1, 9))
     return [
         Finding(
             "step 1, before it sees objects: Search+Avoid at its maximum, no other has a say",
             "maximum intensity; that of ReachSignal, very low, has no impact",
-            f"{several(1, 'Search+Avoid', 'ReachSignal', 'Collect')}; {found_by()}",
-            sent(1, "Search+Avoid") >= 1 - NO_SAY and others <= NO_SAY,
+            f"{several(1, 'Search+Avoid', 'ReachSignal', 'Collect')} of what those that move it "
+            f"receive; {found_by()}",
+            part(1, "Search+Avoid") >= 1 - NO_SAY,
             why="this robot, another training, gives Collect all as well before it sees an object; "
             "ReachSignal, the one that the thesis tells of, has no say",
         ),
@@ -55,26 +60,27 @@ def first_steps() -> list[Finding]:
             "step 2, it sees an object: Collect in majority",
             "Search+Avoid remains partially active",
             several(2, "Collect", "Search+Avoid"),
-            sent(2, "Collect") > sent(2, "Search+Avoid") > NO_SAY,
+            part(2, "Collect") > MOST and part(2, "Search+Avoid") > NO_SAY,
             why="this robot, another training, stops searching when it sees an object",
         ),
         Finding(
             "step 3, it has gripped it: Collect completely, Search+Avoid not",
             "Search+Avoid disabled",
             several(3, "Collect", "Search+Avoid", "Idle"),
-            sent(3, "Collect") >= 1 - NO_SAY and sent(3, "Search+Avoid") <= NO_SAY,
+            part(3, "Collect") >= 1 - NO_SAY and part(3, "Search+Avoid") <= NO_SAY,
+            why="Search+Avoid has no say here either, but Idle has: this robot waits while its "
+            "signal can be heard",
         ),
         Finding(
             "step 4, out of sight of the objects, where its signal ends: Collect brings it home",
             "without disturbance",
-            f"of what those that move it receive Collect has {part(4, 'Collect'):.0%}, if little: "
-            f"{sent(4, 'Collect'):.2f}",
+            several(4, "Collect"),
             part(4, "Collect") >= 1 - NO_SAY,
         ),
         Finding(
             "Idle is not used",
             "not at all",
-            f"up to {idle:.2f} of influence in these steps",
+            f"up to {idle:.0%} of the influence in these steps",
             idle <= NO_SAY,
             why="waiting while it carries the object lets a robot emit its signal for longer "
             "before the cluster is out of its sight; how far robots see and hear in the thesis it "
@@ -100,15 +106,15 @@ def last_steps() -> list[Finding]:
             "step 5, it has delivered: Collect ends, search and reaching the signal begin",
             "Search+Avoid and ReachSignal enabled",
             f"{several(5, 'Collect', 'Search+Avoid', 'ReachSignal')}; {found_by()}",
-            sent(5, "Collect") <= NO_SAY < min(sent(5, "Search+Avoid"), sent(5, "ReachSignal")),
+            part(5, "Collect") <= NO_SAY < min(part(5, "Search+Avoid"), part(5, "ReachSignal")),
             why="this robot, another training, follows the signal alone as long as it hears one",
         ),
         Finding(
             "steps 6 and 7, it turns to a signal and nears it: ReachSignal is used",
             "shown",
-            f"ReachSignal {sent(6, 'ReachSignal'):.2f} and {sent(7, 'ReachSignal'):.2f}; "
-            "influence was not searched for",
-            min(sent(6, "ReachSignal"), sent(7, "ReachSignal")) > NO_SAY,
+            f"{several(6, 'ReachSignal')} and {several(7, 'ReachSignal')}; influence was not "
+            "searched for",
+            min(part(6, "ReachSignal"), part(7, "ReachSignal")) > NO_SAY,
         ),
         Finding(
             "step 8, it sees objects again",
@@ -117,10 +123,10 @@ def last_steps() -> list[Finding]:
             apart="the run was searched for one in which it does, as told in step 5",
         ),
         Finding(
-            "signals bring robots together: they bring more objects home",
-            "said",
+            "what signals bring: objects home with them and without",
+            "not told; other robots are attracted by the signal (step 3)",
             f"{together:.1f} objects, {deaf:.1f} without signals: {in_brackets(fewer, '+.1f')}",
-            below(fewer),
+            apart="the thesis counts no objects here, and compares with no robots without signals",
         ),
     ]
 
@@ -133,5 +139,5 @@ results = (
     Result("figure 8.3", "a robot that forages with others, steps 1 to 4", "figure-8.3",
            first_steps, "not told", budget, trainings=("foraging",)),
     Result("figure 8.4", "steps 5 to 8", "figure-8.3", last_steps, "not told", budget,
-           trainings=("foraging",)),
+           trainings=("foraging",), also=("foraging-table",)),
 )  # fmt: skip

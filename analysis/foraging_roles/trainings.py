@@ -155,7 +155,19 @@ def kept(path: Path = GENOMES) -> dict[str, list[NDArray[np.float64]]]:
 
 
 def main(names: list[str]) -> None:
-    """Make trainings by name, all of them by default, and keep what they learned."""
+    """Make trainings by name, all of them by default, and keep what they learned.
+
+    Raises:
+        SystemExit: with a line on what is wrong: a name that no plan has.
+    """
+    if {"-h", "--help"} & set(names):
+        print((__doc__ or "").strip())
+        return
+    try:
+        for name in names:
+            plan_of(name)
+    except SocialmindError as error:
+        raise SystemExit(f"error: {error}") from error
     for name in names or PLANS:
         print(f"{name}: {plan_of(name).about}", file=sys.stderr, flush=True)
         keep({name: genomes_of(train(name, HOME / name))})

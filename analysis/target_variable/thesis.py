@@ -15,6 +15,8 @@ from socialmind.experiments.trainings.budgets import budget_of
 KEPT = Path(__file__).parent / "results"
 DIRECT = 1.3
 """Ways up to so many times as long as the plain hierarchy's have no loops."""
+SELDOM = 0.1
+"""Objects a run below which an attempt's ways are those of a few objects."""
 LOOP = 2.0
 """A way so many times as long as the distance of its ends has a loop."""
 
@@ -64,13 +66,24 @@ def ratios(training: str) -> list[float]:
     return [one for one in found if math.isfinite(one)]
 
 
+def seldom(training: str) -> str:
+    """Return which attempts' ways are known from next to nothing, in words."""
+    few = [
+        f"; attempt {row['attempt']} brings {float(row['objects']) * int(row['worlds']):.0f} "
+        f"objects in {row['worlds']} runs, so of its ways little is known"
+        for row in rows_of(KEPT / "target-functions.csv")
+        if row["training"] == training and 0 < float(row["objects"]) < SELDOM
+    ]
+    return "".join(few)
+
+
 def told(training: str) -> str:
     """Return a training's ways in words."""
     found = ratios(training)
     near = sum(one <= DIRECT for one in found)
     return (
         f"ways {in_brackets(interval_of(found))} times the plain hierarchy's on the mean; {near} "
-        f"of {len(found)} attempts within {DIRECT:g}"
+        f"of {len(found)} attempts within {DIRECT:g}{seldom(training)}"
     )
 
 
@@ -134,7 +147,7 @@ def budget() -> str:
 
 results = (
     Result("figure 7.2", "one target variable, one object", "figure-7.2", one_object,
-           "not told", budget),
+           "not told", budget, trainings=("selecting", "perceptron"), also=("target-functions",)),
     Result("figure 7.3", "one target variable, three objects", "figure-7.3", three_objects,
-           "not told", budget, trainings=("selecting", "perceptron")),
+           "not told", budget, trainings=("selecting", "perceptron"), also=("target-functions",)),
 )  # fmt: skip

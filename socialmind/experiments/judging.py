@@ -6,6 +6,7 @@ do.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -13,37 +14,42 @@ from enum import StrEnum
 from socialmind.experiments.measures.intervals import Interval, share_interval
 
 NO_SAY = 0.1
-"""Influence up to which a skill counts as not used; from one less this on it has all."""
+"""Part of the influence up to which a skill is not used; from one less this on it has all."""
 ALIKE = 0.25
 """Part of the larger of two means within which their difference leaves them alike."""
 MOST = 0.5
 """The share above which it is most."""
-WIDE = 0.5
-"""The width from which on an interval of a share covers too much to say anything."""
+ENOUGH = 0.5
+"""Part of the thesis's generations from which on the course of learning is compared."""
 _ROUNDING = 1e-9
 """What a bound of an interval may be off by its arithmetic."""
 
 CRITERION = (
     "One criterion holds for all rows. A *number* is reproduced if our interval of 95 %, over "
-    "attempts or over runs, covers the thesis's; counts of attempts are compared as shares, by "
-    "their score intervals. A *direction* (more, longer, sooner; most, which is more than half) is "
-    "reproduced if our interval lies wholly on its side; otherwise it is different, also where "
-    "ours cannot be told either way, and the row says which. That two are *alike* is reproduced if "
-    f"the interval of their difference lies within {ALIKE:.0%} of the larger one, different if it "
-    "leaves out nought, and not comparable if it is too wide for either. A wide interval covers "
-    "much, so what is reproduced need not be precise: rows show the intervals. A share is not "
-    f"comparable if its interval covers the thesis's and is wider than {WIDE:.0%}.",
+    "attempts or over runs, covers the thesis's (of fewer than six numbers it is Student's t, of "
+    "more a bootstrap); counts of attempts on both sides are compared as two shares, and "
+    "reproduced if the interval of their difference covers nought. A *direction* (more, longer, "
+    "sooner; most, which is more than half) is reproduced if our interval lies wholly on its side; "
+    "otherwise it is different, also where ours cannot be told either way, and the row says which. "
+    "That two are *alike* is reproduced if the interval of their difference lies within "
+    f"{ALIKE:.0%} of the larger one, different if it leaves out nought, and not comparable if it "
+    "is too wide for either. A wide interval covers much, so what is reproduced need not be "
+    "precise: rows show the intervals.",
     "Where the thesis shows one robot or one run, or what a rule computes, ours is one as well, "
     "and reproduced is what holds of it as the row says; where many runs of ours are known, "
     "whether the thesis's lies among their middle 95 %. That an attempt succeeds means that its "
-    "finals come to 75 % of the median of all attempts, so it says how alike they are. Numbers "
-    "are equal as printed, an influence of "
-    f"{NO_SAY:g} or less as none, of {1 - NO_SAY:g} or more as all. *Not comparable* is what "
-    "depends on something that the thesis does not tell, what was learned with budgets too unlike, "
-    "and what holds of ours by construction, such as what a run was searched for. So numbers of "
-    "objects in tables 6.1 to 6.3 are not compared, as the thesis does not tell there how long a "
-    "run is (6.1.4 and 6.2.3 say nothing, 6.3.2 has “a given time frame”); directions are, and so "
-    "are shares of a run, though these depend on its length too, if less.",
+    "winner comes to 75 % of the median of all attempts, in worlds that all share and that chose "
+    "nothing, so it says how alike they are. Numbers are equal as printed. An influence counts by "
+    "its part of all that skills receive which command the same, as commands are averaged by it: "
+    f"a part of {NO_SAY:g} or less is none, of {1 - NO_SAY:g} or more all.",
+    "*Not comparable* is what depends on something that the thesis does not tell, what was learned "
+    "otherwise or from other minds than there, and what holds of ours by construction, such as "
+    "what a run was searched for. What is said of the course of learning (how many attempts "
+    "succeed, what more generations bring) is compared where ours have at least "
+    f"{ENOUGH:.0%} of the generations that it is said of; a direction between two trainings is "
+    "compared whatever they had. Numbers of objects and shares of a run in tables 6.1 to 6.3 are "
+    "not compared, as both depend on how long a run is and the thesis does not tell it there "
+    "(6.1.4 and 6.2.3 say nothing, 6.3.2 has “a given time frame”); directions are.",
 )
 """The criterion, in paragraphs."""
 
@@ -131,13 +137,42 @@ def are_alike(difference: Interval, larger: float) -> bool | None:
     return None if covers(difference, 0.0) else False
 
 
-def covers_all(interval: Interval, number: float) -> bool:
-    """Return whether the interval of a share covers a number because it covers nearly all.
+def too_short(ours: int, thesis: int) -> str:
+    """Return that ours had too few generations for the course of learning, or nothing.
 
-    >>> covers_all(Interval(0.7, 0.1, 0.9), 0.3), covers_all(Interval(0.7, 0.5, 0.9), 0.6)
-    (True, False)
+    Args:
+        ours: generations of our longest attempt.
+        thesis: those that the thesis speaks of.
+
+    >>> too_short(206, 2500), too_short(1000, 1000)
+    ('ours have 206 generations at most, the thesis speaks of 2,500', '')
     """
-    return covers(interval, number) and interval.high - interval.low > WIDE
+    if ours >= ENOUGH * thesis:
+        return ""
+    return f"ours have {ours:,} generations at most, the thesis speaks of {thesis:,}"
+
+
+def between_shares(count: int, number: int, other: int, of_other: int) -> Interval:
+    """Return by how much one share is more than another, with its interval.
+
+    It is made of the two score intervals (Newcombe, 1998, Statistics in Medicine 17: 873–890,
+    method 10).
+
+    Args:
+        count: how many do something.
+        number: of how many.
+        other: how many of those that they are compared with.
+        of_other: of how many.
+
+    >>> found = between_shares(9, 10, 10, 10)
+    >>> round(found.mean, 2), round(found.low, 2), round(found.high, 2)
+    (-0.1, -0.4, 0.19)
+    """
+    one, two = share_of(count, number), share_of(other, of_other)
+    low = math.hypot(one.mean - one.low, two.high - two.mean)
+    high = math.hypot(one.high - one.mean, two.mean - two.low)
+    mean = one.mean - two.mean
+    return Interval(mean, mean - low, mean + high)
 
 
 # Words --------------------------------------------------------------------------------------------

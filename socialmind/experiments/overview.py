@@ -28,14 +28,14 @@ ABOUT = (
     "All tables and figures of François Suro's thesis (2020) that show results, with what it says "
     "of each, what ours say, and how they compare. Made by `socialmind reproduce --overview` from "
     "the tables that are kept beside the studies: each number of ours is read from them, and so is "
-    "whether it agrees. A result is *reproduced* if all of it that can be compared agrees, "
-    "*different* if some does not, *not comparable* if nothing can be compared.",
+    "whether it agrees. An entry is *not comparable* unless more than half of its rows can be "
+    "compared; else it is *reproduced* if all of these agree, *different* if some do not.",
     *CRITERION,
-    "Times are seconds of one processor, for making the figure or table from kept results, as "
-    "measured by `python -m analysis.times`; where it stands on trainings, those took the hours "
-    "that their records tell. Budgets are of one attempt. The thesis tells generations, but "
-    "neither how many individuals they have nor in how many worlds each is judged, so that ticks "
-    "cannot be compared.",
+    "Times are seconds of one processor, for making the figure or table from kept results by all "
+    "commands of an entry, as measured by `python -m analysis.times`; where it stands on "
+    "trainings, those took the hours that their records tell. Budgets are of one attempt. The "
+    "thesis tells generations, but neither how many individuals they have nor in how many worlds "
+    "each is judged, so that ticks cannot be compared.",
 )
 
 
@@ -51,6 +51,8 @@ class Result:
         thesis_budget: what the thesis gave an attempt; empty for what takes no training.
         budget: gives ours, from kept tables.
         trainings: those that ours stands on, of the topic's ``results/trainings``.
+        also: further studies, which make the tables that some rows are read from.
+        unkept: why trainings have no time, where they are not kept or only what came of them is.
         notes: gives what is to be known of several rows, a sentence or two each, from kept tables.
     """
 
@@ -62,6 +64,8 @@ class Result:
     budget: Callable[[], str] = str
     trainings: tuple[str, ...] = ()
     notes: Callable[[], Sequence[str]] = tuple
+    also: tuple[str, ...] = ()
+    unkept: str = ""
 
 
 @dataclass(frozen=True)
@@ -71,7 +75,7 @@ class Entry:
     Attributes:
         result: which.
         findings: its findings.
-        command: what makes ours from what is kept.
+        commands: what makes ours from what is kept.
         time: how long that takes, in words, and its trainings.
         budget: ours.
         notes: of several rows.
@@ -79,19 +83,19 @@ class Entry:
 
     result: Result
     findings: tuple[Finding, ...]
-    command: str
+    commands: tuple[str, ...]
     time: str
     budget: str
     notes: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
-        """How ours compares: different if anything is, reproduced if anything else can be told."""
-        verdicts = {one.verdict for one in self.findings}
-        for one in (Verdict.DIFFERENT, Verdict.REPRODUCED):
-            if one in verdicts:
-                return one
-        return Verdict.NOT_COMPARABLE
+        """How ours compares, if most of it can be compared: different if anything is."""
+        verdicts = [one.verdict for one in self.findings]
+        apart = verdicts.count(Verdict.NOT_COMPARABLE)
+        if 2 * apart >= len(verdicts):
+            return Verdict.NOT_COMPARABLE
+        return Verdict.DIFFERENT if Verdict.DIFFERENT in verdicts else Verdict.REPRODUCED
 
     @property
     def counted(self) -> str:
@@ -122,24 +126,29 @@ def commands() -> list[str]:
     known = catalogue_of_studies()
     return list(
         dict.fromkeys(
-            command_of(result, known)
+            command
             for folder in topics().values()
             if (folder / THESIS_FILE).is_file()
             for result in results_in(folder)
+            for command in commands_of(result, known)
         )
     )
 
 
-def command_of(result: Result, known: Mapping[str, tuple[Study, Path]]) -> str:
-    """Return the command that makes a result from what is kept.
+def commands_of(result: Result, known: Mapping[str, tuple[Study, Path]]) -> tuple[str, ...]:
+    """Return the commands that make a result from what is kept.
 
     Args:
         result: which.
         known: all studies.
     """
-    if result.study not in known:
-        raise ModelError(f"study {result.study!r} for {result.name}", "the name of a study")
-    return f"socialmind reproduce {result.study}{Way.KEPT if known[result.study][0].kept else ''}"
+    for name in (result.study, *result.also):
+        if name not in known:
+            raise ModelError(f"study {name!r} for {result.name}", "the name of a study")
+    return tuple(
+        f"socialmind reproduce {name}{Way.KEPT if known[name][0].kept else ''}"
+        for name in (result.study, *result.also)
+    )
 
 
 def results_in(folder: Path) -> tuple[Result, ...]:
@@ -194,14 +203,17 @@ def row_of(path: Path, **values: str) -> dict[str, str]:
 
 
 def _entry(result: Result, folder: Path, known: Mapping[str, tuple[Study, Path]]) -> Entry:
-    command = command_of(result, known)
+    commands = commands_of(result, known)
     times = {row["command"]: float(row["seconds"]) for row in rows_of(folder.parent / TIMES_FILE)}
-    parts = [in_words(times[command]) if command in times else "not measured"]
+    measured = all(one in times for one in commands)
+    parts = [in_words(sum(times[one] for one in commands)) if measured else "not measured"]
     hours = sum(_seconds(folder / "results" / "trainings" / one) for one in result.trainings)
     if hours:
         parts.append(f"trainings {in_words(hours)}")
+    if result.unkept:
+        parts.append(result.unkept)
     found, notes = tuple(result.found()), tuple(result.notes())
-    return Entry(result, found, command, "; ".join(parts), result.budget(), notes)
+    return Entry(result, found, commands, "; ".join(parts), result.budget(), notes)
 
 
 def _seconds(training: Path) -> float:
@@ -242,15 +254,18 @@ def write_overview(out: Path) -> list[Path]:
 
 
 def counts_of(found: Sequence[Entry]) -> str:
-    """Return how many results are of each verdict, in a sentence."""
-    counts = {one: sum(entry.verdict is one for entry in found) for one in Verdict}
-    told = ", ".join(f"{count} {one}" for one, count in counts.items())
-    return f"Of {len(found)} entries: {told}."
+    """Return how many rows and how many entries are of each verdict, in two sentences."""
+    rows = [finding.verdict for entry in found for finding in entry.findings]
+    parts = []
+    for verdicts, what in ((rows, "rows"), ([entry.verdict for entry in found], "entries")):
+        told = ", ".join(f"{verdicts.count(one)} {one}" for one in Verdict)
+        parts.append(f"Of {len(verdicts)} {what}: {told}.")
+    return " ".join(parts)
 
 
 def as_markdown(found: Sequence[Entry]) -> str:
     """Return the overview as Markdown."""
-    lines = [f"# {TITLE}", "", *(f"{one}\n" for one in ABOUT), counts_of(found), ""]
+    lines = [f"# {TITLE}", "", counts_of(found), "", *(f"{one}\n" for one in ABOUT)]
     lines += _markdown_table(_summary(found))
     for entry in found:
         lines += ["", f"## {_heading(entry)}", "", *(f"- {one}" for one in _facts(entry)), ""]
@@ -269,7 +284,7 @@ def as_html(found: Sequence[Entry]) -> str:
         )
         for entry in found
     ]
-    plain = [one.replace("*", "") for one in (*ABOUT, counts_of(found))]
+    plain = [one.replace("*", "") for one in (counts_of(found), *ABOUT)]
     return html.page(TITLE, [html.paragraph(one) for one in plain], sections)
 
 
@@ -284,18 +299,22 @@ def _summary(found: Iterable[Entry]) -> list[dict[str, str]]:
             "result": entry.result.name,
             "shows": entry.result.shows,
             "verdict": entry.counted,
-            "command": f"`{entry.command}`",
+            "command": _commands(entry),
             "time": entry.time,
         }
         for entry in found
     ]
 
 
+def _commands(entry: Entry) -> str:
+    return ", ".join(f"`{one}`" for one in entry.commands)
+
+
 def _facts(entry: Entry) -> list[str]:
     budget = f"Budget: ours {entry.budget}; thesis {entry.result.thesis_budget}."
     return [
         f"{entry.counted[0].upper()}{entry.counted[1:]}.",
-        f"`{entry.command}`, {entry.time}.",
+        f"{_commands(entry)}, {entry.time}.",
         *([budget] if entry.budget else []),
         *entry.notes,
     ]

@@ -21,6 +21,7 @@ curricula = load_file(COLLECT / "curricula.py")
 standings = load_file(COLLECT / "standings.py")
 tables = load_file(COLLECT / "tables.py")
 figures = load_file(COLLECT / "figures.py")
+pages = load_file(COLLECT / "figure_pages.py")
 studies = load_file(COLLECT / "studies.py")
 
 MODULES = ("tables", "trainings", "standings")
@@ -97,8 +98,9 @@ def test_attempts_and_worlds_are_units_each():
     attempts, worlds = STANDING.over_attempts("objects"), STANDING.over_worlds("objects")
     assert attempts.mean == worlds.mean == 4.0  # of 6 and 2; of 3, 4 and 5
     assert (STANDING.attempts, STANDING.worlds) == (2, 3)
-    assert 2.0 <= attempts.low < 4.0 < attempts.high <= 6.0
-    assert 3.0 <= worlds.low < 4.0 < worlds.high <= 5.0
+    # Student's t: 12.706 times 2 of two attempts, 4.303 times 1 / √3 of three worlds.
+    assert (attempts.low, attempts.high) == pytest.approx((4 - 25.412, 4 + 25.412), abs=0.01)
+    assert (worlds.low, worlds.high) == pytest.approx((4 - 2.484, 4 + 2.484), abs=0.001)
 
 
 def test_the_best_attempt_is_chosen_by_its_finals_and_not_by_the_benchmark():
@@ -164,6 +166,9 @@ def test_numbers_that_nobody_knows_are_dashes():
 
 # Figures ---------------------------------------------------------------------------------------
 
+FIGURE_63 = figures.FIGURES[1]
+COMPLEX = ("GoToObject+Avoid", "GoToDropZone+Avoid")
+
 
 def curve(values, lesson="GoToObject", attempt=1, **more):
     count = len(values)
@@ -185,15 +190,29 @@ class Kept:
         self.lessons = done.assign(score=1.5, deviation=0.5)
 
 
+def judged(given, **scores):
+    """What the winners of trainings come to in the worlds that all share; 1.2 by default."""
+    return {
+        plan: {
+            (attempt, lesson): scores.get(f"of_{attempt}", 1.2)
+            for attempt, lesson in zip(one.lessons["attempt"], one.lessons["lesson"], strict=True)
+        }
+        for plan, one in given.items()
+    }
+
+
 def test_of_an_attempt_in_two_trainings_the_longest_curve_is_shown():
     short, long = curve([1.0, 2.0], "Avoid"), curve([1.0, 2.0, 3.0], "Avoid")
     other = curve([5.0, 6.0], "Avoid", attempt=2)
     given = {"hierarchy": Kept(short, other), "longer_avoid": Kept(long)}
     found = figures.curves_of(figures.FIGURES[1], given)
     assert list(found["best"]) == [1.0, 2.0, 3.0, 5.0, 6.0]
-    rows = figures.attempts_of(found, given)
+    rows = figures.attempts_of(found, given, judged(given))
     assert [row["training"] for row in rows] == ["longer_avoid", "hierarchy"]
     assert [row["generations"] for row in rows] == [3, 2]
+    (line,) = pages.findings(rows)
+    assert "2 attempts of 2 to 3 generations (1 of `longer_avoid`, 2 of `hierarchy`" in line
+    assert "A dot is where an attempt's lesson ends" in " ".join(pages.caption(FIGURE_63, rows))
 
 
 def test_when_an_attempt_is_near_its_end_is_judged_on_common_worlds():
@@ -202,34 +221,40 @@ def test_when_an_attempt_is_near_its_end_is_judged_on_common_worlds():
     own = curve(lucky, validated=steady)
     given = {"base_skills": Kept(own, curve([4.0] * 200, attempt=2, validated=4.0))}
     found = figures.curves_of(figures.FIGURES[0], given)
-    rows = figures.attempts_of(found, given)
+    rows = figures.attempts_of(found, given, judged(given))
     assert [row["judged"] for row in rows] == ["on common worlds"] * 2
     first = int(np.argmax(steady >= 0.95 * 3.905)) + 1  # the mean of the last twenty
     assert [row["near_end_from"] for row in rows] == [first, 1]
     assert first > 100
-    (line,) = figures.findings(rows)
+    (line,) = pages.findings(rows)
     assert "1 of 2 are within 5% of what they come to in the end by generation 100" in line
     assert "0 of 2 fell short" in line
 
 
-def test_attempts_fall_short_by_their_finals_whatever_their_luckiest_generation():
+def test_attempts_fall_short_by_the_worlds_that_all_share_and_not_by_their_own_finals():
     given = {"base_skills": Kept(*(curve([4.0], attempt=n) for n in range(3)))}
-    given["base_skills"].lessons["score"] = [4.0, 4.0, 2.9]
-    rows = figures.attempts_of(figures.curves_of(figures.FIGURES[0], given), given)
+    given["base_skills"].lessons["score"] = [4.0, 2.9, 4.0]
+    found = figures.curves_of(figures.FIGURES[0], given)
+    shared = judged(given, of_0=4.0, of_1=4.0, of_2=2.9)
+    rows = figures.attempts_of(found, given, shared)
+    assert [(row["finals"], row["shared"]) for row in rows] == [(4.0, 4.0), (2.9, 4.0), (4.0, 2.9)]
     assert (
         "1 of 3 fell short (below 75% of the median, 4.00: attempt 2, 2.90)"
-        in (figures.findings(rows)[0])
+        in (pages.findings(rows)[0])
     )
+    told = " ".join(pages.caption(figures.FIGURES[0], rows))
+    assert "red where its winner fell short" in told
+    assert "A dot" not in told  # all end alike
 
 
 def test_budgets_that_are_not_the_thesiss_are_marked():
     figure = figures.FIGURES[1]
     row = {"lesson": "Avoid", "generations": 60, "ticks": 61_000_000}
-    told = figures.budget(figure, [row, {**row, "generations": 206}])
+    told = pages.budget(figure, [row, {**row, "generations": 206}])
     assert "Avoid 60 to 206 generations, up to 61 million ticks" in told
     assert "2,500 generations" in told
     assert "not equal" in told
-    assert "not equal" not in figures.budget(figure, [{**row, "generations": 2500}])
+    assert "not equal" not in pages.budget(figure, [{**row, "generations": 2500}])
 
 
 def test_a_budget_is_all_that_led_to_what_is_judged():
@@ -244,7 +269,8 @@ def test_a_budget_is_all_that_led_to_what_is_judged():
 def test_a_figure_comes_with_its_numbers(tmp_path):
     lessons = ("GoToObject", "GoToDropZone")
     given = {"base_skills": Kept(*(curve([1.0, 2.0], one, validated=1.5) for one in lessons))}
-    written = figures.write_curves(figures.FIGURES[0], given, ["Made by hand."], tmp_path)
+    made = ["Made by hand."]
+    written = pages.write_curves(figures.FIGURES[0], given, judged(given), made, tmp_path)
     assert [path.name.removeprefix("figure-6.2") for path in written] == [
         ".pdf", ".png", ".md", ".csv", "-attempts.csv",
     ]  # fmt: skip
@@ -252,6 +278,15 @@ def test_a_figure_comes_with_its_numbers(tmp_path):
         rows = list(csv.DictReader(file))
     assert [row["best"] for row in rows] == ["1", "2"] * 2
     assert "Thesis: most of 10 attempts" in (tmp_path / "figure-6.2.md").read_text()
+
+
+def test_winners_of_lessons_without_a_panel_are_told_of_beside(tmp_path):
+    given = {"hierarchy": Kept(*(curve([1.0, 2.0], one) for one in COMPLEX))}
+    shared = judged(given)
+    shared["hierarchy"][1, "Avoid"] = 40.5
+    written = pages.write_curves(figures.FIGURES[2], given, shared, ["By hand."], tmp_path)
+    assert written[-1].name == "figure-6.4-lessons.csv"
+    assert written[-1].read_text().splitlines()[-1] == "hierarchy,1,Avoid,40.5"
 
 
 # Studies ---------------------------------------------------------------------------------------

@@ -10,13 +10,14 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from socialmind.errors import SocialmindError, nearest
 from socialmind.experiments.studies import Way
 from socialmind.experiments.trainings.rechecking import recheck, rescore
-from socialmind.experiments.trainings.rerunning import rerun, write_down
+from socialmind.experiments.trainings.rerunning import kept_with, rerun, write_down
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
@@ -30,7 +31,15 @@ PACE = 2_000_000
 long a training takes."""
 
 RERUNS = "reruns.csv"
-"""In a topic's results: which kept attempts were trained anew, and came out the same."""
+"""In a topic's results: which kept attempts were trained anew, and how they came out."""
+USAGE = """\
+python -m {module} NAME …              make trainings, or go on with them
+python -m {module} keep NAME …         keep what they came to, in results/trainings/
+python -m {module} recheck NAME …      after an edit of the model: do kept winners score the same?
+python -m {module} rescore NAME …      take scores of kept winners as they come out today
+python -m {module} rerun NAME NUMBER … train kept attempts anew, compare, note in results/reruns.csv
+
+NAME: all (but for rerun), or some of {names}"""
 
 
 @dataclass(frozen=True)
@@ -220,8 +229,12 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
                 kept attempts to train anew from their seed and to compare.
 
         Raises:
-            SystemExit: with a line on what is wrong: a name that no plan has, …
+            SystemExit: with a line on what is wrong: a name that no plan has, …; before anything
+                is done.
         """
+        if {"-h", "--help"} & set(words):
+            print(USAGE.format(module=_module() or "MODULE", names=", ".join(self)))
+            return
         acts = (["keep"], ["recheck"], ["rescore"], ["rerun"])
         act, *names = words if words[:1] in acts else ["make", *words]
         try:
@@ -238,12 +251,17 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
 
     def _rerun(self, words: list[str]) -> None:
         """Train kept attempts anew; say of each that it came out again, and write it down."""
+        if words[:1] == ["all"]:
+            raise SocialmindError(f"which training? expected one of {', '.join(self)}")
         (name,) = self._chosen(words[:1])
         if not words[1:] or not all(word.isdecimal() for word in words[1:]):
             raise SocialmindError(f"which attempts? expected `rerun {name}` and their numbers")
-        for attempt in map(int, words[1:]):
-            found = rerun(self.kept / name, _module(), attempt, self.home / "rerun")
-            write_down(self.kept.parent / RERUNS, name, attempt, found)
+        attempts = [int(word) for word in words[1:]]
+        for attempt in attempts:
+            kept_with(self.kept / name, attempt)
+        for attempt in attempts:
+            note = partial(write_down, self.kept.parent / RERUNS, name, attempt)
+            found = rerun(self.kept / name, _module(), attempt, self.home / "rerun", note)
             scores = [
                 f"{one.lesson} {one.now:.5g}"
                 + (f" (kept {one.before:.5g})" if one.now != one.before else "")

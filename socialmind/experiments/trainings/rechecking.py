@@ -8,18 +8,22 @@ sees, and the kept training takes the hash of today's files.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments.trainings.store import LESSONS, differences
-from socialmind.learning.lessons.keys import FINAL, seeds_for
+from socialmind.learning.lessons.keys import FINAL, JUDGED, seeds_for
+from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import load_result, result_file
 from socialmind.learning.training.continuing import as_json
-from socialmind.learning.training.finalists import individual_of
+from socialmind.learning.training.finalists import Individual, individual_of
 from socialmind.learning.training.result import Training
 from socialmind.learning.training.teaching import evaluation_of
 from socialmind.mind import MindDescription
@@ -111,6 +115,49 @@ def _rescored(training: Training, plan: TrainingPlan) -> Iterator[Rescored]:
             raise SocialmindError(
                 f"{training.folder}: of other lessons than the plan has; train anew"
             )
+    for one in winners(training, lessons):
+        key = training.manifest.seed, one.attempt, one.lesson.name, 1
+        score = one.scores(seeds_for(one.lesson.finals, FINAL, *key)).mean()
+        file = result_file(training.folder / "attempts" / str(one.attempt), one.number)
+        yield Rescored(one.attempt, one.lesson.name, one.record["score"], float(score), file)
+
+
+@dataclass(frozen=True)
+class Winner:
+    """The winner of a kept lesson, as it can be judged again.
+
+    Attributes:
+        attempt: of the training.
+        number: of the lesson among those of the attempt, from 1.
+        lesson: the lesson.
+        individual: the winner.
+        mind: as it was before the lesson.
+        engine: of the training.
+        record: what is kept of the lesson.
+    """
+
+    attempt: int
+    number: int
+    lesson: Lesson
+    individual: Individual
+    mind: MindDescription
+    engine: str
+    record: Mapping[str, Any]
+
+    def scores(self, worlds: Sequence[int]) -> NDArray[np.float64]:
+        """Return what it comes to in each of some worlds of its lesson, given by their seeds."""
+        episodes = evaluation_of(self.lesson, self.mind, self.engine).episodes()
+        scores: NDArray[np.float64] = episodes.run(self.individual.genome[None], worlds).score[0]
+        return scores
+
+
+def winners(training: Training, lessons: Sequence[Lesson]) -> Iterator[Winner]:
+    """Yield the winners of all finished lessons of a training, attempt by attempt.
+
+    Args:
+        training: that is kept.
+        lessons: of its curriculum, in order.
+    """
     for attempt in training.attempts:
         mind = MindDescription.load(training.folder / "mind")
         done = len(training.lessons[training.lessons["attempt"] == attempt])
@@ -118,10 +165,32 @@ def _rescored(training: Training, plan: TrainingPlan) -> Iterator[Rescored]:
         for number, lesson in enumerate(lessons[:done], 1):
             record, arrays = load_result(folder, number)
             winner = individual_of(archive.part(arrays, "winner/"))
-            episodes = evaluation_of(lesson, mind, training.manifest.engine).episodes()
-            key = training.manifest.seed, attempt, lesson.name, 1
-            outcome = episodes.run(winner.genome[None], seeds_for(lesson.finals, FINAL, *key))
-            now, file = float(outcome.score.mean(axis=1)[0]), result_file(folder, number)
-            yield Rescored(attempt, lesson.name, record["score"], now, file)
+            yield Winner(attempt, number, lesson, winner, mind, training.manifest.engine, record)
             learned = winner.given_to([mind.skill(one) for one in lesson.skills])
             mind = mind.with_modules(skills=learned)
+
+
+def in_common_worlds(
+    training: Training, lessons: Sequence[Lesson], names: Collection[str], worlds: int
+) -> dict[tuple[int, str], float]:
+    """Judge the winners of lessons in worlds that nothing else uses, the same for all attempts.
+
+    Finals choose the winner among finalists and have worlds of the attempt's own: so their scores
+    are a little too high, and those of two attempts are of different worlds.
+
+    Args:
+        training: that is kept.
+        lessons: of its curriculum, in order.
+        names: of the lessons whose winners are judged.
+        worlds: how many.
+
+    Returns:
+        The mean score by attempt and lesson.
+    """
+    return {
+        (one.attempt, one.lesson.name): float(
+            one.scores(seeds_for(worlds, JUDGED, training.manifest.seed, one.lesson.name)).mean()
+        )
+        for one in winners(training, lessons)
+        if one.lesson.name in names
+    }

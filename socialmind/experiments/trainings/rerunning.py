@@ -2,9 +2,10 @@
 
 `recheck` judges the winners that are kept. Here an attempt is trained anew, from nothing, and each
 lesson's winner is compared with the kept one: its weights are to be the very same. Where the
-training records the commit of the program that made it, that program is taken from the repository's
-history: an engine that was mended since pays its robots otherwise, and they learn something else.
-Lessons that were added later are learned by the program that added them.
+training records a commit, of the program that made it or of one that gives the same weights, that
+program is taken from the repository's history: an engine that was mended since pays its robots
+otherwise, and they learn something else. Lessons that were added later are learned by the program
+that added them.
 """
 
 from __future__ import annotations
@@ -12,14 +13,17 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 import os
 import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from socialmind.errors import SocialmindError
 from socialmind.learning.training import archive
@@ -41,12 +45,15 @@ class Again(NamedTuple):
         before: the score that is kept.
         now: what it came to; another one only where the kept one was taken anew (`rescore`).
         commit: of the program that taught it; an empty text where none is recorded.
+        apart: the largest difference of a weight; 0 where all are the very same, infinite where
+            there are others.
     """
 
     lesson: str
     before: float
     now: float
     commit: str = ""
+    apart: float = 0.0
 
 
 KERNELS = {
@@ -58,7 +65,7 @@ MANY = 10**6
 """Times round a cycle, more than any has."""
 LessonResult = tuple[Path, Mapping[str, Any], Mapping[str, Any]]
 """The file of a finished lesson, its record and its arrays."""
-COLUMNS = ("training", "attempt", "lesson", "commit", "score", "kept")
+COLUMNS = ("training", "attempt", "lesson", "commit", "score", "kept", "apart")
 PROGRAM = ("socialmind", "coglogo_py", "models", "analysis")
 """What of a commit a training stands on."""
 TRAIN = """
@@ -80,7 +87,13 @@ if __name__ == "__main__":
 """Goes on with a training, by whichever program Python finds: so it calls what all of them have."""
 
 
-def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
+def rerun(
+    kept: Path,
+    module: str,
+    attempt: int,
+    home: Path,
+    note: Callable[[list[Again]], None] = lambda found: None,
+) -> list[Again]:
     """Train a kept attempt anew, from its seed, and compare each lesson with the kept one.
 
     Args:
@@ -88,18 +101,16 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
         module: that has the plan in its `PLANS`.
         attempt: its number.
         home: where it is trained, in a folder of its own; gone on with where it is begun.
+        note: takes the lessons, also where one came to other weights.
 
     Returns:
         The lessons, each with a winner of the very same weights.
 
     Raises:
-        SocialmindError: no such attempt is kept, the program that made it is not in the
+        SocialmindError: no such attempt is kept, the program that it records is not in the
             repository's history, it was stopped, or a lesson came to other weights.
     """
-    training = Training(kept)
-    if attempt not in training.attempts:
-        known = ", ".join(map(str, training.attempts))
-        raise SocialmindError(f"{training.folder}: no attempt {attempt} is kept; expected {known}")
+    training = kept_with(kept, attempt)
     manifest = training.manifest
     folder = home / f"{kept.name}-{attempt}"
     stages = stages_of(manifest.versions, attempt, len(manifest.lessons))
@@ -127,20 +138,41 @@ def rerun(kept: Path, module: str, attempt: int, home: Path) -> list[Again]:
         list(results_of(one.folder / "attempts" / str(attempt))) for one in (training, again)
     ]
     pairs = list(zip(*results, strict=False))  # fewer where it is kept in part
-    if others := [_told(*both) for both in pairs if not _alike(*both)]:
+    found = [
+        Again(
+            one[1]["lesson"],
+            one[1]["score"],
+            two[1]["score"],
+            _commit(one[1]["lesson"], manifest, stages),
+            _apart(one, two),
+        )
+        for one, two in pairs
+    ]
+    note(found)
+    if others := [f"{one.lesson} {one.before:.5g} → {one.now:.5g}" for one in found if one.apart]:
         made_on, here = training.manifest.platforms, again.manifest.platforms[-1:]
         raise SocialmindError(
             f"{training.folder}: attempt {attempt} does not come out again: {', '.join(others)}; "
             f"it was made on {_machines(made_on)}, this is {_machines(here)}"
         )
-    return [
-        Again(one["lesson"], one["score"], two["score"], _commit(one["lesson"], manifest, stages))
-        for (_, one, _), (_, two, _) in pairs
-    ]
+    return found
+
+
+def kept_with(kept: Path, attempt: int) -> Training:
+    """Return a kept training that has an attempt.
+
+    Raises:
+        SocialmindError: it is not kept, or has no such attempt.
+    """
+    training = Training(kept)
+    if attempt not in training.attempts:
+        known = ", ".join(map(str, training.attempts))
+        raise SocialmindError(f"{training.folder}: no attempt {attempt} is kept; expected {known}")
+    return training
 
 
 def write_down(file: Path, name: str, attempt: int, found: Sequence[Again]) -> None:
-    """Write what came out again into a table (CSV): a row for each lesson, in order.
+    """Write what came out again, and what did not, into a table (CSV): a row for each lesson.
 
     Args:
         file: of the table; rows of this training and attempt are replaced.
@@ -150,7 +182,7 @@ def write_down(file: Path, name: str, attempt: int, found: Sequence[Again]) -> N
     """
     rows = [
         {"training": name, "attempt": str(attempt), "lesson": one.lesson, "commit": one.commit,
-         "score": repr(one.now), "kept": repr(one.before)}
+         "score": repr(one.now), "kept": repr(one.before), "apart": repr(one.apart)}
         for one in found
     ]  # fmt: skip
     if file.is_file():
@@ -159,7 +191,7 @@ def write_down(file: Path, name: str, attempt: int, found: Sequence[Again]) -> N
         rows += [one for one in before if (one["training"], one["attempt"]) != (name, str(attempt))]
     rows.sort(key=lambda one: (one["training"], int(one["attempt"])))
     text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer = csv.DictWriter(text, COLUMNS, restval="0.0", lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
     replace_file(file, text.getvalue().encode())
@@ -276,7 +308,7 @@ def _program(commit: str, home: Path) -> Path:
         except (OSError, subprocess.CalledProcessError) as error:
             why = str(getattr(error, "stderr", None) or error).strip()
             raise SocialmindError(
-                f"made by the program of commit {commit}, which cannot be had here: {why}; "
+                f"its program, of commit {commit}, cannot be had here: {why}; "
                 "expected git, and a clone with the whole history"
             ) from error
         made = _emptied(folder)
@@ -318,14 +350,13 @@ def _trained(program: Path, home: Path, words: list[str], kernels: Mapping[str, 
             return process.wait() or 130
 
 
-def _alike(before: LessonResult, now: LessonResult) -> bool:
-    """Whether both lessons were won by the same individual."""
+def _apart(before: LessonResult, now: LessonResult) -> float:
+    """Return how far the weights of a lesson's winners are apart; 0 where both are one."""
     one, other = (individual_of(archive.part(arrays, "winner/")) for _, _, arrays in (before, now))
-    return one.same(other)
-
-
-def _told(before: LessonResult, now: LessonResult) -> str:
-    return f"{before[1]['lesson']} {before[1]['score']:.5g} → {now[1]['score']:.5g}"
+    if one.same(other):
+        return 0.0
+    differ = one.genome.shape == other.genome.shape and one.graph == other.graph
+    return float(np.abs(one.genome - other.genome).max()) if differ else math.inf
 
 
 def _machines(platforms: list[dict[str, Any]]) -> str:

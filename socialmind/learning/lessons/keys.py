@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import hashlib
 
-WORLD, OPTIMISER, FINAL, BEGINNING, VALIDATION, START = (
+WORLD, OPTIMISER, FINAL, BEGINNING, VALIDATION, START, JUDGED = (
     "world",
     "optimiser",
     "final",
     "beginning",
     "validation",
     "start",
+    "judged",
 )
-"""What learning draws seeds for."""
+"""What learning draws seeds for; the last is for judging winners once more, when all is learned."""
 
 
 def seed_for(*key: str | int) -> int:

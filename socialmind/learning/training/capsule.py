@@ -72,7 +72,9 @@ class TrainingManifest(folders.FolderManifest):
         versions: of what the training stood on; ``commit``, of the program, where that runs from an
             unedited clone of its repository, and ``commit from attempt 3`` where it is another one;
             ``commit from lesson 7 to attempt 10`` where lessons were added to attempts. They are
-            the programs that began attempts and added lessons; another one may have gone on.
+            the programs that began attempts and added lessons; another one may have gone on. Where
+            the commit is younger than the training it was filled in later: a program that gives
+            the same first generations, and where `rerun` found so the same weights.
         platforms: the fingerprints of the machines that led it.
         kind: `training`.
         format: of this file.
@@ -111,7 +113,7 @@ class TrainingManifest(folders.FolderManifest):
 
 
 def commit_of(versions: Mapping[str, str], attempt: int) -> str:
-    """Return the commit of the program that an attempt was begun by, empty where none is known.
+    """Return the commit of the program that an attempt comes out by, empty where none is known.
 
     >>> commit_of({"commit": "3d4ad57", "commit from attempt 3": "8e6425c"}, attempt=2)
     '3d4ad57'

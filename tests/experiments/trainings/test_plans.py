@@ -105,7 +105,13 @@ def test_the_command_trains_kept_attempts_again(plans, whole, monkeypatch, capsy
     keep(whole, plans.kept)
     asked = []
     found = [Again("Going", 1.25, 1.25, "3d4ad57"), Again("Bringing", 3.5, 3.0, "8e6425c")]
-    monkeypatch.setattr(of_plans, "rerun", lambda *words: asked.append(words) or found)
+
+    def again(*words):
+        asked.append(words)
+        words[4](found)
+        return found
+
+    monkeypatch.setattr(of_plans, "rerun", again)
     plans.main(["rerun", "tiny", "2", "1"])
     plans.main(["rerun", "tiny", "2"])
     assert [words[2] for words in asked] == [2, 1, 2]
@@ -114,14 +120,26 @@ def test_the_command_trains_kept_attempts_again(plans, whole, monkeypatch, capsy
         "tiny, attempt 2: the same weights; Going 1.25, Bringing 3 (kept 3.5)"
     )
     assert (plans.kept.parent / "reruns.csv").read_text().splitlines() == [
-        "training,attempt,lesson,commit,score,kept",
-        "tiny,1,Going,3d4ad57,1.25,1.25",
-        "tiny,1,Bringing,8e6425c,3.0,3.5",
-        "tiny,2,Going,3d4ad57,1.25,1.25",
-        "tiny,2,Bringing,8e6425c,3.0,3.5",
+        "training,attempt,lesson,commit,score,kept,apart",
+        "tiny,1,Going,3d4ad57,1.25,1.25,0.0",
+        "tiny,1,Bringing,8e6425c,3.0,3.5,0.0",
+        "tiny,2,Going,3d4ad57,1.25,1.25,0.0",
+        "tiny,2,Bringing,8e6425c,3.0,3.5,0.0",
     ]
     with pytest.raises(SystemExit, match=r"which attempts\? expected `rerun tiny` and their num"):
         plans.main(["rerun", "tiny", "two"])
+    with pytest.raises(SystemExit, match=r"which training\? expected one of tiny"):
+        plans.main(["rerun", "all", "1"])
+    with pytest.raises(SystemExit, match="no attempt 99 is kept; expected 1, 2"):
+        plans.main(["rerun", "tiny", "1", "99"])
+    assert len(asked) == 3  # nothing was trained before all words were known
+
+
+def test_the_command_says_what_it_does(plans, capsys):
+    plans.main(["--help"])
+    told = capsys.readouterr().out
+    assert "rerun NAME NUMBER" in told
+    assert "some of tiny" in told
 
 
 def test_paused_from_elsewhere_the_command_says_so_and_goes_on(plans, whole, capsys, monkeypatch):

@@ -1,11 +1,14 @@
 """Judging what is kept of a training again."""
 
+import numpy as np
 import pytest
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.trainings.rechecking import recheck, rescore
+from socialmind.experiments.trainings import rechecking
+from socialmind.experiments.trainings.rechecking import in_common_worlds, recheck, rescore, winners
 from socialmind.experiments.trainings.store import differences, keep
 from socialmind.learning import Training
+from socialmind.learning.lessons.keys import seeds_for
 from socialmind.learning.training import archive
 from socialmind.runs.arrays_file import save_arrays
 
@@ -53,3 +56,25 @@ def test_where_the_scoring_was_mended_scores_are_taken_as_they_are_today(
     assert archive.load(path)[0] == record
     assert rescore(tmp_path / "tiny", plan) == []
     assert recheck(tmp_path / "tiny", plan) == 4
+
+
+def test_winners_are_judged_in_worlds_that_all_attempts_share(whole, tiny_plans, monkeypatch):
+    training, lessons = Training(whole), tiny_plans.PLAN.curriculum().lessons
+    met = []
+    monkeypatch.setattr(
+        rechecking.Winner, "scores", lambda one, seeds: met.append(seeds) or np.array([1.0, 4.0])
+    )
+    found = in_common_worlds(training, lessons, ["GoToDropZone"], 3)
+    assert found == {(1, "GoToDropZone"): 2.5, (2, "GoToDropZone"): 2.5}
+    assert met[0] == met[1] == seeds_for(3, "judged", training.manifest.seed, "GoToDropZone")
+
+
+def test_a_winner_comes_to_the_same_in_the_same_worlds(whole, tiny_plans):
+    training, lessons = Training(whole), tiny_plans.PLAN.curriculum().lessons
+    found = in_common_worlds(training, lessons, ["GoToObject", "GoToDropZone"], 4)
+    assert list(found) == [
+        (attempt, lesson) for attempt in (1, 2) for lesson in ("GoToObject", "GoToDropZone")
+    ]
+    assert found == in_common_worlds(training, lessons, ["GoToObject", "GoToDropZone"], 4)
+    one = next(winners(training, lessons))
+    assert one.scores([1, 2, 1]).tolist()[::2] == one.scores([1, 1]).tolist()

@@ -1,5 +1,6 @@
 """Training a kept attempt anew, from its seed."""
 
+import csv
 import json
 import shutil
 import subprocess
@@ -10,7 +11,7 @@ import pytest
 
 from socialmind.errors import SocialmindError
 from socialmind.experiments.trainings import rerunning
-from socialmind.experiments.trainings.rerunning import PROGRAM, Again, rerun
+from socialmind.experiments.trainings.rerunning import PROGRAM, Again, rerun, write_down
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning import Training
 from socialmind.learning.training import archive, execution
@@ -71,9 +72,19 @@ def test_an_attempt_comes_out_again_by_itself(kept, tmp_path):
 def test_what_comes_out_differently_is_told(kept, tmp_path):
     changed(kept, score=9.5)  # as if it had been scored anew
     assert rerun(kept, PLANS, 2, tmp_path / "rerun")[1].before == 9.5
-    changed(kept, weights=1e-12)
+    changed(kept, weights=0.5)
+    noted = []
     with pytest.raises(SocialmindError, match=r"again: GoToDropZone 9\.5 → .*; it was made on L"):
-        rerun(kept, PLANS, 2, tmp_path / "rerun")
+        rerun(kept, PLANS, 2, tmp_path / "rerun", noted.extend)
+    # What came out otherwise is noted too, and by how much.
+    assert [one.apart for one in noted] == [0.0, pytest.approx(0.5)]
+    table = tmp_path / "reruns.csv"
+    table.write_text("training,attempt,lesson,commit,score,kept\nother,1,Going,,1.0,1.0\n")
+    write_down(table, "tiny", 2, noted)
+    rows = list(csv.DictReader(table.open()))
+    assert [(row["training"], float(row["apart"])) for row in rows] == [
+        ("other", 0.0), ("tiny", 0.0), ("tiny", pytest.approx(0.5)),
+    ]  # fmt: skip
 
 
 def test_of_an_attempt_kept_in_part_the_finished_lessons_are_compared(kept, tmp_path):
@@ -217,7 +228,7 @@ def test_a_training_records_by_which_program_each_attempt_was_begun(
 
 def test_a_commit_that_is_not_in_the_history_is_told(kept, tmp_path):
     edited(kept / "manifest.json", commit="0123456789")
-    with pytest.raises(SocialmindError, match="of commit 0123456789, which cannot be had here"):
+    with pytest.raises(SocialmindError, match="of commit 0123456789, cannot be had here"):
         rerun(kept, PLANS, 1, tmp_path / "rerun")
 
 
