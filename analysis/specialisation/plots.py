@@ -96,7 +96,9 @@ def course(over_time: pd.DataFrame, size: Size) -> Figure:
         size: of the study.
     """
     settling = [one for one in SOCIETIES if one not in FALL_SHORT]
-    learned = [one for one in settling if one == REFERENCE or "unlearned" in SOCIETIES[one].parameters]
+    learned = [
+        one for one in settling if one == REFERENCE or "unlearned" in SOCIETIES[one].parameters
+    ]
     rules = [REFERENCE, *(one for one in settling if one not in learned)]
     rows = (
         ("distance", rules), ("distance", learned), ("specialised", settling),
