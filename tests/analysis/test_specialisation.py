@@ -6,6 +6,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 import pytest
 
@@ -247,7 +248,7 @@ def test_means_are_over_attempts_and_worlds():
     assert row["low"] < 2.5
     assert row["high"] > 8
     one = tables.means(table[table["attempt"] == 1], ["society"], ["changes"]).iloc[0]
-    assert one["high"] - one["low"] < 3
+    assert one["high"] - one["low"] < row["high"] - row["low"]
 
 
 def test_a_share_of_worlds_has_a_width_where_all_are_alike():
@@ -257,8 +258,9 @@ def test_a_share_of_worlds_has_a_width_where_all_are_alike():
 
 
 def test_differences_are_in_equal_worlds():
-    reference = runs_of("programmed", [[1, 5, 9, 2]])
-    above = runs_of("a", [[2, 6, 10, 3], [2.2, 6.2, 10.2, 3.2]])
+    base = np.array([1, 5, 9, 2, 7, 3])
+    reference = runs_of("programmed", [base.tolist()])
+    above = runs_of("a", [(base + more).tolist() for more in (1.0, 1.2, 1.0, 1.2, 1.0, 1.2)])
     found = tables.differences(pd.concat([reference, above]))
     row = found[found["measure"] == "within"].iloc[0]
     assert row["difference"] == pytest.approx(1.1)
@@ -388,5 +390,5 @@ def test_an_attempt_that_had_several_trainings_had_the_ticks_of_all():
 
 def test_a_small_study_tells_the_budget_of_its_own_attempts():
     table = budgets.budgets(TINY).set_index("society")
-    assert table["attempts"].tolist() == [2, 2, 2, 1, 2]
+    assert table["attempts"].tolist() == [2, 2, 2, 2, 1, 2]
     assert (table["trainings"] >= table["attempts"]).all()
