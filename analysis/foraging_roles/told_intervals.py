@@ -30,7 +30,10 @@ def in_brackets(part: pd.DataFrame, name: str, form: str) -> str:
         found = interval_of(values[0])
     if not np.isfinite(found.low):
         return f"{found.mean:{form}}"
-    return f"{found.mean:{form}} ({found.low:{form}} to {found.high:{form}})"
+    low, high = found.low, found.high
+    if form.endswith("%"):  # Student's t of few attempts reaches past what a share can be
+        low, high = max(low, 0.0), min(high, 1.0)
+    return f"{found.mean:{form}} ({low:{form}} to {high:{form}})"
 
 
 def paired_interval(more: NDArray[np.float64]) -> Interval:

@@ -130,7 +130,8 @@ def _further(tables: Mapping[str, pd.DataFrame]) -> list[str]:
         html.table(
             rows,
             "Table 3. The same forty worlds for all, seeds 6101 … 6140, which had no part in any "
-            "design: shares within one robot with intervals of 95 % over attempts and worlds, and "
+            "design; they are those of the last look at what was chosen, after which there was no "
+            "other. Shares within one robot with intervals of 95 % over attempts and worlds, and "
             "the worst and the best attempt; over worlds where nothing was learned. Adding three "
             "was not run.",
             numbers=True,

@@ -52,7 +52,7 @@ def percent(share: float) -> str:
 
 
 def shares(row: Mapping[str, Any]) -> str:
-    """A mean share with its interval.
+    """A mean share with its interval, as far as a share can be.
 
     >>> shares({"mean": 0.5, "low": 0.4, "high": 0.62}), shares({"mean": 1.0, "low": 1, "high": 1})
     ('50 % (40 % to 62 %)', '100 %')
@@ -60,7 +60,8 @@ def shares(row: Mapping[str, Any]) -> str:
     low, high = float(row["low"]), float(row["high"])
     if not math.isfinite(low) or low == high:
         return percent(float(row["mean"]))
-    return f"{percent(float(row['mean']))} ({percent(low)} to {percent(high)})"
+    ends = percent(max(low, 0.0)), percent(min(high, 1.0))
+    return f"{percent(float(row['mean']))} ({ends[0]} to {ends[1]})"
 
 
 def one_of(table: pd.DataFrame, measure: str, **where: Any) -> dict[str, Any]:
