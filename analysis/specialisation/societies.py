@@ -77,8 +77,9 @@ SOCIETIES = {
         ),
         Society(
             "delivered", "learned by deliveries",
-            "the skill ForageRole of a hierarchy, learned by all robots as one genome from what "
-            "they bring home; CollectSelect was learned before (lesson `delivered_anew`)",
+            "the skill ForageRole of a hierarchy, learned by all robots as one genome, whose "
+            "teacher sees what they bring home alone; CollectSelect was learned before (lesson "
+            "`delivered_anew`)",
             LEARNED, paper.BLUE, lesson="delivered_anew",
         ),
         Society(
