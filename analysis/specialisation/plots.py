@@ -15,6 +15,7 @@ from matplotlib.transforms import Affine2D
 
 from socialmind.drawing import style as paper
 from socialmind.drawing.scheme import draw_scheme, key, lines_of
+from socialmind.experiments.measures.intervals import FEW
 
 from .societies import CONDITIONS, FALL_SHORT, MIXED, REFERENCE, SOCIETIES, Condition, Size
 from .tables import MEASURED, OVER_SHARES
@@ -163,7 +164,7 @@ def measures(table: pd.DataFrame) -> Figure:
     """Draw every measure of every society and condition, with intervals.
 
     Args:
-        table: `society`, `condition`, `measure`, `mean`, `low`, `high`.
+        table: `society`, `condition`, `measure`, `attempts`, `mean`, `low`, `high`.
     """
     figure = paper.figure(paper.PAGE, 210)
     panels = figure.subplots(3, 3, sharey=True).flat
@@ -180,7 +181,13 @@ def measures(table: pd.DataFrame) -> Figure:
                     chance = dict(_parts(luck, condition.name))[society]["mean"].iloc[0]
                     axes.plot([chance] * 2, [row - 0.07, row + 0.07], color=paper.GREY)
         _rows(axes, rows)
-        across(axes, own[own["society"].isin(rows)], zero=measured.name not in FAR_FROM_ZERO)
+        own = own[own["society"].isin(rows)]
+        # Those of a handful of attempts are so wide that they would hide all others.
+        few = own["attempts"].between(2, FEW - 1)
+        own = own.assign(
+            low=own["low"].mask(few, own["mean"]), high=own["high"].mask(few, own["mean"])
+        )
+        across(axes, own, zero=measured.name not in FAR_FROM_ZERO)
         axes.set_xlabel(measured.unit)
         paper.panel_title(axes, letter, measured.title)
     legend(figure, [
