@@ -171,8 +171,8 @@ def _shocked(
             "Figure 5. Every measure: means with intervals of 95 % over attempts and worlds. In c "
             f"a world that never settles counts with {number(size.ticks, 0)} ticks undisturbed "
             f"and {number(size.half, 0)} after a shock. Grey "
-            "strokes in g: what luck alone gives. The axes of h and i do not begin at 0. Intervals of "
-            "what was learned by the counts, by three attempts, run out of the panels.",
+            "strokes in g: what luck alone gives. The axes of h and i do not begin at 0. Intervals "
+            "of what was learned by the counts, by three attempts, run out of the panels.",
             "Means with intervals of nine measures, for each society and condition.",
         ),
     ]
