@@ -100,7 +100,12 @@ def test_pairs_are_of_the_minds_that_are_kept_and_each_society_is_there_once():
     keys = [one.key for one in study.societies()]
     assert len(set(keys)) == len(keys)
     pairs = [one for one in study.societies() if one.partner is not None]
-    assert len(pairs) == len(study.PAIRS) * len(study.SHARES) * len(study.MET)
+    drawn = list(study.drawn_pairs())
+    assert len(drawn) == study.DRAWN * len(study.BY_LOT)
+    for way, other in study.BY_LOT:
+        own = [pair[1] for pair in drawn if (pair[0], pair[2]) == (way, other)]
+        assert len(set(own)) == study.DRAWN  # nobody is drawn twice for a kind of pair
+    assert len(pairs) == (len(study.PAIRS) + len(drawn)) * len(study.SHARES) * len(study.MET)
 
 
 def test_focal_robots_are_as_many_as_asked_for():

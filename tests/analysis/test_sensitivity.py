@@ -36,7 +36,8 @@ def test_stretches_of_time_are_means_over_runs():
     share = table[table["output"] == "artisan_share"]
     assert share["mean"].tolist() == [50.0, 50.0]
     assert share["begin"].tolist() == [0, 10] and share["end"].tolist() == [10, 20]
-    assert share["low"].tolist() == [pytest.approx(25.0, abs=9), 50.0]
+    # Two runs, 25 and 75 %: their standard error is 25, and t of one degree of freedom 12.7.
+    assert share["low"].tolist() == [pytest.approx(50.0 - 12.706 * 25.0, abs=0.01), 50.0]
     assert table[table["output"] == "tools_each"]["mean"].tolist() == [1.0, 2.0]
 
 

@@ -25,7 +25,7 @@ def test_names_and_units_come_from_declarations_and_the_author_s_words():
     # Its meaning, "weight of one signal of demand", is longer than an axis has room for.
     assert labels.axis("demand_intensity") == "demand intensity (demand a signal)"
     assert labels.axis("settled") == "artisans, mean of the last 10,000 ticks (agents)"
-    assert labels.axis("spread") == "wheat, standard deviation of the run (wheat)"
+    assert labels.axis("spread") == "wheat, standard deviation of the run"
     assert labels.axis("unequal") == "Gini coefficient of wheat (0 … 1)"
     assert labels.axis("share") == "share" and labels.axis("own") == "own"
     assert labels.axis("artisans") == "artisans (agents)"
