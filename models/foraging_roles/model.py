@@ -131,7 +131,7 @@ class ForagingRoles(Model):
         -1, unit="ticks", low=-1, doc="when robots of one role are taken away; -1 for never"
     )
     removed_role: int = parameter(
-        0, unit="of two", low=0, high=1, doc="whose robots are taken away: 0 for A, 1 for B"
+        0, unit="of two", low=0, high=1, doc="whose robots go first: 0 for A, 1 for B"
     )
     add_at: int = parameter(-1, unit="ticks", low=-1, doc="when robots are added; -1 for never")
     shift: int = parameter(3, unit="robots", low=0, doc="how many are taken away, or added")

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from socialmind.experiments.sensitivity.indices import Sensitivity
-    from socialmind.experiments.sweeps.result import Sweep
-    from socialmind.model import Model
 
 NAME = "sensitivity"
 """What the folder, the figure and the text are called that are written."""
@@ -49,10 +47,12 @@ def sensitivity(
         Path | None,
         typer.Option(metavar="DIR", help="Folder for tables and figure (sensitivity/ in DIR)."),
     ] = None,
+    trust: options.Trust = False,
     quiet: options.Quiet = False,
 ) -> None:
     """Say what the outputs of a sweep depend on, by the method that its design is made for."""
     os.environ["MPLBACKEND"] = "Agg"
+    from socialmind.commands.plotting import model_of
     from socialmind.documents.labels import labels_of_sweep
     from socialmind.experiments.sensitivity.figure import figure_of
     from socialmind.experiments.sensitivity.indices import sensitivity_of
@@ -69,19 +69,9 @@ def sensitivity(
     if not quiet:
         typer.echo("\n".join(lines))
     sweep = Sweep(folder)
-    labels = labels_of_sweep(sweep.manifest, _model_of(sweep)).also({}, units)
+    labels = labels_of_sweep(sweep.manifest, model_of(sweep, trust)).also({}, units)
     for path in write(found, lines, figure_of(found, labels), out or folder / NAME):
         typer.echo(path)
-
-
-def _model_of(sweep: Sweep) -> type[Model] | None:
-    """Return the model of a sweep, which says what parameters are called; None if not at hand."""
-    from socialmind.runs.sources import recorded_class
-
-    try:
-        return recorded_class(sweep.capsule, trust=False)
-    except SocialmindError:
-        return None
 
 
 def write(found: Sensitivity, lines: list[str], figure: Figure, out: Path) -> list[Path]:
