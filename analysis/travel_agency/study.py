@@ -89,14 +89,15 @@ def draw(results: pd.DataFrame) -> Figure:
         )
         for axes, letter, (name, unit, title) in zip(panels, "ab", shown, strict=True):
             ends = []
-            for apart, label, colour in (
-                (False, "groups in common", paper.BLUE),
-                (True, "each its own", paper.RED),
+            for apart, label, colour, mark in (
+                (False, "groups in common", paper.BLUE, "o"),
+                (True, "each its own", paper.RED, "s"),
             ):
                 rows = results[results["apart"] == apart].groupby("brokers")[name]
                 found = [interval_of(values) for _, values in rows]
                 numbers = list(rows.groups)
-                axes.plot(numbers, [one.mean for one in found], color=colour)
+                means = [one.mean for one in found]
+                axes.plot(numbers, means, color=colour, marker=mark, markersize=3)
                 axes.fill_between(
                     numbers, [one.low for one in found], [one.high for one in found],
                     color=colour, alpha=0.2, linewidth=0,
