@@ -27,12 +27,13 @@ import pandas as pd
 
 from socialmind.catalogue import load_file
 from socialmind.errors import SocialmindError, nearest
-from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
+from socialmind.experiments.measures.crossed import crossed_interval
 from socialmind.experiments.measures.intervals import Interval, share_interval
 
 from . import choosing, choosing_again
 from .minds import attempts_at, decided_by
 from .threshold_scan import CONTROLLERS
+from .told_intervals import held_against
 from .trainings import MODEL
 
 THRESHOLDS = load_file(MODEL / "thresholds.py").ForagingByThresholds
@@ -139,8 +140,7 @@ def differences(table: pd.DataFrame) -> pd.DataFrame:
     for way, other in (pair for pair in COMPARED if {*pair} <= {*known}):
         for condition in CONDITIONS:
             one, two = (within(table, name, condition) for name in (way, other))
-            nobody_learned = len(two) == 1
-            found = crossed_interval(one - two) if nobody_learned else crossed_difference(one, two)
+            found = held_against(one, two)
             rows.append({"way": way, "than": other, "condition": condition, **vars(found)})
     return pd.DataFrame(rows)
 

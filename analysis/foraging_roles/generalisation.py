@@ -6,8 +6,8 @@ python -m analysis.foraging_roles.generalisation "thirty-six robots" programmed 
 python -m analysis.foraging_roles.generalisation --quick
 
 A row of `results/generalisation.csv` is a way to decide, an attempt, its partner if it has one, a
-situation and a world; `results/generalisation.md` has the means, and what each situation takes from
-or gives to the same minds in the same worlds.
+situation and a world; `results/generalisation.md` has the means, what each situation takes from or
+gives to the same minds in the same worlds, and one way against another.
 Focal robots are those that are asked about, the background their partners (Leibo et al. 2021,
 Melting Pot). Worlds are those for reporting. What was judged already is not judged again.
 """
@@ -33,7 +33,7 @@ from .contestants import PICKED, TICKS, Contestant
 from .large_groups import chosen
 from .minds import attempts_at, minds_of
 from .scheme_economy import WRITTEN, scheme_of
-from .told_intervals import in_brackets, paired_interval, signed
+from .told_intervals import held_against, in_brackets, paired_interval, signed
 from .trainings import MODEL
 from .worlds import REPORTED
 
@@ -76,6 +76,13 @@ PAIRS = (
 that succeed. These, and those drawn by lot, are focal with three and with six of nine robots."""
 AGAIN = choosing_again.NAME
 LESSONS = ("delivered_anew", AGAIN)
+EVOLVED = scheme_evolution.NAME
+AGAINST = (
+    *((way, EVOLVED) for way in (AGAIN, "delivered_anew", "supervised_role")),
+    (AGAIN, "delivered_anew"),
+    (AGAIN, "reinforced_thresholds"),
+)
+"""Ways, and those that they are held against."""
 BY_LOT = (
     *((lesson, "programmed") for lesson in LESSONS),
     ("delivered_anew", "supervised_role"),
@@ -316,6 +323,10 @@ def report(table: pd.DataFrame) -> str:
     for (situation, way), (more, found) in differences(alone).items():
         attempts, worlds = more.shape
         lines.append(f"| {situation} | {way} | {attempts} | {worlds} | {signed(found)} |")
+    lines += ["", "| situation | way | more within one, in the same worlds, than | difference |"]
+    lines.append("|---" * 4 + "|")
+    for (situation, way, other), found in between_ways(alone).items():
+        lines.append(f"| {situation} | {way} | {other} | {signed(found)} |")
     return "\n".join(lines) + "\n"
 
 
@@ -341,6 +352,29 @@ def differences(
                 if not more.empty:
                     interval = paired_interval(more.to_numpy(float))
                     found[situation, str(way)] = more, interval
+    return found
+
+
+def between_ways(alone: pd.DataFrame) -> dict[tuple[str, str, str], Interval]:
+    """Return in how much larger a share of worlds a way stays within one than another.
+
+    Args:
+        alone: robots that are all of one way, a row for each attempt, situation and world.
+
+    Returns:
+        By situation, way and the other; where both were judged in the same worlds.
+    """
+    found = {}
+    for situation in SITUATIONS:
+        own = alone[alone["situation"] == situation]
+        each = {
+            str(way): part.pivot_table(index="attempt", columns="world", values="within_one")
+            for way, part in own.groupby("way")
+        }
+        for one, other in AGAINST:
+            if {one, other} <= set(each) and each[one].columns.equals(each[other].columns):
+                both = (each[name].to_numpy(float) for name in (one, other))
+                found[situation, one, other] = held_against(*both)
     return found
 
 

@@ -7,7 +7,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.measures.crossed import crossed_interval
+from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
 from socialmind.experiments.measures.intervals import Interval, interval_of, share_interval
 
 
@@ -47,6 +47,16 @@ def paired_interval(more: NDArray[np.float64]) -> Interval:
     if (more == more[0, 0]).all():
         return Interval(float(more[0, 0]), float("nan"), float("nan"))
     return interval_of(more[0])
+
+
+def held_against(one: NDArray[np.float64], other: NDArray[np.float64]) -> Interval:
+    """Return how much more a way that was learned comes to than another, in the same worlds.
+
+    Args:
+        one: (attempts, worlds), of several attempts.
+        other: (attempts, worlds); one row where nobody learned.
+    """
+    return crossed_interval(one - other) if len(other) == 1 else crossed_difference(one, other)
 
 
 def signed(found: Interval, form: str = "+.2f") -> str:
