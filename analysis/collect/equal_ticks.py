@@ -12,7 +12,7 @@ import numpy as np
 from socialmind.drawing import style as paper
 from socialmind.experiments.measures.intervals import Interval, interval_of
 
-from .curricula import MORE
+from .curricula import MORE, STILL_MORE
 from .figures import short_of
 from .tables import write_rows
 
@@ -22,9 +22,10 @@ if TYPE_CHECKING:
     from socialmind.learning import Training
 
 NAME = "figure-6.5-equal-ticks"
+COLLECT = ("Collect", MORE, STILL_MORE)
 PANELS = (
-    ("hierarchy_level", ("Collect", MORE), "hierarchy", 1500),
-    ("monolith_level", ("Collect", MORE), "one network", None),
+    ("hierarchy_level", COLLECT, "hierarchy", 1500),
+    ("monolith_level", COLLECT, "one network", None),
     ("hierarchy_level_at_once", ("All at once",), "hierarchy, task alone", None),
     ("monolith_level_at_once", ("All at once",), "network, task alone", None),
 )
@@ -45,7 +46,7 @@ class Learned:
         curves: for each attempt the score on common worlds, a number every `STEP` million ticks.
         finals: of each attempt.
         generations: the least and the most of an attempt.
-        seam: million ticks after which the last lesson begins; 0 where there is but one.
+        seams: million ticks after which each lesson but the first begins.
         thesis: the generations that the thesis gave it; None where it does not tell.
     """
 
@@ -53,7 +54,7 @@ class Learned:
     curves: Mapping[int, np.ndarray]
     finals: Mapping[int, float]
     generations: tuple[int, int] = (0, 0)
-    seam: int = 0
+    seams: tuple[int, ...] = ()
     thesis: int | None = None
 
     @property
@@ -63,7 +64,7 @@ class Learned:
         The lesson before has other common worlds, and the first generations of the last one lose
         by its large steps.
         """
-        own = self.seam // STEP
+        own = self.seams[-1] // STEP if self.seams else 0
         return interval_of([gained(one[own:]) for one in self.curves.values()])
 
 
@@ -130,10 +131,10 @@ def learned(
         )
         for attempt, parts in parts_of.items()
     }
-    seam = STEP * sum(ends)
+    seams = tuple(STEP * sum(ends[: place + 1]) for place in range(len(ends)))
     finals = dict(zip(told["attempt"], told["score"], strict=True))
     between = (min(generations, default=0), max(generations, default=0))
-    return Learned(title, curves, finals, between, seam, thesis)
+    return Learned(title, curves, finals, between, seams, thesis)
 
 
 def draw(all_learned: Sequence[Learned]) -> Figure:
@@ -149,8 +150,8 @@ def draw(all_learned: Sequence[Learned]) -> Figure:
             own = all_learned[place]
             failed = fallen_short(all_learned, place)
             paper.attempts(axes, list(own.curves.values()), failed, step=STEP)
-            if own.seam:
-                axes.axvline(own.seam, color=paper.GREY, linewidth=0.6, linestyle=":")
+            for seam in own.seams:
+                axes.axvline(seam, color=paper.GREY, linewidth=0.6, linestyle=":")
             axes.set_ylim(bottom=-0.03 * axes.get_ylim()[1])  # who learns nothing is seen
             thesis = "not told" if own.thesis is None else f"{own.thesis:,}"
             axes.set_xlabel(
@@ -195,7 +196,7 @@ def findings(all_learned: Sequence[Learned]) -> list[str]:
         apart = f" ({gain.low:+.1%} to {gain.high:+.1%} over attempts)" if several else ""
         lines.append(
             f"{own.title}: {len(finals)} attempt{'s' if several else ''} of {ticks:,} million "
-            f"ticks; the last quarter {'of the last lesson' if own.seam else 'of them'} added "
+            f"ticks; the last quarter {'of the last lesson' if own.seams else 'of them'} added "
             f"{gain.mean:+.1%}{apart} to the score of the best individuals on common worlds. "
             f"Finals of {min(finals):.2f} to {max(finals):.2f}, "
             f"median {np.median(finals):.2f}; {sum(fallen_short(all_learned, place))} fell short. "
@@ -239,7 +240,7 @@ def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> 
         "median of the better of two panels beside each other. Blue is the median "
         "of the attempts. A point is the mean of the best individuals of the generations of "
         f"{STEP} million ticks, each judged on the same worlds, which no generation is trained in. "
-        "Behind the dotted line is another lesson: steps begin large again, so that the best of a "
+        "Behind a dotted line is another lesson: steps begin large again, so that the best of a "
         "generation is worse for a while, and the common worlds are others.",
         "",
     ]
@@ -248,7 +249,7 @@ def write(trainings: Mapping[str, Training], made: Sequence[str], out: Path) -> 
         {
             "training": plan,
             "attempt": attempt,
-            "lesson": 1 + (0 < own.seam < STEP * place),
+            "lesson": 1 + sum(seam < STEP * place for seam in own.seams),
             "million_ticks": STEP * place,
             "score": f"{score:.5g}",
         }

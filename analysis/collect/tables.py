@@ -11,7 +11,7 @@ from typing import Any
 
 from socialmind.experiments.measures.intervals import Interval
 
-from .curricula import MORE
+from .curricula import MORE, STILL_MORE
 from .standings import Benchmark, Standing, Structure
 
 ENDS = Benchmark("a collision ends the run", "collect")
@@ -72,21 +72,21 @@ def _structure(
     return Structure(name, plan, after, reported, budget)
 
 
-def _structures(level: str = "", after: str = "Collect") -> tuple[Block, ...]:
+def _structures(level: str = "", lessons: Sequence[str] = ("Collect",)) -> tuple[Block, ...]:
     """Return the blocks of table 6.1.
 
     Args:
         level: how the trainings' names end.
-        after: the lesson of the curriculum after which minds are scored; where it is not Collect,
-            they are scored after that as well.
+        lessons: of the curriculum after which minds are scored; the last one stands beside the
+            thesis's.
     """
     alone = f"{level}_at_once"
-    before: tuple[Structure, ...] = ()
-    if after != "Collect":
-        before = (
-            _structure("hierarchical, after Collect", f"hierarchy{level}", "Collect"),
-            _structure("monolithic, after Collect", f"monolith{level}", "Collect"),
-        )
+    *earlier, after = lessons
+    before = tuple(
+        _structure(f"{kind}, after {lesson}", f"{plan}{level}", lesson)
+        for lesson in earlier
+        for kind, plan in (("hierarchical", "hierarchy"), ("monolithic", "monolith"))
+    )
     return (
         Block(
             ENDS,
@@ -125,7 +125,7 @@ TABLES = (
     Table(
         "table-6.1-equal-ticks",
         "Hierarchical or monolithic, with the same ticks in each lesson",
-        _structures("_level", MORE),
+        _structures("_level", ("Collect", MORE, STILL_MORE)),
     ),
     Table(
         "table-6.2",

@@ -96,21 +96,24 @@ def test_who_fell_short_is_seen_beside_the_better_of_two_panels():
     assert equal_ticks.fallen_short([good, good, poor], 2) == [False, False]  # a row of its own
 
 
-def test_the_curves_of_two_lessons_are_one_that_meets_where_the_first_budget_ends():
-    ticks = {"Collect": [8e6, 17e6, 26e6], "More of Collect": [9e6, 11e6]}
+def test_the_curves_of_several_lessons_are_one_that_meets_where_each_budget_ends():
+    ticks = {"Collect": [8e6, 17e6, 26e6], "More": [9e6, 18e6, 25e6], "Still": [9e6, 11e6]}
     rows = [
         {"attempt": 1, "lesson": lesson, "ticks": one, "validated": float(place)}
         for lesson, several in ticks.items()
         for place, one in enumerate(several)
     ]
-    budgets = {"Collect": 20_000_000, "More of Collect": None}
+    budgets = {"Collect": 20_000_000, "More": 20_000_000, "Still": None}
     training = SimpleNamespace(
-        lessons=pd.DataFrame({"attempt": [1, 1], "lesson": list(ticks), "score": [2.0, 3.0]}),
+        lessons=pd.DataFrame(
+            {"attempt": [1, 1, 1], "lesson": list(ticks), "score": [2.0, 2.5, 3.0]}
+        ),
         curve=pd.DataFrame(rows),
         manifest=SimpleNamespace(
             lessons=[{"name": name, "budget": one} for name, one in budgets.items()]
         ),
     )
     found = equal_ticks.learned(training, list(ticks), "one", 1500)
-    assert found.curves[1].tolist() == [0.0, 1.0, 0.0, 1.0]  # the third is behind its budget
-    assert (found.seam, found.generations, found.finals) == (20, (5, 5), {1: 3.0})
+    # The third generations of the first two lessons are behind their budgets.
+    assert found.curves[1].tolist() == [0.0, 1.0, 0.0, 1.0, 0.0, 1.0]
+    assert (found.seams, found.generations, found.finals) == ((20, 40), (8, 8), {1: 3.0})
