@@ -111,7 +111,7 @@ def after_what(structure: str) -> str:
 
 
 def with_equal_ticks(kind: str, measure: str, benchmark: str = ENDS) -> str:
-    """Return what a structure comes to with equal ticks, and earlier, as far as that is kept.
+    """Return what a structure comes to with equal ticks after each lesson that is kept.
 
     Args:
         kind: ``hierarchical`` or ``monolithic``.
@@ -120,8 +120,8 @@ def with_equal_ticks(kind: str, measure: str, benchmark: str = ENDS) -> str:
     """
     known = dict.fromkeys(row["structure"] for row in rows_of(KEPT / f"{LEVEL}.csv"))
     here, before = f"{kind}, curriculum", f"{kind}, "
-    lessons = {here: f"after {after_what(here)}"}
-    lessons |= {one: one.removeprefix(before) for one in known if one.startswith(f"{before}after ")}
+    lessons = {one: one.removeprefix(before) for one in known if one.startswith(f"{before}after ")}
+    lessons[here] = f"after {after_what(here)}"
     return ", ".join(
         f"{told(LEVEL, one, measure, benchmark)} {after}" for one, after in lessons.items()
     )
