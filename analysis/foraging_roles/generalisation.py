@@ -362,7 +362,7 @@ def between_ways(alone: pd.DataFrame) -> dict[tuple[str, str, str], Interval]:
         alone: robots that are all of one way, a row for each attempt, situation and world.
 
     Returns:
-        By situation, way and the other; where both were judged in the same worlds.
+        By situation, way and the other, over the worlds in which all attempts at both were judged.
     """
     found = {}
     for situation in SITUATIONS:
@@ -371,10 +371,11 @@ def between_ways(alone: pd.DataFrame) -> dict[tuple[str, str, str], Interval]:
             str(way): part.pivot_table(index="attempt", columns="world", values="within_one")
             for way, part in own.groupby("way")
         }
-        for one, other in AGAINST:
-            if {one, other} <= set(each) and each[one].columns.equals(each[other].columns):
-                both = (each[name].to_numpy(float) for name in (one, other))
-                found[situation, one, other] = held_against(*both)
+        for one, other in (pair for pair in AGAINST if {*pair} <= {*each}):
+            both = pd.concat([each[one], each[other]], keys=[one, other]).dropna(axis="columns")
+            if not both.empty:
+                ours, theirs = (both.loc[name].to_numpy(float) for name in (one, other))
+                found[situation, one, other] = held_against(ours, theirs)
     return found
 
 

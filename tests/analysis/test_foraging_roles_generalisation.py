@@ -163,6 +163,33 @@ def test_a_situation_is_compared_with_the_usual_one_world_by_world():
     assert ("wanted 1:1", "several") not in found
 
 
+def test_ways_are_held_against_each_other_where_all_attempts_were_judged():
+    came_to = {
+        (study.AGAIN, 1): [1, 0, 0, 0, 1],
+        (study.AGAIN, 2): [1, 1, 0, 0],  # not judged in the last world
+        (study.EVOLVED, 1): [1, 1, 1, 1, 0],
+        (study.EVOLVED, 2): [1, 1, 0, 1, 0],
+        ("reinforced_thresholds", 0): [1, 1, 0, 0, 1],
+        ("delivered_anew", 1): [1],
+        ("delivered_anew", 2): [],
+    }
+    rows = [
+        {
+            "way": way,
+            "attempt": attempt,
+            "situation": "wanted 1:3",
+            "world": world,
+            "within_one": one,
+        }
+        for (way, attempt), several in came_to.items()
+        for world, one in enumerate(several)
+    ]
+    found = study.between_ways(pd.DataFrame(rows))
+    assert found["wanted 1:3", study.AGAIN, study.EVOLVED].mean == 3 / 8 - 7 / 8
+    assert found["wanted 1:3", study.AGAIN, "reinforced_thresholds"].mean == 3 / 8 - 2 / 4
+    assert {situation for situation, *_ in found} == {"wanted 1:3"}
+
+
 def test_the_figure_names_lessons_as_the_page_does(tmp_path):
     page = drawing.SOCIETIES
     assert drawing.BY_WAY["delivered_anew"].label == page["delivered"].title
