@@ -133,13 +133,15 @@ def cycle_of(numbers: np.ndarray) -> tuple[float, float]:
 
     A cycle is over where they go with themselves best, once they did not.
 
-    It is looked for up to 120 ticks.
+    It is looked for up to 120 ticks; NaN for both where they go with themselves all that time.
 
     >>> length, strength = cycle_of(np.sin(np.arange(1000) * 2 * np.pi / 50))
     >>> length, round(strength, 3)
     (50.0, 1.0)
     """
     found = correlations(numbers, numbers, 121)
+    if not (found < 0).any():
+        return float("nan"), float("nan")
     apart = int(np.argmax(found < 0))
     cycle = apart + int(np.argmax(found[apart:]))
     return float(cycle), float(found[cycle])

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from socialmind.experiments.measures.intervals import interval_of
+from socialmind.experiments.measures.intervals import FEW, interval_of
 from socialmind.work.side_by_side import side_by_side
 
 from .societies import flock, segregated, wolves_and_sheep
@@ -42,11 +42,11 @@ def run(seeds: int, workers: int | None) -> dict[str, pd.DataFrame]:
 
 
 def cell(values: pd.Series, digits: int = 2) -> str:
-    """Return a mean with its interval, of what is known."""
-    known = values.dropna()
-    if not len(known):
-        return "–"
-    one, form = interval_of(known), f",.{digits}f"
+    """Return a mean with its interval, of what is known; a few numbers one by one."""
+    known, form = values.dropna(), f",.{digits}f"
+    if len(known) < FEW:
+        return "; ".join(f"{one:{form}}" for one in sorted(known)) or "–"
+    one = interval_of(known)
     return f"{one.mean:{form}} ({one.low:{form}} … {one.high:{form}})"
 
 
@@ -54,7 +54,8 @@ def as_markdown(tables: dict[str, pd.DataFrame]) -> str:
     """Return the three parts as tables: means, in brackets intervals of 95 %."""
     flocks, people, animals = (tables[name] for name in PARTS)
     lines = [
-        f"{people['seed'].nunique()} seeds; means, in brackets intervals of 95 % over seeds.",
+        f"{people['seed'].nunique()} seeds; means, in brackets intervals of 95 % over seeds. Fewer "
+        f"than {FEW} numbers stand one by one.",
         "",
         "## Flocking",
         "",

@@ -37,6 +37,12 @@ def test_cycles_and_delays_are_found_in_noise():
     assert SOCIETIES.delay_of(sheep, wolves) == pytest.approx(25, abs=2)
 
 
+def test_what_never_goes_against_itself_has_no_cycle():
+    once = np.zeros(1900)
+    once[:1000] = 1.0  # a step: alike at all lags that are looked at
+    assert np.isnan(SOCIETIES.cycle_of(once)).all()
+
+
 def test_rows_say_who_died_out_and_when():
     (row,) = SOCIETIES.wolves_and_sheep(40, 1)
     assert 0 < row["wolves_end"] < 300
