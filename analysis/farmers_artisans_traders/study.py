@@ -17,7 +17,7 @@ import pandas as pd
 
 from socialmind.drawing import style as paper
 from socialmind.experiments.measures.effects import compared
-from socialmind.experiments.measures.intervals import Interval, interval_of
+from socialmind.experiments.measures.intervals import FEW, Interval, interval_of
 from socialmind.work.side_by_side import side_by_side
 
 from .plots import draw
@@ -68,6 +68,13 @@ def shown(one: Interval, digits: int = 2) -> str:
     return f"{one.mean:{form}} ({one.low:{form}} … {one.high:{form}})"
 
 
+def over_villages(values: pd.Series, digits: int) -> str:
+    """Return a mean with its interval, or a few villages one by one."""
+    if len(values) < FEW:
+        return "; ".join(f"{one:,.{digits}f}" for one in sorted(values))
+    return shown(interval_of(values.to_numpy()), digits)
+
+
 def as_markdown(societies: pd.DataFrame, villages: pd.DataFrame, ticks: int) -> str:
     """Return what was found as tables."""
     seeds = societies["seed"].nunique()
@@ -94,7 +101,8 @@ def as_markdown(societies: pd.DataFrame, villages: pd.DataFrame, ticks: int) -> 
     lines += [
         "",
         "Villages of each size; the share of artisans among their people, and the stock of wheat "
-        "less that of tools, the mean and its deviation over time; intervals over villages:",
+        "less that of tools, the mean and its deviation over time; intervals over villages, of "
+        f"which fewer than {FEW} stand one by one:",
         "",
         "| culture | people | villages | artisans | wheat − tools | deviation |",
         "|---|---|---|---|---|---|",
@@ -103,7 +111,7 @@ def as_markdown(societies: pd.DataFrame, villages: pd.DataFrame, ticks: int) -> 
         groups = pd.cut(rows["people"], [0, 3, 6, 9, 99], labels=["1–3", "4–6", "7–9", "10 …"])
         for size, some in rows.groupby(groups, observed=True):
             cells = [
-                shown(interval_of(some[name].to_numpy()), digits)
+                over_villages(some[name], digits)
                 for name, digits in (
                     ("artisans_last", 2), ("balance", 0), ("balance_deviation", 0),
                 )
