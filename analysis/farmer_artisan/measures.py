@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
+from socialmind.experiments.measures.intervals import interval_of
+
 Floats = NDArray[np.float64]
 
 
@@ -56,22 +58,18 @@ def rank_correlation(distance: ArrayLike, tick: ArrayLike) -> float:
     return float(np.round(np.corrcoef(*ranks)[0, 1], 12))
 
 
-def mean_interval(samples: ArrayLike) -> tuple[Floats, Floats, Floats]:
-    """The mean over replicates and its 95 % interval (Student's t).
+def band(samples: ArrayLike) -> tuple[Floats, Floats, Floats]:
+    """Return the mean over replicates at each tick, and its interval of 95 %.
 
     Args:
-        samples: (replicates, …).
+        samples: (replicates, ticks).
 
     Returns:
-        Mean, lower and upper end, each without the first axis; no width for one replicate.
+        Mean, lower and upper end, (ticks,); NaN for the ends of one replicate.
 
-    >>> [float(part.round(3)) for part in mean_interval([1.0, 2.0, 3.0])]
-    [2.0, -0.484, 4.484]
+    >>> [part.round(3).tolist() for part in band([[1.0], [2.0], [3.0]])]
+    [[2.0], [-0.484], [4.484]]
     """
-    samples = np.asarray(samples, float)
-    count = samples.shape[0]
-    mean = samples.mean(axis=0)
-    if count < 2:
-        return mean, mean, mean
-    half = stats.t.ppf(0.975, count - 1) * samples.std(axis=0, ddof=1) / np.sqrt(count)
-    return mean, mean - half, mean + half
+    found = [interval_of(column) for column in np.asarray(samples, float).T]
+    mean, low, high = np.array([(one.mean, one.low, one.high) for one in found]).T
+    return mean, low, high

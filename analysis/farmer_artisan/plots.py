@@ -10,7 +10,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from socialmind.drawing import style as paper
 
-from .measures import mean_interval
+from .measures import band
 from .replicate import Replicate
 
 
@@ -52,7 +52,7 @@ def _specialisation(axes: Axes, replicates: Sequence[Replicate]) -> None:
     ticks = replicates[0].ticks
     scale = paper.time_axis(axes, ticks)
     samples = np.array([replicate.specialisation for replicate in replicates])
-    mean, low, high = mean_interval(samples)
+    mean, low, high = band(samples)
     for sample in samples:
         axes.plot(ticks / scale, sample, color=paper.PURPLE, linewidth=0.4, alpha=0.25)
     axes.fill_between(ticks / scale, low, high, color=paper.PURPLE, alpha=0.35, linewidth=0)
@@ -124,10 +124,10 @@ def _shock(axes: Axes, replicates: Sequence[Replicate], shock: int) -> None:
         ("shocked", "artisans_shocked", paper.RED),
     ):
         samples = np.array([getattr(replicate, field) for replicate in replicates], float)
-        mean, low, high = mean_interval(samples)
+        mean, low, high = band(samples)
         if field == "artisans_shocked":
             at = int(np.searchsorted(ticks, shock))
-            after = mean_interval([replicate.recovery.after for replicate in replicates])
+            after = band([[replicate.recovery.after] for replicate in replicates])
             times = np.insert(ticks.astype(float), at + 1, shock)
             mean, low, high = (
                 np.insert(line, at + 1, value)

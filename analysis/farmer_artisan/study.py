@@ -22,7 +22,6 @@ from socialmind.drawing import style as paper
 from socialmind.experiments.measures.intervals import interval_of
 from socialmind.experiments.measures.recovery import first_reached
 
-from .measures import mean_interval
 from .plots import draw
 from .replicate import Replicate, replicate
 
@@ -99,10 +98,9 @@ def summary(replicates: Sequence[Replicate], table: pd.DataFrame, early: int, sh
     recorded = replicates[0].ticks
     seeds = len(table)
 
-    def mean(column: str) -> dict[str, float]:
+    def mean(column: str) -> dict[str, float | None] | None:
         known = table[column][np.isfinite(table[column])]
-        middle, low, high = (float(part) for part in mean_interval(known))
-        return {"mean": middle, "low": low, "high": high, "seeds": len(known)}
+        return {**interval_of(known).record(), "seeds": len(known)} if len(known) else None
 
     def spread(column: str) -> dict[str, float | None]:
         values = table[column].dropna()  # infinite where something never came about
@@ -141,11 +139,7 @@ def summary(replicates: Sequence[Replicate], table: pd.DataFrame, early: int, sh
         "ticks_full": spread("ticks_full"),
         "settling_ticks": spread("settling_ticks"),
         "recovery_ticks": spread("recovery_ticks"),
-        **{
-            name: interval_of(known).record() if len(known) else None
-            for name, known in ((name, table[name].dropna()) for name in (*COURSE, "delivered"))
-            if name != "settling_ticks"
-        },
+        **{name: mean(name) for name in (*COURSE, "delivered") if name != "settling_ticks"},
     }
 
 

@@ -65,9 +65,9 @@ def test_any_rising_relation_correlates_fully(distance: list[int]) -> None:
     assert measures.rank_correlation(distance, [-t for t in tick]) == pytest.approx(-1.0)
 
 
-def test_interval_is_students() -> None:
+def test_a_band_has_the_interval_of_each_tick() -> None:
     samples = np.array([[1.0, 5.0], [2.0, 5.0], [4.0, 5.0]])
-    mean, low, high = measures.mean_interval(samples)
+    mean, low, high = measures.band(samples)
     expected = stats.t.interval(0.95, 2, samples[:, 0].mean(), stats.sem(samples[:, 0]))
     assert mean.tolist() == pytest.approx([7 / 3, 5.0])
     assert (low[0], high[0]) == pytest.approx(expected)
