@@ -72,7 +72,7 @@ def test_a_command_shows_one_on_a_terminal(tmp_path):
     import pty
 
     ours, theirs = pty.openpty()
-    words = ["run", "herds", "--interpreted", "--ticks", "100", "--out", str(tmp_path / "run")]
+    words = ["run", "herds", "--interpreted", "--ticks", "500", "--out", str(tmp_path / "run")]
     command = [sys.executable, "-m", "socialmind", *words]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=theirs) as process:
         os.close(theirs)
@@ -87,7 +87,7 @@ def test_a_command_shows_one_on_a_terminal(tmp_path):
             said += piece
     os.close(ours)
     assert process.returncode == 0
-    assert b"of 100 ticks |" in said and b" ticks/s, " in said
+    assert b"of 500 ticks |" in said and b" ticks/s, " in said
 
 
 def test_where_no_bar_is_wanted_those_who_are_called_draw_none_either(screen):
