@@ -90,6 +90,7 @@ class Measured:
 MEASURED = (
     Measured("objects", "objects delivered"),
     Measured("first_find", "ticks to the first find", 0),
+    Measured("nothing", "worlds where nothing is found (%)", 0, 100.0),
     Measured("area", f"area covered in {SEARCH_TICKS:,} ticks of search (%)", 1, 100.0, True),
     Measured("collisions", "collisions"),
 )
@@ -161,9 +162,10 @@ def measured_in(mind: Any, parameters: Mapping[str, float], worlds: int) -> pd.D
     model, names = load_model("foraging"), {True: ["world"], False: []}
     for one in MEASURED:
         names[not one.searching].append(one.name)
-    whole = score(model, mind, worlds, SEED, parameters=parameters)
+    whole = score(model, mind, worlds, SEED, parameters=parameters).frame
+    whole["nothing"] = (whole["first_find"] == whole["ticks"]).astype(float)  # as the model has it
     empty = score(model, mind, worlds, SEED, ticks=SEARCH_TICKS, parameters={**parameters, **EMPTY})
-    return whole.frame[names[True]].join(empty.frame[names[False]])
+    return whole[names[True]].join(empty.frame[names[False]])
 
 
 # The table ----------------------------------------------------------------------------------------
@@ -310,7 +312,8 @@ def draw(results: Results) -> Figure:
                 ):
                     filled = colour if attempt == one.best else "white"
                     axes.plot([mean], [place - 0.3], "o", color=colour, markersize=3,
-                              markerfacecolor=filled, markeredgewidth=0.7)  # fmt: skip
+                              markerfacecolor=filled, markeredgewidth=0.7,
+                              clip_on=False)  # fmt: skip
             axes.set_xlim(left=0)
             axes.set_xlabel(_broken(measured.title))
         panels[0].set_yticks(range(len(found)), [_broken(name, 24) for name, _ in found])

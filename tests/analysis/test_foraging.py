@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from socialmind.catalogue import model_folder
 from socialmind.experiments.studies import studies_in
 from socialmind.experiments.trainings.plans import most_ticks
 from socialmind.sources.loading import load_file
@@ -87,6 +88,7 @@ def result(condition, more=0.0, attempts=3):
                 "world": range(WORLDS),
                 "objects": 10 * one + more,
                 "first_find": 1000 * one,
+                "nothing": one > 0.9,
                 "collisions": one,
                 "area": one / 2,
             }
@@ -108,7 +110,7 @@ def test_the_table_has_means_over_attempts_and_worlds_and_differences(tmp_path):
     text = page.read_text("utf-8")
     assert "Said above." in text
     # What is taken from the same minds is compared mind by mind, in the same worlds.
-    assert "| no signals | -2.0 (-2.0 … -2.0) | 0 (0 … 0) |" in text
+    assert "| no signals | -2.0 (-2.0 … -2.0) | 0 (0 … 0) | 0 (0 … 0) |" in text
     assert "| no signals, learned without | not trained | not trained |" in text
     draws = np.random.default_rng(3).random((3, WORLDS))
     alone = np.random.default_rng(3).random((1, WORLDS))
@@ -117,7 +119,7 @@ def test_the_table_has_means_over_attempts_and_worlds_and_differences(tmp_path):
     assert f"| foraging together, 1 | {10 * draws[0].mean():.1f} |" in text
     with numbers.open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    assert len(rows) == 4 + 8 + 8
+    assert len(rows) == 5 + 10 + 10
     compared = [row for row in rows if row["compared"] and row["measure"] == "objects"]
     # The other training's one attempt met the draws of the first attempt: these are a pair.
     assert [row["robots"] for row in compared] == [second.name, fifth.name]
@@ -132,12 +134,18 @@ def test_the_table_has_means_over_attempts_and_worlds_and_differences(tmp_path):
     assert kept.groupby(["robots", "attempt"]).size().tolist() == [WORLDS] * 7
     assert kept["objects"][:WORLDS].to_numpy() == pytest.approx(10 * draws[0])
     figure = COMPARISON.draw(results)
-    assert [len(axes.lines) for axes in figure.axes] == [2 + 3 + 2 + 3 + 2 + 1] * 4
+    assert [len(axes.lines) for axes in figure.axes] == [2 + 3 + 2 + 3 + 2 + 1] * 5
 
 
 def test_every_measure_of_the_table_is_one_of_the_model():
-    names = {one.name for one in COMPARISON.MEASURED}
+    names = {one.name for one in COMPARISON.MEASURED} - {"nothing"}
     assert names == set(COMPARISON.load_model("foraging").measures)
+
+
+def test_nothing_is_found_where_the_first_find_takes_the_whole_run():
+    mind = COMPARISON.MindDescription.load(model_folder("foraging") / "mind")
+    found = COMPARISON.measured_in(mind, COMPARISON.EMPTY, 1)
+    assert found["nothing"].tolist() == [1.0] and found["first_find"].tolist() == [10_000]
 
 
 # Figure 8.3 ---------------------------------------------------------------------------------------
