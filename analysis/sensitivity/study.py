@@ -107,29 +107,37 @@ def labels() -> Labels:
 
 
 def windows(swept: Sweep, width: int) -> pd.DataFrame:
-    """Return the society's numbers in stretches of time: means over all runs, with intervals.
+    """Return the society's numbers in stretches of time, and how far they still were from the end.
+
+    Means are over all runs; intervals over points, of which each is the mean of its runs.
 
     Args:
         swept: a sweep with its series.
         width: of a stretch, in ticks.
 
     Returns:
-        A row for each output and stretch: `output`, `begin`, `end`, `mean`, `low`, `high`, and
-        `correlation`, over runs, with the last four stretches.
+        A row for each output and stretch: `output`, `begin`, `end`, `mean`, `low`, `high`;
+        `to_come`, `to_come_low`, `to_come_high`, what the last four stretches have more, point by
+        point; and `correlation` with these, over runs.
     """
     series = swept.series[swept.series["tick"] > 0]
     place = (series["tick"] - 1) // width
+    point = swept.runs.set_index("run")["point"]
     rows = []
     for output, column in NUMBERS.items():
         each = series[column] / series["population"] * (100 if output == "artisan_share" else 1)
         table = each.groupby([series["run"], place]).mean().unstack()
         last = table.iloc[:, -4:].mean(axis=1)
         for number in table:
-            one = interval_of(table[number])
+            one, still = (
+                interval_of(values.groupby(point).mean())
+                for values in (table[number], last - table[number])
+            )
             rows.append(
                 {
                     "output": output, "begin": number * width, "end": (number + 1) * width,
                     "mean": one.mean, "low": one.low, "high": one.high,
+                    "to_come": still.mean, "to_come_low": still.low, "to_come_high": still.high,
                     "correlation": table[number].corr(last),
                 }
             )  # fmt: skip

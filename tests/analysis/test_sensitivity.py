@@ -28,17 +28,31 @@ def test_it_varies_round_what_the_thesis_has():
             assert high == pytest.approx(1.5 * middle, abs=0.5 if name in SWEEPS.WHOLE else None)
 
 
-def test_stretches_of_time_are_means_over_runs():
+def test_stretches_of_time_are_means_over_runs_with_intervals_over_points():
+    # Four runs at two points; artisans of four in the first and the second stretch.
+    artisans = [(1, 2), (1, 4), (3, 2), (3, 0)]
     series = pd.DataFrame(
-        {"run": [0] * 3 + [1] * 3, "tick": [0, 10, 20] * 2, "population": 4, "wheat": 8.0}
-    ).assign(artisans=[4, 1, 2, 4, 3, 2], tools=[0.0, 4.0, 8.0] * 2)
-    table = STUDY.windows(SimpleNamespace(series=series), 10)
+        {
+            "run": [run for run in range(4) for _ in range(3)],
+            "tick": [0, 10, 20] * 4,
+            "artisans": [number for pair in artisans for number in (4, *pair)],
+            "tools": [0.0, 4.0, 8.0] * 4,
+        }
+    ).assign(population=4, wheat=8.0)
+    runs = pd.DataFrame({"run": range(4), "point": [0, 0, 1, 1]})
+    table = STUDY.windows(SimpleNamespace(series=series, runs=runs), 10)
     share = table[table["output"] == "artisan_share"]
     assert share["mean"].tolist() == [50.0, 50.0]
     assert share["begin"].tolist() == [0, 10] and share["end"].tolist() == [10, 20]
-    # Two runs, 25 and 75 %: their standard error is 25, and t of one degree of freedom 12.7.
-    assert share["low"].tolist() == [pytest.approx(50.0 - 12.706 * 25.0, abs=0.01), 50.0]
-    assert table[table["output"] == "tools_each"]["mean"].tolist() == [1.0, 2.0]
+    # Two points, 25 and 75 %: their standard error is 25, and t of one degree of freedom 12.7.
+    assert share["low"].tolist()[0] == pytest.approx(50.0 - 12.706 * 25.0, abs=0.01)
+    # The end is the mean of both stretches, here: 25 % more to come at one point, 25 % less at the
+    # other in the first stretch.
+    assert share["to_come"].tolist() == [0.0, 0.0]
+    assert share["to_come_high"].tolist()[0] == pytest.approx(12.706 * 25.0, abs=0.01)
+    tools = table[table["output"] == "tools_each"]
+    assert tools["mean"].tolist() == [1.0, 2.0]
+    assert tools[["to_come", "to_come_low", "to_come_high"]].iloc[0].tolist() == [0.5] * 3
 
 
 def test_both_designs_stand_side_by_side():
