@@ -1,4 +1,8 @@
-"""Contestants in the economy without bodies: worlds in which they decide, and their minds."""
+"""Contestants in the economy without bodies: worlds in which they decide, and their minds.
+
+Lessons count a robot by the role that it holds, or by what it brought home last, as they are paid.
+Where ways are compared all are counted by what they bring, as they are in bodies.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from socialmind.catalogue import load_file
 from socialmind.mind import MindDescription, Programmed
@@ -19,6 +24,45 @@ from .trainings import ECONOMY, MODEL
 
 DELIVERIES = load_file(MODEL / "deliveries.py")
 ROLE = "ForageRole"
+
+
+class CountedByDeliveries:
+    """Counts the robots of worlds by what they brought home last, as `Deliveries` does.
+
+    Who has brought nothing yet is not counted, and a change is one of what is brought.
+    """
+
+    brought: NDArray[np.int64] | None = None
+
+    def _off(self: Any) -> NDArray[np.float64]:
+        if self.brought is None:
+            self.brought = np.full(self.role.shape, -1)
+        seen = self.here & (self.brought >= 0)
+        in_b = (seen & (self.brought == 1)).sum(axis=1)
+        return np.asarray(np.abs(in_b - self.wanted * seen.sum(axis=1)))
+
+    def _deliver(self: Any, rows: NDArray[np.int64], who: NDArray[np.int64], minds: Any) -> None:
+        robot, changes = who[rows], self.changes.copy()
+        before, brings = self.brought[rows, robot], self.role[rows, robot] >= 0.5
+        super()._deliver(rows, who, minds)  # type: ignore[misc]
+        self.brought[rows, robot] = brings
+        late = self._late(self.now + 1e-9) > self._late(self.now)
+        other = rows[(before >= 0) & (before != brings)]
+        self.changes = changes
+        self.changes[other] += late[other]
+        self.off_now = self._off()
+
+
+class CountedRoles(CountedByDeliveries, ECONOMY.Worlds):
+    """Worlds in which minds with roles decide."""
+
+
+class CountedSchemes(CountedByDeliveries, SchemeWorlds):
+    """Worlds in which schemes decide."""
+
+
+class CountedResponders(CountedByDeliveries, Responders):
+    """Worlds in which thresholds decide."""
 
 
 def worlds_of(
@@ -36,13 +80,13 @@ def worlds_of(
     drawn = [ECONOMY.World(seed, given, ticks) for seed in worlds]
     if "programmed" in one.parameters:
         numbers = np.array([list(numbers_of_scheme(one).values())])
-        return SchemeWorlds(drawn, worlds, numbers, ticks), None
+        return CountedSchemes(drawn, worlds, numbers, ticks), None
     if one.way in CONTROLLERS:
-        return Responders(drawn, ticks, one.parameters), None
+        return CountedResponders(drawn, worlds, ticks, one.parameters), None
     mind = one.mind or MindDescription.load(MODEL / "mind")
     if not learned_choice(mind):
         minds = with_genome(ECONOMY.thinking(mind, ROLE), mind, len(worlds))
-        return ECONOMY.Worlds(drawn, 1, ticks), minds
+        return CountedRoles(drawn, 1, ticks), minds
     drawn = [DELIVERIES.DeliveryWorld(seed, given, ticks) for seed in worlds]
     parts = DELIVERIES.thinking(mind, ROLE), DELIVERIES.choosing(mind, DELIVERIES.CHOICE)
     heads = DELIVERIES.Heads(*(with_genome(part, mind, len(worlds)) for part in parts))

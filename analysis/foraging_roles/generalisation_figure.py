@@ -181,7 +181,7 @@ def draw(out: Path = RESULTS) -> list[Path]:
         for axes, letter, title in (
             (first, "a", "groups of other sizes"),
             (second, "b", "why the largest are less sharp"),
-            (third, "c", f"{len(PARTNERED)} of {len(PAIRS)} picked pairs that never met"),
+            (third, "c", f"{len(PARTNERED)} of {len(PAIRS)} picked pairs"),
         ):
             paper.panel_title(axes, letter, title)
         for sort in SORTS:

@@ -16,6 +16,7 @@ from socialmind.drawing import style as paper
 from socialmind.errors import SocialmindError
 from socialmind.experiments import Run, run, score
 from socialmind.experiments.studies import write_figure
+from socialmind.mind import MindDescription
 
 from .trainings import (
     ATTEMPTS,
@@ -33,7 +34,8 @@ SEED = 82
 WORLD = 1  # of the picture
 EVERY = 50  # ticks between two records of it
 SHOWN = 8000  # ticks that pictures of the arena show: some collapses
-WORLDS = 256  # of the economy for each condition
+WORLDS = range(256)  # of the economy for each condition
+OTHERS = WORLDS[128:]  # in the first half the model's mind may have been picked
 HALF = 30_000
 QUICK = 8  # generations of a small training
 
@@ -87,18 +89,24 @@ def genomes(
     return {name: genomes_of(train(name, home / name, **size)) for name in names}
 
 
-def judged(name: str, several: Sequence[NDArray[np.float64]], quick: bool) -> list[dict[str, Any]]:
+def judged(
+    name: str,
+    mind: MindDescription,
+    several: Sequence[NDArray[np.float64]],
+    worlds: Sequence[int],
+) -> list[dict[str, Any]]:
     """Return what attempts come to in the economy, a row for each attempt and condition.
 
     Args:
-        name: of the plan.
+        name: of the lesson.
+        mind: that learned in it, with any weights.
         several: the attempts' genomes.
-        quick: whether few worlds will do.
+        worlds: their seeds.
     """
     rows = []
     for condition, terms in IN_THE_ECONOMY.items():
-        economy = ECONOMY.Economy(dict(terms), mind_of(name), LESSONS.ROLE, LESSONS.ROLE)
-        outcome = economy.run(np.array(several), range(16 if quick else WORLDS))
+        economy = ECONOMY.Economy(dict(terms), mind, LESSONS.ROLE, LESSONS.ROLE)
+        outcome = economy.run(np.array(several), worlds)
         for attempt in range(len(several)):
             fields = {key: values[attempt] for key, values in outcome.fields.items()}
             rows.append(

@@ -29,10 +29,10 @@ from socialmind.learning.optimisers.registry import optimiser_named
 
 from . import scheme_evolution
 from .contestants import Contestant
-from .economy_worlds import worlds_of
+from .economy_worlds import CountedSchemes, worlds_of
 from .large_groups import chosen
 from .results import IN_THE_ECONOMY
-from .scheme_economy import DECIDING, WRITTEN, SchemeEconomy, chance, numbers_of, reinforced
+from .scheme_economy import DECIDING, WRITTEN, chance, numbers_of, reinforced
 from .threshold_scan import CONTROLLERS
 from .told_intervals import in_brackets, paired_interval, signed
 from .trainings import ECONOMY
@@ -232,19 +232,21 @@ def entrants(table: pd.DataFrame) -> Iterator[tuple[str, int, Contestant | Float
 
 def judged(one: Contestant | Floats, condition: str, worlds: Sequence[int]) -> pd.DataFrame:
     """Return what robots come to in the economy, a row for each world."""
-    terms = CONDITIONS[condition]
+    terms = ECONOMY.Terms(**CONDITIONS[condition])
     if isinstance(one, Contestant):
-        found, minds = worlds_of(one, terms, worlds, ECONOMY.TICKS)
-        while found.go_on(minds):
-            pass
-        within, changes = found.out_last == 0, found.late_changes()
-        cost = ECONOMY.Worlds.costs(found, ECONOMY.Terms(**terms))
+        found, minds = worlds_of(one, CONDITIONS[condition], worlds, ECONOMY.TICKS)
     else:
-        outcome = SchemeEconomy(terms).run_numbers(np.atleast_2d(one), worlds)
-        within, changes = outcome.fields["within"][0], outcome.fields["changes"][0]
-        cost = -outcome.score[0]
+        drawn = [ECONOMY.World(seed, terms, ECONOMY.TICKS) for seed in worlds]
+        found, minds = CountedSchemes(drawn, worlds, np.atleast_2d(one), ECONOMY.TICKS), None
+    while found.go_on(minds):
+        pass
     return pd.DataFrame(
-        {"world": list(worlds), "within_one": within.astype(int), "changes": changes, "cost": cost}
+        {
+            "world": list(worlds),
+            "within_one": (found.out_last == 0).astype(int),
+            "changes": found.late_changes(),
+            "cost": ECONOMY.Worlds.costs(found, terms),
+        }
     )
 
 
@@ -294,7 +296,8 @@ def judge_all(path: Path, table: pd.DataFrame, worlds: Sequence[int]) -> pd.Data
 def report(found: pd.DataFrame) -> str:
     """Return the share of worlds within one by way and condition, as Markdown.
 
-    Changes, and costs as `supervised_role` minimises them, are those of the first condition.
+    Changes, and costs with the terms of `supervised_role`, are those of the first condition. All
+    are counted by what robots bring home, also where a lesson counts roles.
     """
     conditions = [one for one in CONDITIONS if one in set(found["condition"])]
     lines = [

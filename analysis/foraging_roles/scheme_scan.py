@@ -37,7 +37,6 @@ TOLERANCES = (3.0, 5.0, 7.0)
 TRIED = ("nine robots", "wanted ratio turned round", "three of one role taken away",
          "three added", "eighteen robots")  # fmt: skip
 WORLDS, FEW = 64, 4
-SEED = 5
 
 
 def scheme_with(influence: float) -> CognitiveScheme:
@@ -84,19 +83,27 @@ class Traders(ECONOMY.Worlds):
 
     Args:
         drawn: what is different in them.
+        seeds: of decisions, one for each of `drawn`.
         ticks: how long they go on.
         scheme: what decides.
         tolerance: per cent of a payoff.
     """
 
     def __init__(
-        self, drawn: Sequence[Any], ticks: int, scheme: CognitiveScheme, tolerance: float
+        self,
+        drawn: Sequence[Any],
+        seeds: Sequence[int],
+        ticks: int,
+        scheme: CognitiveScheme,
+        tolerance: float,
     ) -> None:
         super().__init__(drawn, 1, ticks)
-        society = Society(scheme, SEED)
         self.model = SimpleNamespace(tolerance=tolerance)
         self.traders = [
-            [Trader(society.new_mind(), bool(role >= 0.5)) for role in roles] for roles in self.role
+            [Trader(society.new_mind(), bool(role >= 0.5)) for role in roles]
+            for society, roles in zip(
+                (Society(scheme, one) for one in seeds), self.role, strict=True
+            )
         ]
         for one in (trader for several in self.traders for trader in several):
             DECIDING.begin_plan(one)
@@ -131,8 +138,9 @@ def tried(
         worlds: how many.
     """
     given = ECONOMY.Terms(**terms)
-    drawn = [ECONOMY.World(seed, given, ECONOMY.TICKS) for seed in CHOOSING_ECONOMY[:worlds]]
-    traders = Traders(drawn, ECONOMY.TICKS, scheme_with(influence), tolerance)
+    seeds = CHOOSING_ECONOMY[:worlds]
+    drawn = [ECONOMY.World(seed, given, ECONOMY.TICKS) for seed in seeds]
+    traders = Traders(drawn, seeds, ECONOMY.TICKS, scheme_with(influence), tolerance)
     while traders.go_on(None):
         pass
     return {

@@ -19,12 +19,20 @@ def collapse(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:
 
 
 def lessons(out: Path, quick: bool = False, kept: bool = False) -> list[Path]:
-    """What each way to learn a role comes to, in the economy without bodies."""
-    from .results import genomes, judged, write_table
-    from .trainings import PLANS
+    """What each way to learn a role comes to, and the model's mind, in the economy."""
+    from socialmind.mind import MindDescription
 
-    found = genomes(list(PLANS), out, quick, kept)
-    rows = [row for name, several in found.items() for row in judged(name, several, quick)]
+    from .contestants import PICKED
+    from .results import OTHERS, WORLDS, genomes, judged, write_table
+    from .trainings import LESSONS, MODEL, PLANS, mind_of
+
+    worlds = slice(16 if quick else None)
+    rows = []
+    for name, several in genomes(list(PLANS), out, quick, kept).items():
+        rows += judged(name, mind_of(name), several, WORLDS[worlds])
+    picked = MindDescription.load(MODEL / "mind")
+    weights = picked.skill(LESSONS.ROLE).genome
+    rows += judged(PICKED, picked, [weights], OTHERS[worlds])
     return write_table("roles-lessons", rows, out)
 
 

@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 
 from socialmind.catalogue import load_file
 
+from .luck import BEGUN, DECIDED, Luck
 from .results import NINE
 from .scheme_economy import DECIDING, WRITTEN
 from .threshold_scan import CONTROLLERS, RULES
@@ -65,19 +66,20 @@ class Kinds(ECONOMY.Worlds):
 
     Args:
         drawn: what is different in them.
+        seeds: of the first roles and of decisions, one for each of `drawn`.
         ticks: how long they go on.
         wanted: the shares that are wanted, (kinds,); turned round where worlds say so.
         way: how robots decide.
-        seed: of the first roles, and of what is drawn in deciding.
     """
 
     def __init__(
-        self, drawn: Sequence[Any], ticks: int, wanted: Floats, way: Way, seed: int = 5
+        self, drawn: Sequence[Any], seeds: Sequence[int], ticks: int, wanted: Floats, way: Way
     ) -> None:
         self.kinds = len(wanted)
-        self.rng = np.random.default_rng(seed)
+        self.luck = Luck(seeds, DECIDED)
         most, count = max(one.most for one in drawn), len(drawn)
-        self.fetches = self.rng.integers(self.kinds, size=(count, most))
+        begun = Luck(seeds, BEGUN).draw(range(count), most, 1 + self.kinds)
+        self.fetches, self.begun = (self.kinds * begun[..., 0]).astype(int), begun[..., 1:]
         self.shares = np.tile(wanted, (count, 1))
         self.at_first = self.shares.copy()
         super().__init__(drawn, 1, ticks)
@@ -140,9 +142,10 @@ class Way:
     decide: Callable[[Kinds, Ints, Ints, Ints, Floats], Ints]
 
 
-def another(worlds: Kinds, kind: Ints) -> Ints:
+def another(worlds: Kinds, rows: Ints, kind: Ints) -> Ints:
     """Return kinds other than those given, drawn evenly."""
-    return (kind + worlds.rng.integers(1, worlds.kinds, len(kind))) % worlds.kinds
+    further = 1 + ((worlds.kinds - 1) * worlds.luck.draw(rows)).astype(int)
+    return (kind + further) % worlds.kinds
 
 
 def callings(worlds: Kinds) -> Floats:
@@ -159,9 +162,9 @@ def by_scheme(worlds: Kinds, rows: Ints, robot: Ints, kind: Ints, payoff: Floats
     offset = np.maximum(1.0 - np.minimum(own, other), 0.0)  # as `weight_shares` has it
     others = (worlds.kinds - 1) * (other + offset)
     chance = np.where(lack > WRITTEN["tolerance"], others / (own + offset + others), 0.0)
-    changed = worlds.rng.random(len(rows)) < chance
+    changed = worlds.luck.draw(rows) < chance
     worlds.state[rows, robot] = np.where(changed, DECIDING.FIRST_CALLING, calling)
-    return np.where(changed, another(worlds, kind), kind)
+    return np.where(changed, another(worlds, rows, kind), kind)
 
 
 def thresholds(given: Mapping[str, float]) -> Way:
@@ -170,8 +173,7 @@ def thresholds(given: Mapping[str, float]) -> Way:
 
     def begin(worlds: Kinds) -> Floats:
         middle, span = (low + high) / 2, (high - low) * given["variety"]
-        drawn = worlds.rng.random((*worlds.fetches.shape, worlds.kinds))
-        return np.asarray(middle + (drawn - 0.5) * span)
+        return np.asarray(middle + (worlds.begun - 0.5) * span)
 
     def decide(worlds: Kinds, rows: Ints, robot: Ints, kind: Ints, payoff: Floats) -> Ints:
         held = worlds.state[rows, robot]
@@ -179,8 +181,9 @@ def thresholds(given: Mapping[str, float]) -> Way:
         change = np.where(own, -given["learning"], given["forgetting"])
         held = worlds.state[rows, robot] = np.clip(held + change, low, high)
         stimulus = np.maximum(0.0, DECIDING.AS_IT_SHOULD_BE - payoff)[:, None]
-        hears = worlds.rng.random(held.shape) < RULES.response(stimulus, held)
-        order = np.where(hears & ~own, worlds.rng.random(held.shape), np.inf)
+        drawn = worlds.luck.draw(rows, 2, worlds.kinds)
+        hears = drawn[:, 0] < RULES.response(stimulus, held)
+        order = np.where(hears & ~own, drawn[:, 1], np.inf)
         return np.where(np.isfinite(order).any(axis=1), order.argmin(axis=1), kind)
 
     return Way(begin, decide)
@@ -189,12 +192,12 @@ def thresholds(given: Mapping[str, float]) -> Way:
 def at_random(worlds: Kinds, rows: Ints, robot: Ints, kind: Ints, payoff: Floats) -> Ints:
     """Draw the next kind by the shares that were wanted at first."""
     cumulative = worlds.at_first[rows].cumsum(axis=1)
-    return np.asarray((worlds.rng.random(len(rows))[:, None] > cumulative).sum(axis=1))
+    return np.asarray((worlds.luck.draw(rows)[:, None] > cumulative).sum(axis=1))
 
 
 def greedily(worlds: Kinds, rows: Ints, robot: Ints, kind: Ints, payoff: Floats) -> Ints:
     """Take another kind wherever the payoff lacks anything."""
-    return np.where(payoff < DECIDING.AS_IT_SHOULD_BE, another(worlds, kind), kind)
+    return np.where(payoff < DECIDING.AS_IT_SHOULD_BE, another(worlds, rows, kind), kind)
 
 
 WAYS: Mapping[str, Way] = {
@@ -215,7 +218,7 @@ def judged(
     happens = ECONOMY.REVERSED if event == TURNED else ECONOMY.NOTHING
     terms = ECONOMY.Terms(**{**NINE, "numbers": (robots,), "events": (happens,)})
     drawn = [ECONOMY.World(seed, terms, ticks) for seed in worlds]
-    found = Kinds(drawn, ticks, shares_of(ratio), WAYS[way])
+    found = Kinds(drawn, worlds, ticks, shares_of(ratio), WAYS[way])
     while found.go_on(None):
         pass
     keys = dict(zip(KEYS, (way, ratio, robots, event), strict=True))

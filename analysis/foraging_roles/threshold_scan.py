@@ -3,9 +3,10 @@
 python -m analysis.foraging_roles.threshold_scan [--quick]
 
 Tried are the range of thresholds and, for reinforced ones, how fast they fall and rise, in the
-worlds for choosing. What comes of it is kept in `results/threshold_scan.csv`. The best of each
-kind, by the worlds within one robot of the wanted split over all conditions, are those of the
-model's `fixed_thresholds.py` and `reinforced_thresholds.py`.
+worlds for choosing. What comes of it is kept in `results/threshold_scan.csv`. The numbers of the
+model's `fixed_thresholds.py` are the best of the kind, by the worlds within one robot of the wanted
+split over all conditions; those of `reinforced_thresholds.py`, chosen by other draws, are among the
+best, which luck tells apart.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from numpy.typing import NDArray
 
 from socialmind.catalogue import load_file, load_model
 
+from .luck import BEGUN, DECIDED, Luck
 from .results import IN_THE_ECONOMY
 from .scheme_scan import TRIED
 from .trainings import ECONOMY, MODEL
@@ -48,18 +50,19 @@ class Responders(ECONOMY.Worlds):
 
     Args:
         drawn: what is different in them.
+        seeds: of the thresholds and of decisions, one for each of `drawn`.
         ticks: how long they go on.
         given: `lowest_threshold`, `highest_threshold`, `variety`, `learning` and `forgetting`.
-        seed: of the draws.
     """
 
     def __init__(
-        self, drawn: Sequence[Any], ticks: int, given: Mapping[str, float], seed: int = 5
+        self, drawn: Sequence[Any], seeds: Sequence[int], ticks: int, given: Mapping[str, float]
     ) -> None:
         super().__init__(drawn, 1, ticks)
         self.given = SimpleNamespace(**given)
-        self.rng = np.random.default_rng(seed)
-        self.thresholds = RULES.begun(self.rng.random((2, *self.role.shape)), self.given)
+        self.luck = Luck(seeds, DECIDED)
+        begun = Luck(seeds, BEGUN).draw(range(len(drawn)), self.most, 2)
+        self.thresholds = RULES.begun(np.moveaxis(begun, 2, 0), self.given)
 
     def decided(
         self,
@@ -79,7 +82,7 @@ class Responders(ECONOMY.Worlds):
             self.thresholds[task, rows, robot] = np.clip(found, low, high)
         stimulus = np.maximum(0.0, RULES.AS_IT_SHOULD_BE - payoff[rows])
         chance = RULES.response(stimulus, self.thresholds[other, rows, robot])
-        takes_up = self.rng.random(len(rows)) < chance
+        takes_up = self.luck.draw(rows) < chance
         roles = before.copy()
         roles[rows] = np.where(takes_up, ~is_b, is_b)
         return roles
@@ -91,7 +94,7 @@ def tried(
     """Return how robots settle by thresholds: the share of worlds within one, and late changes."""
     one = ECONOMY.Terms(**terms)
     drawn = [ECONOMY.World(seed, one, ECONOMY.TICKS) for seed in worlds]
-    responders = Responders(drawn, ECONOMY.TICKS, given)
+    responders = Responders(drawn, worlds, ECONOMY.TICKS, given)
     while responders.go_on(None):
         pass
     return {

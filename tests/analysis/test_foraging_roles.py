@@ -57,7 +57,7 @@ def test_what_is_not_kept_says_how_to_make_it(monkeypatch, tmp_path):
 
 
 def test_a_mind_is_judged_under_each_condition():
-    rows = results.judged("learned", [STAY, STAY], quick=True)
+    rows = results.judged("learned", trainings.mind_of("learned"), [STAY, STAY], range(16))
     assert [row["attempt"] for row in rows] == [1, 2] * len(results.IN_THE_ECONOMY)
     assert all(row["changes"] == 0 for row in rows)
     assert all(0 <= row["within_one"] < 1 for row in rows)

@@ -222,7 +222,7 @@ def test_three_kinds_are_fetched_by_all_ways(way):
 def test_the_distance_of_three_kinds_is_who_would_have_to_change():
     terms = kinds.ECONOMY.Terms(**{**kinds.NINE, "numbers": (9,)})
     drawn = [kinds.ECONOMY.World(1, terms, 4000)]
-    worlds = kinds.Kinds(drawn, 4000, kinds.shares_of("1:1:1"), kinds.WAYS["greedy"])
+    worlds = kinds.Kinds(drawn, [1], 4000, kinds.shares_of("1:1:1"), kinds.WAYS["greedy"])
     worlds.fetches[0, :9] = [0] * 5 + [1] * 3 + [2]
     assert worlds._off().tolist() == [2.0]
 

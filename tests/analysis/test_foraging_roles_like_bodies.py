@@ -213,9 +213,13 @@ def test_who_cannot_be_chosen_any_more_is_judged_no_further():
 
 
 @pytest.mark.study
-def test_minds_are_judged_by_the_worlds_that_settle(mind):
-    share = choosing.settles(mind, {"reverse_at": 499}, range(3001, 3003), ticks=1000)
-    assert share in (0.0, 0.5, 1.0)
+def test_a_kept_mind_settles_in_as_many_worlds_as_when_it_was_chosen():
+    trainings = choosing.Training(choosing.PLANS.kept / choosing.TRAINED)
+    mind = choosing.candidates(trainings, 2)[2, 3, "winner"]
+    kept = choosing.read().set_index(choosing.KEYS).loc[(2, 3, "winner")]
+    for name in ("turned", "undisturbed"):
+        share = choosing.settles(mind, choosing.CONDITIONS[name])
+        assert share == pytest.approx(kept[name], abs=1e-6)
 
 
 def test_without_a_choice_there_is_no_mind(tmp_path):

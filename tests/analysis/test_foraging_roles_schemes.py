@@ -9,6 +9,7 @@ import pytest
 from coglogo_py import CognitiveScheme
 from coglogo_py.decision import BiasedWeightedStochastic
 from coglogo_py.society import Society
+from socialmind.mind import Skill
 from socialmind.sources.loading import load_file
 
 FOLDER = Path(__file__).parents[2] / "analysis" / "foraging_roles"
@@ -16,6 +17,7 @@ economy = load_file(FOLDER / "scheme_economy.py")
 evolution = load_file(FOLDER / "scheme_evolution.py")
 distillation = load_file(FOLDER / "scheme_distillation.py")
 scanning = load_file(FOLDER / "scheme_scan.py")
+judging = load_file(FOLDER / "economy_worlds.py")
 WRITTEN = np.array(list(economy.WRITTEN.values()))
 
 
@@ -66,6 +68,37 @@ def test_written_numbers_do_as_the_engine_does_in_the_same_worlds():
     never[6] = 5.0  # the tolerance
     begun = economy.SchemeEconomy({**nine, "starts": (0,)}).run(never, [1, 2])
     assert not begun.fields["within"].any() and not begun.fields["changes"].any()
+
+
+def select(ROLE, DISTOBJA, DISTOBJB):
+    if ROLE < 0.5:
+        return 1.0, 0.0
+    return 0.0, 1.0
+
+
+def test_roles_are_counted_by_deliveries_as_a_choice_that_is_learned_is():
+    mind = judging.MindDescription.load(judging.MODEL / "mind")
+    terms = judging.ECONOMY.Terms(events=(2,))  # robots are taken away
+    seeds, deliveries = [1, 2, 3], judging.DELIVERIES
+    thinking = judging.with_genome(deliveries.thinking(mind, judging.ROLE), mind, 3)
+    inputs, outputs = ["ROLE", "DISTOBJA", "DISTOBJB"], ["A", "B"]
+    choice = Skill(
+        "Choice", [f"SE:{one}" for one in inputs], ["MO:A", "MO:B"], judging.Programmed(select)
+    )
+    chooser = judging.MindDescription("Chooser", inputs, outputs, (), [choice])
+    heads = deliveries.Heads(thinking, judging.Minds(chooser, agents=3))
+    chosen = deliveries.Deliveries(
+        [deliveries.DeliveryWorld(one, terms, 20_000) for one in seeds], 1, 20_000, heads
+    )
+    drawn = [judging.ECONOMY.World(one, terms, 20_000) for one in seeds]
+    held = judging.CountedRoles(drawn, 1, 20_000)
+    plain = judging.ECONOMY.Worlds(drawn, 1, 20_000)
+    for worlds, minds in ((chosen, heads), (held, thinking), (plain, thinking)):
+        while worlds.go_on(minds):
+            pass
+    for name in ("off", "off_late", "out_late", "out_last", "changes"):
+        assert getattr(chosen, name).tolist() == getattr(held, name).tolist()
+    assert held.off.tolist() != plain.off.tolist()
 
 
 def test_an_attempt_that_was_stopped_goes_on_to_the_same_numbers(tmp_path):
