@@ -223,7 +223,8 @@ def squares_of(table: pd.DataFrame, setting: Setting, name: str) -> dict[str, pd
 def beside(table: pd.DataFrame) -> str:
     """Return what changes for thirty-six robots, and by half the tolerance, in pairs, as Markdown.
 
-    Pairs are of the same attempts in the same worlds.
+    Pairs are of the same attempts in the same worlds. Those of longer runs begin alike, and have
+    other trips.
     """
     lines = [
         "| way | thirty-six robots | more within one | more within a ninth |",
