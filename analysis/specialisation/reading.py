@@ -59,6 +59,8 @@ REFERENCES = (
     "Association 82, 171–185.",
     "Gorelick, R., Bertram, S. M., Killeen, P. R. & Fewell, J. H. (2004). Normalized mutual "
     "entropy in biology: quantifying division of labor. The American Naturalist 164, 677–682.",
+    "Newcombe, R. G. (1998). Interval estimation for the difference between independent "
+    "proportions: comparison of eleven methods. Statistics in Medicine 17, 873–890.",
     "Owen, A. B. (2007). The pigeonhole bootstrap. The Annals of Applied Statistics 1, 386–411.",
     "Suro, F. (2020). Epigenetic learning of autonomous behaviours in a society of agents. Thesis, "
     "Université de Montpellier: the robots and their roles in 8.2, farmers and artisans in 3.3.",

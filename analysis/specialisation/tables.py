@@ -11,7 +11,12 @@ import numpy as np
 import pandas as pd
 
 from socialmind.experiments.measures.crossed import crossed_difference, crossed_interval
-from socialmind.experiments.measures.intervals import Interval, interval_of, share_interval
+from socialmind.experiments.measures.intervals import (
+    Interval,
+    interval_of,
+    share_difference,
+    share_interval,
+)
 
 from .societies import COMPARED_WITH, REFERENCE
 
@@ -321,8 +326,11 @@ def _difference(own: pd.DataFrame, base: pd.DataFrame, measure: str) -> Interval
         one, other = by_world(own, measure), by_world(base, measure)
         shared = one.columns.intersection(other.columns)
         return crossed_difference(one[shared], other[shared])
-    away = own[measure] - own["seed"].map(base.set_index("seed")[measure])
-    return interval(square(own.assign(away=away), "away"))
+    other = own["seed"].map(base.set_index("seed")[measure])
+    away = square(own.assign(away=own[measure] - other), "away")
+    if measure == "within" and len(away) == 1 and (away == away[0, 0]).all():
+        return share_difference(own[measure], other)  # a bootstrap of what is alike has no width
+    return interval(away)
 
 
 def over_time(course: pd.DataFrame, by: Sequence[str]) -> pd.DataFrame:

@@ -148,6 +148,28 @@ def share_interval(values: ArrayLike, level: float = LEVEL) -> Interval:
     return Interval(share, max(middle - half, 0.0), min(middle + half, 1.0))
 
 
+def share_difference(one: ArrayLike, other: ArrayLike, level: float = LEVEL) -> Interval:
+    """Return how much greater one share is than another, with an interval from those of both.
+
+    As `share_interval` it has a width also where something holds of all or of none. Samples that
+    go together have a narrower one (Newcombe, 1998, Statistics in Medicine 17: 873–890, method 10).
+
+    Args:
+        one: (n,), each 0 or 1, at least one.
+        other: (m,), likewise.
+        level: above 0 and below 1.
+
+    >>> found = share_difference([1] * 56 + [0] * 14, [1] * 48 + [0] * 32)
+    >>> round(found.mean, 4), round(found.low, 4), round(found.high, 4)
+    (0.2, 0.0524, 0.3339)
+    """
+    first, second = share_interval(one, level), share_interval(other, level)
+    difference = first.mean - second.mean
+    below = math.hypot(first.mean - first.low, second.high - second.mean)
+    above = math.hypot(first.high - first.mean, second.mean - second.low)
+    return Interval(difference, max(difference - below, -1.0), min(difference + above, 1.0))
+
+
 def _combined(
     means: NDArray[np.float64], combine: Callable[..., float] | None
 ) -> NDArray[np.float64]:
