@@ -125,12 +125,7 @@ def findings(table: pd.DataFrame) -> Iterator[str]:
         *(_by_attempt(table, start, "slope", "delivered") for start in (BLOCKS, PRIMITIVES)),
     )
     for start in (BLOCKS, PRIMITIVES):
-        alone = table[(table["group"] == GENERALISTS.name) & (table["ground"] == "slope")]
-        yield _more(
-            f"Evolved from {start}, groups on the slope bring more home than generalists do",
-            _by_attempt(table, start, "slope", "delivered"),
-            alone["delivered"],
-        )
+        yield _more_than_generalists(table, start)
 
 
 def _what_evolved(rows: pd.DataFrame, start: str, ground: str) -> Iterator[str]:
@@ -158,15 +153,32 @@ def _more(claim: str, first: pd.Series, second: pd.Series) -> str:
         return f"- {claim}: too few attempts to tell."
     found = compared(first, second, paired=False)
     away = found.difference
-    verdict = "cannot be told"
-    if away.low > 0:
-        verdict = "holds"
-    elif away.high < 0:
-        verdict = "**the reverse holds**"
     return (
-        f"- {claim}: {verdict} (difference {away.mean:.2f}, {away.low:.2f} to {away.high:.2f}; "
-        f"Cliff's δ {found.delta:+.2f})."
+        f"- {claim}: {_verdict(away)} (difference {away.mean:.2f}, {away.low:.2f} to "
+        f"{away.high:.2f}; Cliff's δ {found.delta:+.2f})."
     )
+
+
+def _more_than_generalists(table: pd.DataFrame, start: str) -> str:
+    """Say whether evolved groups bring more home than generalists do, world by world."""
+    claim = f"Evolved from {start}, groups on the slope bring more home than generalists do"
+    rows = evolved_there(table, start, "slope")
+    if rows["attempt"].nunique() < 2:
+        return f"- {claim}: too few attempts to tell."
+    alone = table[(table["group"] == GENERALISTS.name) & (table["ground"] == "slope")]
+    brought = alone.set_index("world")["delivered"]
+    more = rows.assign(more=rows["delivered"] - rows["world"].map(brought))
+    away = over_attempts(more, "more")
+    return (
+        f"- {claim}: {_verdict(away)} (difference {away.mean:.2f}, {away.low:.2f} to "
+        f"{away.high:.2f}, in the same worlds)."
+    )
+
+
+def _verdict(away: Interval) -> str:
+    if away.low > 0:
+        return "holds"
+    return "**the reverse holds**" if away.high < 0 else "cannot be told"
 
 
 def _best_mix(table: pd.DataFrame, ground: str) -> str:
