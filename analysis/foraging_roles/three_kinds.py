@@ -111,8 +111,10 @@ class Kinds(ECONOMY.Worlds):
         after = self.way.decide(self, rows, robot, kind, np.clip(payoff, 0.0, 1.0))
         self.fetches[rows, robot] = after
         self.done[rows, robot] += 1
+        # As with two: trips for the first kind are longer and those for the last one shorter.
+        stretch = self.uneven[rows] ** np.linspace(1, -1, self.kinds)[after]
         length = self.trips[self.which[rows], robot, self.done[rows, robot]]
-        self.next[rows, robot] = self.now[rows] + length
+        self.next[rows, robot] = self.now[rows] + stretch * length
         changed = rows[after != kind]
         if len(changed):
             late = self._late(self.now + 1e-9) > self._late(self.now)
