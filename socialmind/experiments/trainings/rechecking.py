@@ -44,6 +44,7 @@ class Rescored(NamedTuple):
         lesson: its name.
         before: the score that is kept.
         now: what the winner comes to today.
+        deviation: over the worlds of the finals, today.
         file: where the score is kept.
     """
 
@@ -51,6 +52,7 @@ class Rescored(NamedTuple):
     lesson: str
     before: float
     now: float
+    deviation: float
     file: Path
 
 
@@ -102,7 +104,13 @@ def rescore(kept: Path, plan: TrainingPlan) -> list[Rescored]:
     others = [one for one in _rescored(Training(kept), plan) if one.now != one.before]
     for one in others:
         record, arrays = archive.load(one.file)
-        save_arrays(one.file, {**record, "score": one.now}, arrays, compressed=True)
+        generation = individual_of(archive.part(arrays, "winner/")).generation
+        judged = {
+            "score": one.now,
+            "deviation": one.deviation,
+            "finalists": [(generation, one.now)],  # of the others nobody knows
+        }
+        save_arrays(one.file, {**record, **judged}, arrays, compressed=True)
     return others
 
 
@@ -117,9 +125,10 @@ def _rescored(training: Training, plan: TrainingPlan) -> Iterator[Rescored]:
             )
     for one in winners(training, lessons):
         key = training.manifest.seed, one.attempt, one.lesson.name, 1
-        score = one.scores(seeds_for(one.lesson.finals, FINAL, *key)).mean()
+        scores = one.scores(seeds_for(one.lesson.finals, FINAL, *key))
         file = result_file(training.folder / "attempts" / str(one.attempt), one.number)
-        yield Rescored(one.attempt, one.lesson.name, one.record["score"], float(score), file)
+        now, deviation = float(scores.mean()), float(scores.std())
+        yield Rescored(one.attempt, one.lesson.name, one.record["score"], now, deviation, file)
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from socialmind.errors import SocialmindError
+from socialmind.experiments.trainings.store import emptied
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import CHECKPOINT, results_of
 from socialmind.learning.training.capsule import TrainingManifest, stages_of
@@ -217,7 +218,7 @@ def _begin(training: Training, attempt: int, lessons: int, folder: Path) -> None
         folder: the one to make, or to make anew.
     """
     later = [str(one) for one in training.attempts if one >= attempt]
-    made = _emptied(folder)
+    made = emptied(folder)
     shutil.copytree(training.folder, made, ignore=lambda path, names: _of(path, later, names))
     if lessons < len(training.manifest.lessons):
         for checkpoint in made.glob(f"attempts/*/{CHECKPOINT}"):
@@ -282,14 +283,6 @@ def _let_pass(checkpoint: Path, items: Sequence[Mapping[str, Any]]) -> None:
     save_arrays(checkpoint, record, arrays)
 
 
-def _emptied(folder: Path) -> Path:
-    """Return where a folder is made before it gets its name; what was left there is removed."""
-    made = folder.with_name(f"{folder.name}.begun")
-    if made.exists():
-        remove(made)
-    return made
-
-
 def _of(path: str, attempts: list[str], names: list[str]) -> list[str]:
     return [one for one in names if one in attempts] if Path(path).name == "attempts" else []
 
@@ -311,7 +304,7 @@ def _program(commit: str, home: Path) -> Path:
                 f"its program, of commit {commit}, cannot be had here: {why}; "
                 "expected git, and a clone with the whole history"
             ) from error
-        made = _emptied(folder)
+        made = emptied(folder)
         shutil.unpack_archive(packed, made)
         made.rename(folder)
         packed.unlink()

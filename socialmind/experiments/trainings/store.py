@@ -23,7 +23,7 @@ from socialmind.runs.arrays_file import save_arrays
 from socialmind.runs.folders import FINISHED, INTERRUPTED, MANIFEST
 from socialmind.runs.sources import mind_files_in
 from socialmind.sources.folders import model_folder, source_hash
-from socialmind.work.files import replace_file
+from socialmind.work.files import remove, replace_file
 
 if TYPE_CHECKING:
     from socialmind.experiments.trainings.plans import TrainingPlan
@@ -46,13 +46,16 @@ def keep(folder: Path, home: Path) -> Path:
     """
     training = Training(folder)
     target = home / training.folder.name
-    known = TrainingManifest.load(target / MANIFEST) if target.is_dir() else None
+    known = TrainingManifest.load(target / MANIFEST) if (target / MANIFEST).is_file() else None
     if known is not None and not _are_one(known, training.manifest):
         raise SocialmindError(
             f"{target}: of other lessons, another mind, model or seed than {folder}; "
             "remove it to keep this one"
         )
     if known is None:
+        for part in ("mind", "attempts"):  # the manifest comes last: this was stopped before
+            if (target / part).is_dir():
+                remove(target / part)
         shutil.copytree(
             training.folder / "mind",
             target / "mind",
@@ -83,7 +86,8 @@ def _attempt(folder: Path, number: int) -> Path:
 def _keep_attempt(source: Path, target: Path) -> None:
     """Keep an attempt as it was after its last finished lesson."""
     record, arrays = archive.load(source / CHECKPOINT)
-    before = archive.load(target / CHECKPOINT)[0]["done"] if target.is_dir() else 0
+    begun = (target / CHECKPOINT).is_file()  # which comes last, too
+    before = archive.load(target / CHECKPOINT)[0]["done"] if begun else 0
     if record["done"] <= before:
         return
     target.mkdir(parents=True, exist_ok=True)
@@ -146,8 +150,18 @@ def take_out(kept: Path, folder: Path) -> bool:
     """
     if not (kept / MANIFEST).is_file():
         return False
-    shutil.copytree(kept, folder)
+    made = emptied(folder)
+    shutil.copytree(kept, made)
+    made.rename(folder)
     return True
+
+
+def emptied(folder: Path) -> Path:
+    """Return where a folder is made before it gets its name; what was left there is removed."""
+    made = folder.with_name(f"{folder.name}.begun")
+    if made.exists():
+        remove(made)
+    return made
 
 
 def differences(training: Training, plan: TrainingPlan) -> list[str]:

@@ -49,11 +49,13 @@ def test_where_the_scoring_was_mended_scores_are_taken_as_they_are_today(
     edited(whole, tmp_path)
     path = tmp_path / "tiny" / "attempts" / "2" / "lesson-002.npz"
     record, arrays = archive.load(path)
-    save_arrays(path, {**record, "score": record["score"] - 0.5}, arrays)
+    faulty = {"score": record["score"] - 0.5, "deviation": 100.0, "finalists": [[1, 100.0]]}
+    save_arrays(path, {**record, **faulty}, arrays)
     (found,) = rescore(tmp_path / "tiny", plan)
     assert (found.attempt, found.lesson) == (2, "GoToDropZone")
     assert (found.before, found.now) == (record["score"] - 0.5, record["score"])
-    assert archive.load(path)[0] == record
+    winner = max(record["finalists"], key=lambda one: one[1])
+    assert archive.load(path)[0] == {**record, "finalists": [winner]}
     assert rescore(tmp_path / "tiny", plan) == []
     assert recheck(tmp_path / "tiny", plan) == 4
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from socialmind.errors import SocialmindError
+from socialmind.experiments.trainings import store
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning import Training, resume
 from socialmind.learning.training import archive
@@ -52,6 +53,50 @@ def test_what_is_kept_reads_as_the_training(whole, tmp_path):
     assert str(whole.parent) not in (tmp_path / "tiny" / "manifest.json").read_text()
     assert not list(tmp_path.rglob("mind-attempt-*"))
     assert not list(tmp_path.rglob("curve.parquet"))
+
+
+@pytest.mark.parametrize("files", range(1, 8))
+def test_keeping_that_was_killed_is_done_again(files, whole, tmp_path, monkeypatch):
+    left = [files]
+
+    def killed(save):
+        def saved(*arguments, **options):
+            left[0] -= 1
+            if not left[0]:
+                raise KeyboardInterrupt
+            return save(*arguments, **options)
+
+        return saved
+
+    with monkeypatch.context() as patched:
+        for name in ("save_arrays", "replace_file"):
+            patched.setattr(store, name, killed(getattr(store, name)))
+        with pytest.raises(KeyboardInterrupt):
+            keep(whole, tmp_path)
+    assert same(Training(keep(whole, tmp_path)), Training(whole))
+
+
+def test_an_attempt_that_was_begun_to_be_kept_is_kept(whole, stopped, tmp_path):
+    keep(stopped, tmp_path)
+    shutil.rmtree(tmp_path / "tiny" / "attempts" / "2")
+    (tmp_path / "tiny" / "attempts" / "2").mkdir()
+    assert same(Training(keep(whole, tmp_path)), Training(whole))
+
+
+def test_taking_out_that_was_killed_is_done_again(whole, tmp_path, monkeypatch):
+    kept = keep(whole, tmp_path)
+
+    def part(source, target):
+        target.mkdir()
+        shutil.copyfile(source / "manifest.json", target / "manifest.json")
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(store.shutil, "copytree", part)
+        with pytest.raises(KeyboardInterrupt):
+            take_out(kept, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+    assert take_out(kept, tmp_path / "out") and same(Training(tmp_path / "out"), Training(whole))
 
 
 def test_finished_lessons_are_kept_as_they_come_in(whole, stopped, tmp_path):
