@@ -289,15 +289,23 @@ def load_result(folder: Path, number: int) -> tuple[dict[str, Any], dict[str, An
     return archive.load(result_file(folder, number), _RESULT)
 
 
-def results_of(folder: Path) -> Iterator[tuple[Path, dict[str, Any], dict[str, Any]]]:
+def results_of(
+    folder: Path, done: int | None = None
+) -> Iterator[tuple[Path, dict[str, Any], dict[str, Any]]]:
     """Yield the file, the record and the arrays of each lesson that an attempt has finished.
+
+    Args:
+        folder: of the attempt.
+        done: how many it had finished; as many as its checkpoint says by default.
 
     Raises:
         SocialmindError: a file is not what a training wrote.
     """
-    if (folder / CHECKPOINT).is_file():
-        for number in range(1, load_checkpoint(folder)[0]["done"] + 1):
-            yield result_file(folder, number), *load_result(folder, number)
+    if done is None:
+        known = (folder / CHECKPOINT).is_file()
+        done = load_checkpoint(folder)[0]["done"] if known else 0
+    for number in range(1, done + 1):
+        yield result_file(folder, number), *load_result(folder, number)
 
 
 def write_result(

@@ -54,7 +54,7 @@ def _lessons(folder: Path) -> list[tuple[int, str, np.ndarray]]:
         return []
     record, arrays = load_checkpoint(folder)
     found = []
-    for file, told, own in results_of(folder):
+    for file, told, own in results_of(folder, record["done"]):
         with archive.reading(file):
             found.append((told["cycle"], told["lesson"], checked_rows(own["rows"])))
     if record["in_hand"] is not None:
