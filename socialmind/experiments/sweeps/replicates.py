@@ -14,7 +14,7 @@ from typing import Any
 from coglogo_py.border.errors import shown
 from coglogo_py.border.numbers import is_number, whole_number
 from socialmind.errors import SocialmindError
-from socialmind.experiments.measures.intervals import LEVEL, widened
+from socialmind.experiments.measures.intervals import LEVEL, share_interval, student
 from socialmind.learning.lessons.keys import seed_for
 
 SWEEP = "sweep"
@@ -69,16 +69,24 @@ class Until:
     def reached(self, values: Sequence[float]) -> bool:
         """Return whether the interval of some values, Student's, is narrow enough.
 
-        >>> Until(1.0, "x").reached([1, 1, 1, 1]), Until(1.0, "x").reached([0, 10, 0, 10])
+        That of values that are all 0 or 1 is the one of their share, which has a width also where
+        all are alike.
+
+        >>> Until(1.0, "x").reached([3, 3, 3, 3]), Until(1.0, "x").reached([0, 10, 0, 10])
         (True, False)
+        >>> Until(0.05, "settled").reached([1, 1, 1, 1, 1])
+        False
         """
         count = len(values)
         if count < 2:
             return False
         mean = math.fsum(values) / count
-        variance = math.fsum((one - mean) ** 2 for one in values) / (count - 1)
-        # What `widened` gives is for the deviation over n, as resampling has it.
-        half = widened(LEVEL, count) * math.sqrt(variance * (count - 1) / count / count)
+        if set(values) <= {0, 1}:
+            share = share_interval(values)
+            half = (share.high - share.low) / 2
+        else:
+            variance = math.fsum((one - mean) ** 2 for one in values) / (count - 1)
+            half = student(LEVEL, count - 1) * math.sqrt(variance / count)
         return half <= (self.half_width * abs(mean) / 100 if self.relative else self.half_width)
 
 

@@ -10,6 +10,13 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments.sweeps.replicates import Replicates, Until, Waiting, read_seeds
 
 
+def test_a_share_has_a_width_where_all_are_alike():
+    assert not Until(0.2, "settled").reached([0.0] * 5)  # 0 to 43 %
+    assert Until(0.2, "settled").reached([0.0] * 15)
+    # Of two values t is 12.706, the standard error 0.1.
+    assert not Until(1.27, "x").reached([0.0, 0.2]) and Until(1.28, "x").reached([0.0, 0.2])
+
+
 def value_of(run):
     """What a run comes to: at even points always the same, at odd ones far apart."""
     return float(run % 7) if (run // 30) % 2 else 1.0
