@@ -232,6 +232,9 @@ def difference(
 ) -> tuple[Interval, bool]:
     """Return how far the mean of some runs is from that of others, and whether pairs were taken.
 
+    They are where half of either or more have a partner of the same seed: runs that failed have
+    none. A few seeds that both happen to have would say little.
+
     Args:
         runs: with their `seed` and a column of the outcome, finite.
         reference: likewise.
@@ -240,7 +243,7 @@ def difference(
     """
     pairs = runs.merge(reference, on=SEED, suffixes=("", " reference"))
     once = not (runs[SEED].duplicated().any() or reference[SEED].duplicated().any())
-    paired = once and len(pairs) > 0
+    paired = once and 2 * len(pairs) >= max(len(runs), len(reference))
     if paired:
         own, other = pairs[of].to_numpy(float), pairs[f"{of} reference"].to_numpy(float)
     else:

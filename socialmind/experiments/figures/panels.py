@@ -27,6 +27,7 @@ from socialmind.experiments.figures.design import Varying
 from socialmind.experiments.figures.estimates import Effects, Estimates
 from socialmind.experiments.figures.labels import Labels, value_name
 from socialmind.experiments.figures.palette import SURFACE, lines
+from socialmind.experiments.measures.intervals import Interval
 
 TICK = "tick"
 APART = 1.6
@@ -218,7 +219,8 @@ def draw_effects(
                        for _, row in rows.iterrows()]  # fmt: skip
     axes.axvline(0.0, color=paper.INK, linewidth=0.6)
     reach = np.abs(rows[["low", "high"]].to_numpy(float).T - rows["difference"].to_numpy(float))
-    apart = (rows["low"] > 0) | (rows["high"] < 0)
+    ends = rows[["difference", "low", "high"]].to_numpy(float)
+    apart = [Interval(*one).beyond() != 0 for one in ends.tolist()]
     axes.errorbar(
         rows["difference"], range(len(rows)), xerr=np.nan_to_num(reach), color=paper.BLUE,
         linestyle="none", elinewidth=0.9, capsize=1.6, capthick=0.9,

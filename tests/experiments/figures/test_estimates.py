@@ -92,6 +92,13 @@ def test_a_failed_run_takes_its_partner_out_of_the_pairs():
     assert row["difference"] == 3.0 and row["paired"]
 
 
+def test_a_seed_that_both_happen_to_have_makes_no_pairs():
+    seeds = [*range(20), *range(19, 39)]
+    table = runs(p=[1] * 20 + [2] * 20, seed=seeds, y=[float(one) for one in range(40)])
+    (row,) = effects(table, ["p"], "y", {"p": 1}).table.to_dict("records")
+    assert row["difference"] == 20.0 and not row["paired"] and row["low"] > 10.0
+
+
 @pytest.mark.parametrize(
     ("call", "said"),
     [
