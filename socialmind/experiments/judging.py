@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from socialmind.experiments.measures.intervals import Interval, share_interval
+from socialmind.experiments.measures.intervals import Interval, share_difference, share_interval
 
 NO_SAY = 0.1
 """Part of the influence up to which a skill is not used; from one less this on it has all."""
@@ -131,7 +131,10 @@ def are_alike(difference: Interval, larger: float) -> bool | None:
     >>> are_alike(Interval(0.1, -0.2, 0.4), 4.0), are_alike(Interval(2.0, 0.5, 3.5), 4.0)
     (True, False)
     >>> are_alike(Interval(2.0, -0.5, 4.5), 4.0)
+    >>> are_alike(Interval(2.0, math.nan, math.nan), 4.0)
     """
+    if not math.isfinite(difference.low):
+        return None
     if max(abs(difference.low), abs(difference.high)) <= ALIKE * abs(larger):
         return True
     return None if covers(difference, 0.0) else False
@@ -153,10 +156,7 @@ def too_short(ours: int, thesis: int) -> str:
 
 
 def between_shares(count: int, number: int, other: int, of_other: int) -> Interval:
-    """Return by how much one share is more than another, with its interval.
-
-    It is made of the two score intervals (Newcombe, 1998, Statistics in Medicine 17: 873–890,
-    method 10).
+    """Return by how much one share is more than another, with its interval (`share_difference`).
 
     Args:
         count: how many do something.
@@ -168,11 +168,7 @@ def between_shares(count: int, number: int, other: int, of_other: int) -> Interv
     >>> round(found.mean, 2), round(found.low, 2), round(found.high, 2)
     (-0.1, -0.4, 0.19)
     """
-    one, two = share_of(count, number), share_of(other, of_other)
-    low = math.hypot(one.mean - one.low, two.high - two.mean)
-    high = math.hypot(one.high - one.mean, two.mean - two.low)
-    mean = one.mean - two.mean
-    return Interval(mean, mean - low, mean + high)
+    return share_difference(_each(count, number), _each(other, of_other))
 
 
 # Words --------------------------------------------------------------------------------------------
@@ -180,7 +176,11 @@ def between_shares(count: int, number: int, other: int, of_other: int) -> Interv
 
 def share_of(count: int, number: int) -> Interval:
     """Return what share of attempts or runs does something, with its score interval."""
-    return share_interval([1] * count + [0] * (number - count))
+    return share_interval(_each(count, number))
+
+
+def _each(count: int, number: int) -> list[int]:
+    return [1] * count + [0] * (number - count)
 
 
 def in_brackets(interval: Interval, form: str = ".2f") -> str:

@@ -95,6 +95,10 @@ def _checked(values: ArrayLike) -> NDArray[np.float64]:
 def _crossed(tables: list[NDArray[np.float64]], level: float) -> Interval:
     """Return the mean of a table, or how much more the first comes to than the second."""
     mean = float(tables[0].mean()) - sum(float(one.mean()) for one in tables[1:])
+    if all((one == one[0, 0]).all() for one in tables):  # which rounding must not tell apart
+        mean = float(tables[0][0, 0] - sum(one[0, 0] for one in tables[1:]))
+        least = min(min(one.shape) for one in tables)
+        return Interval(mean, *([mean, mean] if least > 1 else [math.nan, math.nan]))
     least = min(min(one.shape) for one in tables)
     if least < 2:
         return Interval(mean, math.nan, math.nan)

@@ -158,13 +158,15 @@ def compared(
     if not finite:
         difference = Interval(one.mean - other.mean, math.nan, math.nan)
     elif paired:
-        difference = interval_of(x - y, level)
+        away = x - y
+        least = 1e-12 * max(np.abs(x).max(), np.abs(y).max())  # what rounding may make
+        difference = interval_of(np.where(np.abs(away) <= least, 0.0, away), level)
     else:
-        away = one.mean - other.mean
+        mean = one.mean - other.mean
         difference = Interval(
-            away,
-            away - math.hypot(one.mean - one.low, other.high - other.mean),
-            away + math.hypot(one.high - one.mean, other.mean - other.low),
+            mean,
+            mean - math.hypot(one.mean - one.low, other.high - other.mean),
+            mean + math.hypot(one.high - one.mean, other.mean - other.low),
         )
     enough = finite and min(len(x), len(y)) > 1
     enough = enough and len(x) + len(y) > (4 if paired else 3)

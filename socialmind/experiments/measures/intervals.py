@@ -22,6 +22,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from socialmind.errors import SocialmindError
+
 LEVEL = 0.95
 """How often such an interval holds the mean of all that could have been measured."""
 RESAMPLES = 10_000
@@ -91,6 +93,12 @@ def interval_of(
         level: above 0 and below 1.
         combine: makes a number of the k means, such as a ratio; NaN where there is none.
 
+    Returns:
+        NaN for the bounds where there is one number alone, or of so few the others say nothing.
+
+    Raises:
+        SocialmindError: no numbers.
+
     >>> interval_of([3.0, 3.0, 3.0])
     Interval(mean=3.0, low=3.0, high=3.0)
     >>> found = interval_of([0, 1, 1, 1, 1, 1, 1, 1, 1, 1])
@@ -100,6 +108,8 @@ def interval_of(
     Interval(mean=0.5, low=0.5, high=0.5)
     """
     sample = np.asarray(values, np.float64)
+    if not sample.size:
+        raise SocialmindError("no numbers to tell an interval of; expected one at least")
     sample = sample.reshape(len(sample), -1)
     mean = _combined(sample.mean(axis=0)[None], combine).item()
     if len(sample) < 2 or not math.isfinite(mean):
@@ -136,11 +146,16 @@ def share_interval(values: ArrayLike, level: float = LEVEL) -> Interval:
         values: (n,), each 0 or 1, at least one.
         level: above 0 and below 1.
 
+    Raises:
+        SocialmindError: no numbers, or others than 0 and 1.
+
     >>> found = share_interval([1] * 20)
     >>> found.mean, round(found.low, 2), found.high
     (1.0, 0.84, 1.0)
     """
     sample = np.asarray(values, np.float64)
+    if not sample.size or not ((sample == 0) | (sample == 1)).all():
+        raise SocialmindError("a share of no numbers, or of others than 0 and 1; expected these")
     n, share = sample.size, float(sample.mean())
     z = _NORMAL.inv_cdf((1 + level) / 2)
     middle = (share + z * z / (2 * n)) / (1 + z * z / n)
@@ -191,8 +206,14 @@ def _deviations(
 
 
 def _standard_error(sample: NDArray[np.float64], combine: Callable[..., float] | None) -> float:
-    """Return the standard error of the mean, or of what is made of several, by the jackknife."""
-    squares = float((_deviations(sample, combine) ** 2).sum())
+    """Return the standard error of the mean, or of what is made of several, by the jackknife.
+
+    NaN where nothing can be made of the means without one of the numbers: all hangs on that one.
+    """
+    deviations = _deviations(sample, combine)
+    if len(deviations) < len(sample):
+        return math.nan
+    squares = float((deviations**2).sum())
     return math.sqrt(squares / (len(sample) * (len(sample) - 1)))
 
 

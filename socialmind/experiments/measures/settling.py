@@ -96,9 +96,10 @@ def settlings(
     1   40.0   inf     60.0   20.0
     """
     starts = [float(distance.index[0]), *map(float, shocks)] if len(distance) else []
-    if sorted(set(starts)) != starts:
+    if sorted(set(starts)) != starts or (starts and starts[-1] > distance.index[-1]):
         raise SocialmindError(
-            f"shocks at {list(shocks)}; expected ticks that rise, after the first"
+            f"shocks at {list(shocks)}; expected ticks that rise, after the first that is recorded "
+            "and not behind the last"
         )
     ends = [*starts[1:], math.inf]
     settled = [settled_from(distance, *one, within, hold) for one in zip(starts, ends, strict=True)]

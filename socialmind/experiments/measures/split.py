@@ -87,10 +87,11 @@ def wanted_shares(wanted: Wanted, ticks: ArrayLike) -> pd.DataFrame:
     else:
         since, parts = np.array([-np.inf]), pd.DataFrame([dict(wanted)], dtype=float)
     values = parts.to_numpy(float)
-    if not (values.size and (values >= 0).all() and (values.sum(axis=1) > 0).all()):
+    finite = np.isfinite(values).all()
+    if not (values.size and finite and (values >= 0).all() and (values.sum(axis=1) > 0).all()):
         raise SocialmindError(
-            f"a wanted ratio of {parts.to_dict('records')}; expected parts of roles, 0 or more, "
-            "not all 0"
+            f"a wanted ratio of {parts.to_dict('records')}; expected parts of roles, finite, 0 or "
+            "more, not all 0"
         )
     if len(at) and at.min() < since[0]:
         raise SocialmindError(f"no ratio is wanted at tick {at.min()}; the first is at {since[0]}")

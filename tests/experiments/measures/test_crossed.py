@@ -87,3 +87,11 @@ def test_a_difference_needs_the_same_worlds():
     with pytest.raises(SocialmindError, match="3 and 2 worlds; expected the same ones for both"):
         crossed_difference(np.ones((2, 3)), np.ones((2, 2)))
     assert math.isnan(crossed_difference(np.ones((2, 3)), np.ones((1, 3))).low)
+
+
+def test_rounding_tells_equal_tables_not_apart():
+    one, other = np.full((7, 100), 1.1), np.full((3, 100), 1.1)
+    found = crossed_difference(one, other)
+    assert (found.mean, found.low, found.high) == (0.0, 0.0, 0.0)
+    assert found.beyond() == 0
+    assert crossed_interval(np.full((10, 50), 1.1)).low == 1.1

@@ -8,8 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
+from socialmind.errors import SocialmindError
 from socialmind.experiments.measures import intervals
-from socialmind.experiments.measures.intervals import Interval, interval_of
+from socialmind.experiments.measures.intervals import (
+    Interval,
+    interval_of,
+    share_difference,
+    share_interval,
+)
 
 
 def test_of_many_normal_numbers_it_is_the_usual_one():
@@ -67,8 +73,24 @@ def test_a_ratio_to_nothing_is_no_number():
     found = interval_of([[0, 0], [0, 0]], combine=lambda a, b: a / b if b else math.nan)
     assert math.isnan(found.mean) and math.isnan(found.low)
     assert found.record() == {"mean": None, "low": None, "high": None}
+    # Where all hangs on one of few nobody knows how far others would lie.
     some = interval_of([[1, 2], [0, 0], [0, 0]], combine=lambda a, b: a / b if b else math.nan)
-    assert some.mean == 0.5 and some.low == 0.5
+    assert some.mean == 0.5 and math.isnan(some.low)
+
+
+@pytest.mark.parametrize("call", [lambda: interval_of([]), lambda: share_interval([]),
+                                  lambda: share_interval([5, 7])])  # fmt: skip
+def test_what_has_no_interval_is_said(call):
+    with pytest.raises(SocialmindError, match="expected"):
+        call()
+
+
+def test_a_difference_of_shares_is_as_published():
+    # Newcombe (1998), table II, method 10: 9 of 10 against 3 of 10, and 10 of 10 against 0 of 20.
+    found = share_difference([1] * 9 + [0], [1] * 3 + [0] * 7)
+    assert (found.mean, found.low, found.high) == pytest.approx((0.6, 0.1705, 0.8090), abs=1e-4)
+    found = share_difference([1] * 10, [0] * 20)
+    assert (found.mean, found.low, found.high) == pytest.approx((1.0, 0.6791, 1.0), abs=1e-4)
 
 
 @given(st.lists(st.floats(0, 1), min_size=intervals.FEW, max_size=30))
