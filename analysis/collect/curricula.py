@@ -7,7 +7,7 @@ on them in the curriculum, and on the last one `COLLECTING` ticks; who learns th
 spends as many in all. They are judged on common worlds too (`validation`), so that one sees in the
 curve against ticks whether it has levelled off. The monolith had not; so both go on with Collect
 for `LONGER` ticks, and then for `COLLECTING` more, in lessons of their own that begin with large
-steps again.
+steps again. Then the hierarchy has, and the monolith alone goes on for `COLLECTING` once more.
 """
 
 from __future__ import annotations
@@ -29,6 +29,8 @@ MORE = "More of Collect"
 """The monolith's lesson in place of the first, and one behind the six where ticks are equal."""
 STILL_MORE = "Still more of Collect"
 """The last lesson where ticks are equal."""
+EVEN_MORE = "Even more of Collect"
+"""The monolith's lesson behind it, which the hierarchy has no equal of."""
 AT_ONCE = 320_000_000
 """Ticks of the six lessons together, for learning all at once."""
 LONG = 0.98
@@ -146,9 +148,10 @@ def equal() -> Curriculum:
 
 
 def equal_for_monolith() -> Curriculum:
-    """Return them for one network, which goes on from what it knows."""
+    """Return them for one network, which goes on from what it knows, and one lesson more."""
     six = []
     for place, lesson in enumerate(SIX):
         taught = by_monolith(lesson, place == 0)
         six.append(by_ticks(replace(taught, name=lesson.name)))
-    return and_more(six)
+    lessons = and_more(six).lessons
+    return Curriculum((*lessons, replace(lessons[-1], name=EVEN_MORE)))

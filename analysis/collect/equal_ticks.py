@@ -12,7 +12,7 @@ import numpy as np
 from socialmind.drawing import style as paper
 from socialmind.experiments.measures.intervals import Interval, interval_of
 
-from .curricula import MORE, STILL_MORE
+from .curricula import EVEN_MORE, MORE, STILL_MORE
 from .figures import short_of
 from .tables import write_rows
 
@@ -25,7 +25,7 @@ NAME = "figure-6.5-equal-ticks"
 COLLECT = ("Collect", MORE, STILL_MORE)
 PANELS = (
     ("hierarchy_level", COLLECT, "hierarchy", 1500),
-    ("monolith_level", COLLECT, "one network", None),
+    ("monolith_level", (*COLLECT, EVEN_MORE), "one network", None),
     ("hierarchy_level_at_once", ("All at once",), "hierarchy, task alone", None),
     ("monolith_level_at_once", ("All at once",), "network, task alone", None),
 )

@@ -13,6 +13,7 @@ from socialmind.experiments.judging import (
 from socialmind.experiments.measures.intervals import Interval, interval_of
 from socialmind.experiments.overview import rows_of
 
+from .curricula import EVEN_MORE
 from .kept_cells import (
     ENDS,
     GOES_ON,
@@ -81,8 +82,19 @@ def still_learning(benchmark: str) -> str:
     )
     return (
         f"; the monolith's attempts lie between {min(each):.1f} and {max(each):.1f} objects; the "
-        f"last quarter of the last lesson adds {gains}; how long the thesis's learned each "
-        "lesson it does not tell"
+        f"last quarter of the last lesson adds {gains}; {further(benchmark)}; how long the "
+        "thesis's learned each lesson it does not tell"
+    )
+
+
+def further(benchmark: str) -> str:
+    """Return what the monolith comes to with a lesson more than the hierarchy has."""
+    name = f"monolithic, with {EVEN_MORE}"
+    apart = more(LEVEL, "hierarchical, curriculum", name, "objects", benchmark)
+    return (
+        f"with {EVEN_MORE}, which the hierarchy has no equal of, the monolith comes to "
+        f"{told(LEVEL, name, 'objects', benchmark)}, {in_brackets(apart, '+.2f')} beside the "
+        "hierarchy"
     )
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from socialmind.experiments.measures.intervals import Interval
 
-from .curricula import MORE, STILL_MORE
+from .curricula import EVEN_MORE, MORE, STILL_MORE
 from .standings import Benchmark, Standing, Structure
 
 ENDS = Benchmark("a collision ends the run", "collect")
@@ -72,20 +72,29 @@ def _structure(
     return Structure(name, plan, after, reported, budget)
 
 
-def _structures(level: str = "", lessons: Sequence[str] = ("Collect",)) -> tuple[Block, ...]:
+def _structures(
+    level: str = "", lessons: Sequence[str] = ("Collect",), further: Sequence[str] = ()
+) -> tuple[Block, ...]:
     """Return the blocks of table 6.1.
 
     Args:
         level: how the trainings' names end.
         lessons: of the curriculum after which minds are scored; the last one stands beside the
             thesis's.
+        further: lessons behind these that the monolith alone has.
     """
     alone = f"{level}_at_once"
     *earlier, after = lessons
-    before = tuple(
-        _structure(f"{kind}, after {lesson}", f"{plan}{level}", lesson)
-        for lesson in earlier
-        for kind, plan in (("hierarchical", "hierarchy"), ("monolithic", "monolith"))
+    others = (
+        *(
+            _structure(f"{kind}, after {lesson}", f"{plan}{level}", lesson)
+            for lesson in earlier
+            for kind, plan in (("hierarchical", "hierarchy"), ("monolithic", "monolith"))
+        ),
+        *(
+            _structure(f"monolithic, with {lesson}", f"monolith{level}", lesson)
+            for lesson in further
+        ),
     )
     return (
         Block(
@@ -98,7 +107,7 @@ def _structures(level: str = "", lessons: Sequence[str] = ("Collect",)) -> tuple
                            0.06, 0.51),
                 _structure("monolithic, final task only", f"monolith{alone}", "All at once",
                            0.31, 0.80),
-                *before,
+                *others,
             ),
         ),
         Block(
@@ -110,7 +119,7 @@ def _structures(level: str = "", lessons: Sequence[str] = ("Collect",)) -> tuple
                 _structure("hierarchical, final task only", f"hierarchy{alone}", "All at once",
                            0.18),
                 _structure("monolithic, final task only", f"monolith{alone}", "All at once", 0.39),
-                *before,
+                *others,
             ),
         ),
     )  # fmt: skip
@@ -125,7 +134,7 @@ TABLES = (
     Table(
         "table-6.1-equal-ticks",
         "Hierarchical or monolithic, with the same ticks in each lesson",
-        _structures("_level", ("Collect", MORE, STILL_MORE)),
+        _structures("_level", ("Collect", MORE, STILL_MORE), (EVEN_MORE,)),
     ),
     Table(
         "table-6.2",
