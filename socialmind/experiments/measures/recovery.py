@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from socialmind.errors import SocialmindError
+
 
 def first_reached(ticks: ArrayLike, values: ArrayLike, level: float) -> NDArray[np.float64]:
     """Return the first recorded tick at which each agent's value reaches a level.
@@ -61,12 +63,20 @@ def recovery(ticks: ArrayLike, number: ArrayLike, shock: int, after: int, window
     Returns:
         The measures.
 
+    Raises:
+        SocialmindError: nothing was recorded in the window before the shock, or after it.
+
     >>> recovery([0, 10, 20, 30, 40], [6, 6, 4, 5, 6], shock=10, after=3, window=10)
     ... # doctest: +NORMALIZE_WHITESPACE
     Recovery(before=6.0, after=3.0, at_end=5.5, share=0.8333333333333334, halfway=20.0, full=30.0)
     """
     ticks, number = np.asarray(ticks, float), np.asarray(number, float)
-    before = float(number[(ticks >= shock - window) & (ticks <= shock)].mean())
+    earlier = (ticks >= shock - window) & (ticks <= shock)
+    if not earlier.any() or not (ticks > shock).any():
+        raise SocialmindError(
+            f"a shock at tick {shock}; expected records in the {window} ticks before it, and after"
+        )
+    before = float(number[earlier].mean())
     at_end = float(number[ticks >= ticks[-1] - window].mean())
     lost = before - after
     later = ticks > shock

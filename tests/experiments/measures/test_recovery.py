@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from socialmind.errors import SocialmindError
 from socialmind.experiments.measures.recovery import first_reached, recovery
 
 
@@ -56,3 +57,9 @@ def test_what_rose_with_the_shock_has_a_share_as_well():
 
 def test_where_nothing_was_lost_there_is_no_share():
     assert math.isnan(recovery([0, 1, 2], [5, 5, 5], shock=1, after=5, window=1).share)
+
+
+@pytest.mark.parametrize(("shock", "window"), [(30, 10), (15, 4)])
+def test_a_shock_without_records_before_or_after_it_is_refused(shock, window):
+    with pytest.raises(SocialmindError, match="expected records in the"):
+        recovery([0, 10, 20, 30], [4, 4, 8, 6], shock=shock, after=8, window=window)
