@@ -39,12 +39,17 @@ def works_of(
         A row for each agent, a column for each task of the whole table, whether or not it was done
         in that time; the goods delivered of each kind are the columns' sums.
 
+    Raises:
+        SocialmindError: a column is missing, or an amount is not finite.
+
     >>> table = pd.DataFrame({"tick": [3, 5, 8, 9], "agent": [0, 1, 0, 1], "task": list("ABAB")})
     >>> works_of(table, until=9).to_dict("index")
     {0: {'A': 2.0, 'B': 0.0}, 1: {'A': 0.0, 'B': 1.0}}
     """
     checked_columns(tasks, ("tick", "agent", "task"), "tasks")
     amount = tasks["amount"] if "amount" in tasks.columns else pd.Series(1.0, tasks.index)
+    if not np.isfinite(amount.to_numpy(float)).all():
+        raise SocialmindError("tasks: an amount that is not finite; expected how much was done")
     counted = (tasks["tick"] >= since) & (tasks["tick"] < until)
     return (
         amount.where(counted, 0.0)

@@ -251,7 +251,7 @@ class TrainingPlans(Mapping[str, TrainingPlan]):
 
     def _rerun(self, words: list[str]) -> None:
         """Train kept attempts anew; say of each that it came out again, and write it down."""
-        if words[:1] == ["all"]:
+        if words[:1] in ([], ["all"]):
             raise SocialmindError(f"which training? expected one of {', '.join(self)}")
         (name,) = self._chosen(words[:1])
         if not words[1:] or not all(word.isdecimal() for word in words[1:]):

@@ -31,6 +31,12 @@ def test_work_is_counted_by_agent_and_task_with_amounts():
     assert found.to_dict("index") == {2: {"A": 0.0, "B": 4.0}, 4: {"A": 0.0, "B": 2.5}}
 
 
+def test_an_amount_that_nobody_knows_is_refused():
+    table = pd.DataFrame({"tick": [1, 2], "agent": 0, "task": "A", "amount": [1.0, math.nan]})
+    with pytest.raises(SocialmindError, match="an amount that is not finite"):
+        works_of(table)
+
+
 def test_the_first_tick_counts_and_the_last_does_not():
     table = pd.DataFrame({"tick": [3, 5, 9], "agent": [0, 0, 0], "task": list("ABB")})
     assert works_of(table, since=3, until=9).to_dict("index") == {0: {"A": 1.0, "B": 1.0}}

@@ -130,6 +130,8 @@ def test_the_command_trains_kept_attempts_again(plans, whole, monkeypatch, capsy
         plans.main(["rerun", "tiny", "two"])
     with pytest.raises(SystemExit, match=r"which training\? expected one of tiny"):
         plans.main(["rerun", "all", "1"])
+    with pytest.raises(SystemExit, match=r"which training\? expected one of tiny"):
+        plans.main(["rerun"])
     with pytest.raises(SystemExit, match="no attempt 99 is kept; expected 1, 2"):
         plans.main(["rerun", "tiny", "1", "99"])
     assert len(asked) == 3  # nothing was trained before all words were known
