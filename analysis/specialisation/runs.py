@@ -1,7 +1,8 @@
 """All worlds of the study, run side by side; a block of a society's worlds is kept when it is done.
 
 What is kept lies in a folder named by a hash of the model, the minds and what is measured. So a
-study that was stopped goes on where it was, and nothing stale is ever taken for a result.
+study that was stopped goes on where it was, and nothing of other rules, minds or measures is taken
+for a result; the engine is known by the program's version.
 """
 
 from __future__ import annotations
@@ -176,7 +177,10 @@ def run(cells: Sequence[Cell], size: Size, home: Path, workers: int | None = Non
 
 
 def stamp(cell: Cell, ticks: int) -> str:
-    """Return a hash of all that decides what comes of a cell: code, minds and parameters."""
+    """Return a hash of what decides what comes of a cell: rules, measures, minds and parameters.
+
+    The engine is known by the program's version alone.
+    """
     model, half = model_folder("foraging_roles"), ticks // 2
     known: list[Any] = [socialmind.__version__, ticks, EVERY, SHOWN_EVERY]
     known += [dict(cell.parameters), _weights(cell.lesson, cell.attempt)]
@@ -186,7 +190,9 @@ def stamp(cell: Cell, ticks: int) -> str:
     total = hashlib.sha256(repr(known).encode())
     data = [one for one in sorted(model.rglob("*")) if one.suffix not in (".md", ".py", ".pyc")]
     rules = imported(model / "thresholds.py")
-    for path in (Path(__file__).with_name("worlds.py"), *rules, *filter(Path.is_file, data)):
+    measures = sorted(Path(socialmind.__file__).parent.glob("experiments/measures/*.py"))
+    own = (Path(__file__).with_name("worlds.py"), *measures, *rules)
+    for path in (*own, *filter(Path.is_file, data)):
         total.update(f"{path.name}\0".encode() + path.read_bytes())
     return total.hexdigest()[:12]
 
