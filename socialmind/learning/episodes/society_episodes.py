@@ -94,20 +94,20 @@ class SocietyEpisodes:
         """
         rows = self.learners.rows(genomes)
         shape = (1 if genomes is None else len(rows), len(seeds))
-        score = np.zeros(shape)
+        score, ticks = np.zeros(shape), np.zeros(shape, np.int64)
         fields: dict[str, list[Any]] = {name: [None] * score.size for name in self.record}
         seeds = world_seeds(seeds)
         for world, seed in enumerate(seeds):
             for individual in range(shape[0]):
                 genome = rows[individual] if len(rows) else None
                 model, score[individual, world] = self._finished(seed, genome)
+                ticks[individual, world] = model.tick
                 if self.record:
                     series = model.series()
                     for name, values in fields.items():
                         values[individual * shape[1] + world] = _column(series, name)
         self._worlds = {seed: one for seed, one in self._worlds.items() if seed in seeds}
         found = {name: np.array(values).reshape(shape) for name, values in fields.items()}
-        ticks = np.full(shape, self.ticks)
         return Outcome(score, ticks, np.zeros(shape, np.int64), found)
 
     def model(self, seed: int, genome: ArrayLike | None = None) -> Model:
@@ -136,10 +136,12 @@ class SocietyEpisodes:
         model.engine.set_up()
         said = []
         every = self.model_class.score_every or self.ticks
-        while model.tick < self.ticks:
+        while model.tick < self.ticks and not model.stopped:
             if self.stopped:
                 raise Halted
             model.advance(min(every, self.ticks - model.tick))
+            said.append(float(model.score()))
+        if not said:  # it stopped where it began
             said.append(float(model.score()))
         return model, sum(said) / len(said)
 

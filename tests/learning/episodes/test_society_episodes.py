@@ -48,6 +48,21 @@ def test_a_score_may_be_the_mean_of_several_looks():
     assert episodes.run([RESTING], [9]).score.item() == pytest.approx(np.mean(said))
 
 
+class Ended(GRAZING.Weighed):
+    """The same, which stops of itself."""
+
+    def stop_when(self):
+        return self.tick >= 20
+
+
+def test_an_episode_ends_where_the_society_stops():
+    found = SocietyEpisodes(Ended, skill="Weigh", ticks=60).run([RESTING], [9])
+    model = SocietyEpisodes(GRAZING.Weighed, skill="Weigh", ticks=60).model(9, RESTING)
+    model.advance(20)
+    assert found.ticks.tolist() == [[20]]
+    assert found.score.item() == model.score()
+
+
 def test_neither_order_nor_company_change_what_comes_out(episodes):
     together = episodes.run([RESTING, KNOWN], [3, 4, 3]).score
     assert (together[:, 0] == together[:, 2]).all()
