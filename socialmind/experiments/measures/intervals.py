@@ -131,7 +131,12 @@ def interval_of(
     acceleration = _acceleration(sample, combine)
     wide = widened(level, len(sample))
     ends = (bias - wide, bias + wide)
-    bounds = [_NORMAL.cdf(bias + z / (1 - acceleration * z)) for z in ends]
+    # At levels near 1 the formula turns over: there the bound is the last of what was drawn.
+    turned = [1 - acceleration * z for z in ends]
+    bounds = [
+        _NORMAL.cdf(bias + z / one) if one > 0 else float(z > 0)
+        for z, one in zip(ends, turned, strict=True)
+    ]
     low, high = np.quantile(means, bounds).tolist()
     return Interval(mean, low, high)
 

@@ -21,7 +21,9 @@ from socialmind.experiments.trainings.rerunning import kept_with, rerun, write_d
 from socialmind.experiments.trainings.store import differences, keep, take_out
 from socialmind.learning.lessons.curriculum import Curriculum
 from socialmind.learning.lessons.lesson import Lesson
+from socialmind.learning.training.course import TrainingCourse
 from socialmind.learning.training.execution import TrainingInterrupted, learn, resume
+from socialmind.learning.training.forecast import population_of
 from socialmind.learning.training.result import Training
 from socialmind.mind import MindDescription
 from socialmind.runs.folders import MANIFEST
@@ -65,7 +67,10 @@ class TrainingPlan:
     @property
     def seconds(self) -> float:
         """How long all attempts take at most, at `PACE`."""
-        return self.attempts * sum(map(most_ticks, self.curriculum().lessons)) / PACE
+        course = TrainingCourse(self.curriculum(), self.mind(), self.seed, "compiled")
+        lessons = course.curriculum.lessons
+        ticks = sum(most_ticks(one, population_of(one, course)) for one in lessons)
+        return self.attempts * ticks / PACE
 
     def small(
         self,
@@ -125,9 +130,14 @@ class TrainingPlan:
         return Training(folder)
 
 
-def most_ticks(lesson: Lesson) -> int:
-    """Return the ticks of a lesson whose episodes all last to the end."""
-    population = int(lesson.settings["population"])
+def most_ticks(lesson: Lesson, population: int | None = None) -> int:
+    """Return the ticks of a lesson whose episodes all last to the end.
+
+    Args:
+        lesson: which.
+        population: individuals in a generation; as its settings say by default.
+    """
+    population = population or int(lesson.settings["population"])
     generation = population * lesson.repetitions * lesson.episode_ticks
     whole = lesson.starts * lesson.generations * generation
     return whole if lesson.budget is None else min(whole, lesson.budget + generation)

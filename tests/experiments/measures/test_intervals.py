@@ -260,3 +260,9 @@ def test_a_sample_too_large_for_one_draw_is_drawn_in_parts(monkeypatch):
     drawn = intervals._means_of_resamples(values[:, None])
     assert drawn.shape == (1000, 1)
     assert interval_of(values) == at_once
+
+
+def test_at_levels_near_one_the_mean_lies_within():
+    for sample in ([0, 0, 0, 0, 0, 1], [1, 1, 1, 1, 1, 0]):
+        found = interval_of(sample, 0.9999)
+        assert found.low <= found.mean <= found.high

@@ -13,7 +13,7 @@ from socialmind.experiments.trainings import plans as of_plans
 from socialmind.experiments.trainings.plans import TrainingPlans, attempts_of, most_ticks
 from socialmind.experiments.trainings.rerunning import Again
 from socialmind.experiments.trainings.store import keep
-from socialmind.learning import Training, pause, resume
+from socialmind.learning import Curriculum, Training, pause, resume
 
 
 @pytest.fixture
@@ -30,6 +30,9 @@ def test_a_plan_knows_how_long_it_takes_at_most(tiny_plans):
     # A generation that has begun is finished.
     assert most_ticks(replace(lesson, budget=500)) == 500 + 6 * 40
     assert tiny_plans.PLAN.seconds == 2 * 2 * 4 * 6 * 40 / 2_000_000
+    by_default = replace(lesson, settings={})
+    plan = replace(tiny_plans.PLAN, curriculum=lambda: Curriculum((by_default,)))
+    assert plan.seconds > 0  # as many individuals as the optimiser takes of itself
 
 
 def test_a_small_plan_has_the_same_lessons_and_less_of_all(tiny_plans):
