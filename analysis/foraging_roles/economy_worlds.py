@@ -7,6 +7,7 @@ Where ways are compared all are counted by what they bring, as they are in bodie
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MethodType
 from typing import Any
 
 import numpy as np
@@ -26,43 +27,26 @@ DELIVERIES = load_file(MODEL / "deliveries.py")
 ROLE = "ForageRole"
 
 
-class CountedByDeliveries:
-    """Counts the robots of worlds by what they brought home last, as `Deliveries` does.
+def counted_by_deliveries(worlds: Any) -> Any:
+    """Let robots of worlds be counted by what they brought home last, as `Deliveries` does.
 
-    Who has brought nothing yet is not counted, and a change is one of what is brought.
+    Args:
+        worlds: of the economy, at their beginning; they are returned.
     """
+    worlds.brought, worlds.delivered = np.full(worlds.role.shape, -1), np.zeros(len(worlds.rows))
+    worlds._off = MethodType(DELIVERIES.Deliveries._off, worlds)
+    deliver = worlds._deliver
 
-    brought: NDArray[np.int64] | None = None
+    def and_see(rows: NDArray[np.int64], who: NDArray[np.int64], minds: Any) -> None:
+        robot, changes = who[rows], worlds.changes.copy()
+        is_b = worlds.role[rows, robot] >= 0.5
+        deliver(rows, who, minds)
+        worlds.changes = changes  # of roles held
+        DELIVERIES.Deliveries._see(worlds, rows, robot, is_b)
 
-    def _off(self: Any) -> NDArray[np.float64]:
-        if self.brought is None:
-            self.brought = np.full(self.role.shape, -1)
-        seen = self.here & (self.brought >= 0)
-        in_b = (seen & (self.brought == 1)).sum(axis=1)
-        return np.asarray(np.abs(in_b - self.wanted * seen.sum(axis=1)))
-
-    def _deliver(self: Any, rows: NDArray[np.int64], who: NDArray[np.int64], minds: Any) -> None:
-        robot, changes = who[rows], self.changes.copy()
-        before, brings = self.brought[rows, robot], self.role[rows, robot] >= 0.5
-        super()._deliver(rows, who, minds)  # type: ignore[misc]
-        self.brought[rows, robot] = brings
-        late = self._late(self.now + 1e-9) > self._late(self.now)
-        other = rows[(before >= 0) & (before != brings)]
-        self.changes = changes
-        self.changes[other] += late[other]
-        self.off_now = self._off()
-
-
-class CountedRoles(CountedByDeliveries, ECONOMY.Worlds):
-    """Worlds in which minds with roles decide."""
-
-
-class CountedSchemes(CountedByDeliveries, SchemeWorlds):
-    """Worlds in which schemes decide."""
-
-
-class CountedResponders(CountedByDeliveries, Responders):
-    """Worlds in which thresholds decide."""
+    worlds._deliver = and_see
+    worlds.off_now = worlds._off()
+    return worlds
 
 
 def worlds_of(
@@ -80,13 +64,13 @@ def worlds_of(
     drawn = [ECONOMY.World(seed, given, ticks) for seed in worlds]
     if "programmed" in one.parameters:
         numbers = np.array([list(numbers_of_scheme(one).values())])
-        return CountedSchemes(drawn, worlds, numbers, ticks), None
+        return counted_by_deliveries(SchemeWorlds(drawn, worlds, numbers, ticks)), None
     if one.way in CONTROLLERS:
-        return CountedResponders(drawn, worlds, ticks, one.parameters), None
+        return counted_by_deliveries(Responders(drawn, worlds, ticks, one.parameters)), None
     mind = one.mind or MindDescription.load(MODEL / "mind")
     if not learned_choice(mind):
         minds = with_genome(ECONOMY.thinking(mind, ROLE), mind, len(worlds))
-        return CountedRoles(drawn, 1, ticks), minds
+        return counted_by_deliveries(ECONOMY.Worlds(drawn, 1, ticks)), minds
     drawn = [DELIVERIES.DeliveryWorld(seed, given, ticks) for seed in worlds]
     parts = DELIVERIES.thinking(mind, ROLE), DELIVERIES.choosing(mind, DELIVERIES.CHOICE)
     heads = DELIVERIES.Heads(*(with_genome(part, mind, len(worlds)) for part in parts))

@@ -29,10 +29,10 @@ from socialmind.learning.optimisers.registry import optimiser_named
 
 from . import scheme_evolution
 from .contestants import Contestant
-from .economy_worlds import CountedSchemes, worlds_of
+from .economy_worlds import counted_by_deliveries, worlds_of
 from .large_groups import chosen
 from .results import IN_THE_ECONOMY
-from .scheme_economy import DECIDING, WRITTEN, chance, numbers_of, reinforced
+from .scheme_economy import DECIDING, WRITTEN, SchemeWorlds, chance, numbers_of, reinforced
 from .threshold_scan import CONTROLLERS
 from .told_intervals import in_brackets, paired_interval, signed
 from .trainings import ECONOMY
@@ -237,7 +237,8 @@ def judged(one: Contestant | Floats, condition: str, worlds: Sequence[int]) -> p
         found, minds = worlds_of(one, CONDITIONS[condition], worlds, ECONOMY.TICKS)
     else:
         drawn = [ECONOMY.World(seed, terms, ECONOMY.TICKS) for seed in worlds]
-        found, minds = CountedSchemes(drawn, worlds, np.atleast_2d(one), ECONOMY.TICKS), None
+        schemes = SchemeWorlds(drawn, worlds, np.atleast_2d(one), ECONOMY.TICKS)
+        found, minds = counted_by_deliveries(schemes), None
     while found.go_on(minds):
         pass
     return pd.DataFrame(

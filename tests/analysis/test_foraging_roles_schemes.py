@@ -91,7 +91,7 @@ def test_roles_are_counted_by_deliveries_as_a_choice_that_is_learned_is():
         [deliveries.DeliveryWorld(one, terms, 20_000) for one in seeds], 1, 20_000, heads
     )
     drawn = [judging.ECONOMY.World(one, terms, 20_000) for one in seeds]
-    held = judging.CountedRoles(drawn, 1, 20_000)
+    held = judging.counted_by_deliveries(judging.ECONOMY.Worlds(drawn, 1, 20_000))
     plain = judging.ECONOMY.Worlds(drawn, 1, 20_000)
     for worlds, minds in ((chosen, heads), (held, thinking), (plain, thinking)):
         while worlds.go_on(minds):
