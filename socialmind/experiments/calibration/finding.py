@@ -84,7 +84,9 @@ def found_by(search: Search) -> Found:
 
 
 def surface_of(search: Search, luck: float) -> Surface | None:
-    """Return the smooth surface through a search's trials."""
+    """Return the smooth surface through a search's trials; None where nobody knows of luck."""
+    if not math.isfinite(luck):
+        return None
     places = np.array([one["place"] for one in search.trials])
     distances = np.array([one["distance"] for one in search.trials])
     return Surface.through(places, distances, luck)

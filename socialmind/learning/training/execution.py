@@ -325,17 +325,19 @@ def _go(
     finished, commit = 0, own_commit()
     attempt: Attempt | None = None
     compiled = manifest.engine == COMPILED
-    with deferred_signals() as arrived, hired(workers, compiled, cluster) as team:
+    with deferred_signals() as arrived:
         try:
-            for number in range(1, manifest.attempts + 1):
-                if not capsule.attempt(number).is_dir():
-                    capsule.update(versions=with_commit(capsule.manifest.versions, number, commit))
-                attempt = Attempt(capsule.attempt(number), number, course)
-                _save_mind(capsule, attempt)
-                if not attempt.finished:
-                    pause_if_asked()
-                attempt.go(Evaluators(team), lambda: bool(arrived), report, conclude)
-                finished += 1
+            with hired(workers, compiled, cluster) as team:
+                for number in range(1, manifest.attempts + 1):
+                    if not capsule.attempt(number).is_dir():
+                        versions = with_commit(capsule.manifest.versions, number, commit)
+                        capsule.update(versions=versions)
+                    attempt = Attempt(capsule.attempt(number), number, course)
+                    _save_mind(capsule, attempt)
+                    if not attempt.finished:
+                        pause_if_asked()
+                    attempt.go(Evaluators(team), lambda: bool(arrived), report, conclude)
+                    finished += 1
         except Stopped:
             asker = None if arrived else asked()
             so_far(folders.INTERRUPTED)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.calibration.finding import found_by
+from socialmind.experiments.calibration.finding import found_by, surface_of
 from socialmind.experiments.calibration.methods.registry import METHODS
 from socialmind.experiments.calibration.plan import DATA, FINAL, NEW, TRIAL
 from socialmind.experiments.calibration.reporting import identifying
@@ -109,6 +109,19 @@ def test_what_no_values_give_is_not_plausible(searched):
     found = found_by(search)
     assert found.plausible == 0 and found.intervals == (None, None)
     assert found.distance > found.luck
+
+
+def test_where_runs_on_new_seeds_fail_nothing_is_known_of_luck_nor_of_a_surface(searched):
+    calls = iter(range(10_000))
+
+    def fails_at_last(a, b, rng):
+        return [a, b] if next(calls) < 300 else None
+
+    (search,) = searched(fails_at_last, budget=300, x=(0.5, 0.1), y=(0.5, 0.1))
+    found = found_by(search)
+    assert math.isnan(found.luck) and found.plausible == 0
+    assert found.intervals == (None, None) and found.distance < 0.5
+    assert surface_of(search, found.luck) is None
 
 
 def test_a_model_without_luck_has_an_interval_as_well(searched):

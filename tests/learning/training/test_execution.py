@@ -18,7 +18,7 @@ import pytest
 
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Curriculum, Cycle, Training, TrainingInterrupted, learn, resume
-from socialmind.learning.training import continuing
+from socialmind.learning.training import continuing, execution
 from socialmind.learning.training.attempt import Attempt
 from socialmind.learning.training.capsule import TrainingCapsule
 from socialmind.mind import MindDescription
@@ -91,6 +91,20 @@ def test_a_lesson_is_taught_on_what_the_one_before_has_taught(three, robot, tmp_
     assert (training.manifest.finished, training.manifest.curve["rows"]) == (1, 18)
     assert {path.name for path in (folder / "figures").iterdir()} == {"curve.pdf", "curve.png"}
     assert MindDescription.load(folder / "mind").skill("Top").genome is None
+
+
+def test_a_training_whose_workers_cannot_be_had_says_that_it_failed(three, tmp_path, monkeypatch):
+    def nobody(*asked):
+        raise SocialmindError("no Dask scheduler answers")
+
+    monkeypatch.setattr(execution, "hired", nobody)
+    with pytest.raises(SocialmindError, match="no Dask scheduler"):
+        learn(None, three, out=tmp_path / "out")
+    manifest = TrainingCapsule(tmp_path / "out").manifest
+    assert manifest.status == "failed" and "no Dask scheduler" in manifest.error
+    monkeypatch.undo()
+    resume(tmp_path / "out", lessons=three)
+    assert Training(tmp_path / "out").finished == [1]
 
 
 def test_the_curve_has_a_row_for_each_generation(three, tmp_path):
