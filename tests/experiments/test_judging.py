@@ -2,7 +2,8 @@
 
 import pytest
 
-from socialmind.experiments.judging import between_shares, covers, too_short
+from socialmind.experiments.judging import are_alike, between_shares, covers, too_short
+from socialmind.experiments.measures.intervals import Interval
 
 
 def test_two_shares_differ_by_their_score_intervals():
@@ -19,3 +20,8 @@ def test_nine_of_ten_are_not_told_from_ten_of_ten_but_two_of_ten_are():
 @pytest.mark.parametrize(("ours", "thesis", "told"), [(500, 1000, False), (499, 1000, True)])
 def test_the_course_of_learning_is_compared_from_half_the_generations_on(ours, thesis, told):
     assert bool(too_short(ours, thesis)) is told
+
+
+@pytest.mark.parametrize(("high", "alike"), [(0.99, True), (1.01, None)])
+def test_alike_is_a_quarter_of_the_larger_at_most(high, alike):
+    assert are_alike(Interval(0.2, -0.6, high), 4.0) is alike

@@ -232,8 +232,8 @@ def difference(
 ) -> tuple[Interval, bool]:
     """Return how far the mean of some runs is from that of others, and whether pairs were taken.
 
-    They are where half of either or more have a partner of the same seed: runs that failed have
-    none. A few seeds that both happen to have would say little.
+    They are where half of the larger group or more have a partner of the same seed: runs that
+    failed have none. A few seeds that both happen to have would say little.
 
     Args:
         runs: with their `seed` and a column of the outcome, finite.

@@ -94,14 +94,15 @@ def _checked(values: ArrayLike) -> NDArray[np.float64]:
 
 def _crossed(tables: list[NDArray[np.float64]], level: float) -> Interval:
     """Return the mean of a table, or how much more the first comes to than the second."""
-    mean = float(tables[0].mean()) - sum(float(one.mean()) for one in tables[1:])
-    if all((one == one[0, 0]).all() for one in tables):  # which rounding must not tell apart
-        mean = float(tables[0][0, 0] - sum(one[0, 0] for one in tables[1:]))
-        least = min(min(one.shape) for one in tables)
-        return Interval(mean, *([mean, mean] if least > 1 else [math.nan, math.nan]))
+    alike = all((one == one[0, 0]).all() for one in tables)
+    # The mean of equal numbers is that number, which rounding must not move.
+    first, *others = (float(one[0, 0] if alike else one.mean()) for one in tables)
+    mean = first - sum(others)
     least = min(min(one.shape) for one in tables)
     if least < 2:
         return Interval(mean, math.nan, math.nan)
+    if alike:
+        return Interval(mean, mean, mean)
     worlds = tables[0].shape[1]
     rng = np.random.default_rng([*(len(one) for one in tables), worlds])
     each = [_drawn(rng, len(one)) @ one for one in tables]

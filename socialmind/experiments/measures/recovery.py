@@ -36,8 +36,8 @@ class Recovery:
     Attributes:
         before: its mean over the window before the shock.
         after: the number just after it.
-        at_end: its mean over the last window of the run.
-        share: (at_end − after) / (before − after): 0 none, 1 all; NaN if nothing was lost.
+        at_end: its mean over the last window of the run, as far as it is after the shock.
+        share: (at_end − after) / (before − after): 0 none, 1 all; NaN if it stayed as it was.
         halfway: ticks from the shock until half of the loss is made good; infinite for never.
         full: ticks from the shock until the whole loss is; infinite for never.
     """
@@ -77,9 +77,9 @@ def recovery(ticks: ArrayLike, number: ArrayLike, shock: int, after: int, window
             f"a shock at tick {shock}; expected records in the {window} ticks before it, and after"
         )
     before = float(number[earlier].mean())
-    at_end = float(number[ticks >= ticks[-1] - window].mean())
-    lost = before - after
     later = ticks > shock
+    at_end = float(number[later & (ticks >= ticks[-1] - window)].mean())
+    lost = before - after
 
     def since(level: float) -> float:
         return float(first_reached(ticks[later], number[later, None], level)[0]) - shock

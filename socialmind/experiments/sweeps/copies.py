@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from coglogo_py import CognitiveScheme
 from socialmind.experiments.sweeps.points.settings import Key, Settings
@@ -18,9 +18,6 @@ from socialmind.runs.schemes import as_kept
 from socialmind.runs.sources import hash_of
 from socialmind.sources.folders import digest
 from socialmind.sources.trust import programs_in, remember
-
-if TYPE_CHECKING:
-    pass
 
 SCHEMES, MINDS = "schemes", "minds"
 """The folders of a sweep's copies."""

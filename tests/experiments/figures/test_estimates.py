@@ -97,6 +97,9 @@ def test_a_seed_that_both_happen_to_have_makes_no_pairs():
     table = runs(p=[1] * 20 + [2] * 20, seed=seeds, y=[float(one) for one in range(40)])
     (row,) = effects(table, ["p"], "y", {"p": 1}).table.to_dict("records")
     assert row["difference"] == 20.0 and not row["paired"] and row["low"] > 10.0
+    few = runs(p=[1, 1] + [2] * 5, seed=[1, 2, 1, 2, 3, 4, 5], y=[0.0, 1.0, *range(5)])
+    (row,) = effects(few, ["p"], "y", {"p": 1}).table.to_dict("records")
+    assert row["difference"] == 1.5 and not row["paired"]  # two of five have a partner
 
 
 @pytest.mark.parametrize(

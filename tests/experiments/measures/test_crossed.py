@@ -95,3 +95,10 @@ def test_rounding_tells_equal_tables_not_apart():
     assert (found.mean, found.low, found.high) == (0.0, 0.0, 0.0)
     assert found.beyond() == 0
     assert crossed_interval(np.full((10, 50), 1.1)).low == 1.1
+
+
+def test_one_world_alone_tells_nothing_and_few_are_widened():
+    assert math.isnan(crossed_interval([[1.0], [2.0], [3.0], [4.0], [5.0], [6.0]]).low)
+    # In two worlds alike for all trainings the rest is as of two numbers: t is 12.7.
+    found = crossed_interval([[0.0, 1.0]] * 8)
+    assert found.high - found.low > 5.0

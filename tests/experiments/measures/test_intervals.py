@@ -242,7 +242,7 @@ def test_it_is_efrons_formula_word_by_word(combine, level):
 
 
 def test_numbers_around_0_are_tied_as_others_are():
-    values = np.array([0.1, 0.2, 0.3, -0.6])
+    values = np.array([0.1, 0.2, 0.3, -0.6] * 2)
     found, moved = interval_of(values), interval_of(values + 5.0)
     assert (found.low + 5.0, found.high + 5.0) == pytest.approx((moved.low, moved.high), abs=1e-9)
 

@@ -55,6 +55,11 @@ def test_what_rose_with_the_shock_has_a_share_as_well():
     assert found.share == pytest.approx((7 - 8) / (4 - 8))
 
 
+def test_the_end_is_after_the_shock_however_wide_the_window():
+    found = recovery([0, 10, 20, 30, 40], [6, 6, 6, 6, 3], shock=30, after=3, window=20)
+    assert (found.at_end, found.share) == (3.0, 0.0)
+
+
 def test_where_nothing_was_lost_there_is_no_share():
     assert math.isnan(recovery([0, 1, 2], [5, 5, 5], shock=1, after=5, window=1).share)
 

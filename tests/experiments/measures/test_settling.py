@@ -72,7 +72,7 @@ def test_it_agrees_with_the_definition_word_by_word(numbers, hold):
     assert settled_from(course, hold=hold) == expected
 
 
-@pytest.mark.parametrize("shocks", [[5, 3], [0], [4, 4]])
+@pytest.mark.parametrize("shocks", [[5, 3], [0], [4, 4], [5, 11]])
 def test_shocks_out_of_order_are_refused(shocks):
     with pytest.raises(SocialmindError, match="expected ticks that rise"):
         settlings(away(1, 1, every=10), shocks)
