@@ -229,11 +229,11 @@ def test_goods_in_the_ratio_are_counted_by_halves():
 
 
 def runs_of(society, values, condition="calm"):
-    """Runs with a value for each attempt and world."""
+    """Runs with a value for each attempt and world, and within one robot where it is 1 or more."""
     return pd.DataFrame(
         [
             {"society": society, "attempt": attempt, "condition": condition, "seed": seed,
-             **dict.fromkeys(tables.MEASURED, value)}
+             **dict.fromkeys(tables.MEASURED, value), "within": float(value >= 1)}
             for attempt, several in enumerate(values, 1)
             for seed, value in enumerate(several)
         ]
@@ -262,7 +262,7 @@ def test_differences_are_in_equal_worlds():
     reference = runs_of("programmed", [base.tolist()])
     above = runs_of("a", [(base + more).tolist() for more in (1.0, 1.2, 1.0, 1.2, 1.0, 1.2)])
     found = tables.differences(pd.concat([reference, above]))
-    row = found[found["measure"] == "within"].iloc[0]
+    row = found[found["measure"] == "changes"].iloc[0]
     assert row["difference"] == pytest.approx(1.1)
     # The worlds differ by far more than the societies do, and that is gone.
     assert 0.7 < row["low"] < row["high"] < 1.5
@@ -302,20 +302,20 @@ def made_up(monkeypatch):
 @pytest.mark.parametrize(
     ("check", "so"),
     [
-        ("at least 0.3 within programmed calm", True),
-        ("at least 0.31 within programmed calm", False),
-        ("at most 0.31 within programmed calm", True),
-        ("worst at least 1.2 within a calm", True),
-        ("worst at least 1.4 within a calm", False),
-        ("worst at most 1.31 within a calm", True),
-        ("best at most 1.31 within a calm", True),
-        ("best at most 1.29 within a calm", False),
-        ("best at least 1.31 within a calm", False),
-        ("more within a calm", True),
-        ("less within a calm", False),
-        ("untold within a calm", False),
-        ("more within b calm than a", True),
-        ("untold within b calm than a", False),
+        ("at least 0.3 changes programmed calm", True),
+        ("at least 0.31 changes programmed calm", False),
+        ("at most 0.31 changes programmed calm", True),
+        ("worst at least 1.2 changes a calm", True),
+        ("worst at least 1.4 changes a calm", False),
+        ("worst at most 1.31 changes a calm", True),
+        ("best at most 1.31 changes a calm", True),
+        ("best at most 1.29 changes a calm", False),
+        ("best at least 1.31 changes a calm", False),
+        ("more changes a calm", True),
+        ("less changes a calm", False),
+        ("untold changes a calm", False),
+        ("more changes b calm than a", True),
+        ("untold changes b calm than a", False),
         ("unchecked", True),
     ],
 )
@@ -324,16 +324,18 @@ def test_checks_hold_or_do_not(made_up, check, so):
 
 
 def test_a_claim_has_its_numbers_and_says_where_it_does_not_hold(made_up):
-    text = "{within a calm}, {difference within a calm}, {worst changes a calm}, {attempts a}"
-    beside = claims.told(claims.Claim(("unchecked",), "{difference within b calm than a}"), made_up)
+    text = "{changes a calm}, {difference changes a calm}, {worst changes a calm}, {attempts a}"
+    further = "{difference changes b calm than a}, {within a calm}"
+    beside = claims.told(claims.Claim(("unchecked",), further), made_up)
     assert beside.text.startswith("1.00")
-    lacking = claims.told(claims.Claim(("unchecked",), "{lack within a calm}"), made_up)
+    assert beside.text.endswith(", 100 %")
+    lacking = claims.told(claims.Claim(("unchecked",), "{lack changes a calm}"), made_up)
     assert lacking.text.startswith("−1.00")
-    told = claims.told(claims.Claim(("more within a calm",), text), made_up)
+    told = claims.told(claims.Claim(("more changes a calm",), text), made_up)
     assert told.holds
-    assert told.text.startswith("130 % (")
+    assert told.text.startswith("1.30 (")
     assert told.text.endswith(", 1.30, 2")
-    assert not claims.told(claims.Claim(("less within a calm",), "x"), made_up).holds
+    assert not claims.told(claims.Claim(("less changes a calm",), "x"), made_up).holds
 
 
 def test_shares_that_may_be_below_a_bound_are_counted():
@@ -348,11 +350,11 @@ def test_shares_that_may_be_below_a_bound_are_counted():
 @pytest.mark.parametrize(
     "wrong",
     [
-        "within a calm",
-        "more within",
-        "more wit a calm",
-        "more within c calm",
-        "more within a calm than b",
+        "changes a calm",
+        "more changes",
+        "more chang a calm",
+        "more changes c calm",
+        "more changes a calm than b",
     ],
 )
 def test_a_check_that_is_none_is_an_error(made_up, wrong):
