@@ -40,6 +40,14 @@ def remove(path: Path) -> None:
         path.unlink(missing_ok=True)
 
 
+def emptied(folder: Path) -> Path:
+    """Return where a folder is made before it gets its name; what was left there is removed."""
+    made = folder.with_name(f"{folder.name}.begun")
+    if made.exists():
+        remove(made)
+    return made
+
+
 @contextmanager
 def replacing(path: Path) -> Iterator[BinaryIO]:
     """Give a file to write into, which takes the place of the one before in one step."""

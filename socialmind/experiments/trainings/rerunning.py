@@ -26,7 +26,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.trainings.store import emptied
 from socialmind.learning.training import archive
 from socialmind.learning.training.attempt import CHECKPOINT, results_of
 from socialmind.learning.training.capsule import TrainingManifest, stages_of
@@ -35,7 +34,7 @@ from socialmind.learning.training.result import Training
 from socialmind.runs.arrays_file import save_arrays
 from socialmind.runs.folders import INTERRUPTED, MANIFEST
 from socialmind.sources.folders import model_folder, source_hash
-from socialmind.work.files import remove, replace_file
+from socialmind.work.files import emptied, remove, replace_file
 
 
 class Again(NamedTuple):

@@ -23,7 +23,7 @@ from socialmind.runs.arrays_file import save_arrays
 from socialmind.runs.folders import FINISHED, INTERRUPTED, MANIFEST
 from socialmind.runs.sources import mind_files_in
 from socialmind.sources.folders import model_folder, source_hash
-from socialmind.work.files import remove, replace_file
+from socialmind.work.files import emptied, remove, replace_file
 
 if TYPE_CHECKING:
     from socialmind.experiments.trainings.plans import TrainingPlan
@@ -154,14 +154,6 @@ def take_out(kept: Path, folder: Path) -> bool:
     shutil.copytree(kept, made)
     made.rename(folder)
     return True
-
-
-def emptied(folder: Path) -> Path:
-    """Return where a folder is made before it gets its name; what was left there is removed."""
-    made = folder.with_name(f"{folder.name}.begun")
-    if made.exists():
-        remove(made)
-    return made
 
 
 def differences(training: Training, plan: TrainingPlan) -> list[str]:
