@@ -22,7 +22,7 @@ def test_a_sweep_is_drawn_into_its_folder(socialmind, swept):
     names = {path.rpartition("/")[2] for path in written}
     assert {f"response-end.{form}" for form in ("pdf", "svg", "png")} <= names
     assert (swept / "figures" / "effects-end.pdf").stat().st_size > 1000
-    assert "response-end: Means, 95 % bootstrap intervals; 3 runs a point." in result.stderr
+    assert "response-end: Means, 95 % intervals by Student's t; 3 runs a point." in result.stderr
 
 
 def test_options_choose_what_is_drawn_and_where(socialmind, swept, tmp_path):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,14 @@ from numpy.typing import NDArray
 
 from socialmind.errors import SocialmindError, nearest
 from socialmind.experiments.measures.effects import compared
-from socialmind.experiments.measures.intervals import LEVEL, Interval, interval_of
+from socialmind.experiments.measures.intervals import (
+    FEW,
+    LEVEL,
+    Interval,
+    are_shares,
+    interval_of,
+    share_interval,
+)
 from socialmind.experiments.sweeps.columns import SEED
 
 MEAN, MEDIAN = "mean", "median"
@@ -25,8 +32,9 @@ class Summary:
     """How the replicates at a point are summed up.
 
     Attributes:
-        statistic: `mean`, with the interval of the mean by the bootstrap; or `median`, with the
-            quantiles between which that share of the runs lies.
+        statistic: `mean`, with the interval of the mean by the bootstrap, or that of a share where
+            the outcome is 0 or 1; or `median`, with the quantiles between which that share of the
+            runs lies.
         level: of the interval, above 0 and below 1.
 
     Raises:
@@ -45,8 +53,12 @@ class Summary:
                 f"interval: found {self.level:g}; expected above 0 and below 1, as 0.95"
             )
 
-    def of(self, values: NDArray[np.float64]) -> Interval:
+    def of(self, values: NDArray[np.float64], shares: bool = False) -> Interval:
         """Return the middle of some numbers and its interval; NaN bounds for a single one.
+
+        Args:
+            values: (n,) numbers.
+            shares: whether they are of an outcome that is 0 or 1 in each run.
 
         >>> Summary("median", 0.5).of(np.array([1.0, 2.0, 3.0, 4.0, 5.0]))
         Interval(mean=3.0, low=2.0, high=4.0)
@@ -54,24 +66,13 @@ class Summary:
         if not len(values):
             return Interval(math.nan, math.nan, math.nan)
         if self.statistic == MEAN:
-            return interval_of(values, self.level)
+            found = share_interval if shares and len(values) > 1 else interval_of
+            return found(values, self.level)
         if len(values) < 2:
             return Interval(float(values[0]), math.nan, math.nan)
         tail = (1 - self.level) / 2
         low, middle, high = np.quantile(values, (tail, 0.5, 1 - tail)).tolist()
         return Interval(middle, low, high)
-
-    @property
-    def said(self) -> str:
-        """What a caption says of it.
-
-        >>> Summary().said, Summary("median", 0.8).said
-        ('means, 95 % bootstrap intervals', 'medians, quantiles that hold 80 % of the runs')
-        """
-        share = f"{100 * self.level:g} %"
-        if self.statistic == MEAN:
-            return f"means, {share} bootstrap intervals"
-        return f"medians, quantiles that hold {share} of the runs"
 
 
 @dataclass(frozen=True)
@@ -86,6 +87,7 @@ class Estimates:
         of: the outcome.
         summary: how replicates were summed up.
         without: runs that have no value of the outcome.
+        shares: whether the outcome is 0 or 1 in each run, so that means are shares of the runs.
     """
 
     table: pd.DataFrame
@@ -93,6 +95,26 @@ class Estimates:
     of: str
     summary: Summary
     without: int = 0
+    shares: bool = False
+
+    @property
+    def said(self) -> str:
+        """What a caption says of how replicates were summed up.
+
+        >>> runs = pd.DataFrame({"sold": [3.0, 4.0, 8.0]})
+        >>> estimates(runs, [], "sold").said
+        "means, 95 % intervals by Student's t"
+        """
+        share = f"{100 * self.summary.level:g} %"
+        if self.summary.statistic == MEDIAN:
+            return f"medians, quantiles that hold {share} of the runs"
+        if self.shares:
+            return f"shares of the runs, {share} score intervals"
+        few = self.table["runs"] < FEW
+        if few.all():
+            return f"means, {share} intervals by Student's t"
+        student = f" (Student's t of fewer than {FEW} runs)" if few.any() else ""
+        return f"means, {share} bootstrap intervals{student}"
 
     @property
     def has_intervals(self) -> bool:
@@ -108,7 +130,7 @@ class Estimates:
         table = self.table
         for name, value in values.items():
             table = table[table[name] == value]
-        return Estimates(table, self.by, self.of, self.summary, self.without)
+        return replace(self, table=table)
 
 
 def estimates(
@@ -140,16 +162,17 @@ def estimates(
     known = np.isfinite(values)
     own = runs.loc[known, list(by)].assign(**{"": values[known]})
     rows = []
+    shares = are_shares(values[known])
     groups = own.groupby(list(by), sort=False, dropna=False) if by else [((), own)]
     for key, group in groups:
-        found = how.of(group[""].to_numpy(np.float64))
+        found = how.of(group[""].to_numpy(np.float64), shares)
         point = dict(zip(by, key, strict=True))
         rows.append(
             {**point, "runs": len(group), "middle": found.mean, "low": found.low,
              "high": found.high}
         )  # fmt: skip
     table = pd.DataFrame(rows, columns=[*by, "runs", "middle", "low", "high"])
-    return Estimates(table, tuple(by), of, how, int((~known).sum()))
+    return Estimates(table, tuple(by), of, how, int((~known).sum()), shares)
 
 
 @dataclass(frozen=True)

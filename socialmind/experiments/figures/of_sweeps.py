@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -258,7 +258,7 @@ class _Drawing:
         if found.table.empty:
             return
         end = self.names.of_series(column)
-        found = Estimates(found.table, found.by, end, found.summary, found.without)
+        found = replace(found, of=end)
         kept = [Varying(o.name, v, o.numeric) for o, v in zip(columns, shown, strict=True)]
         figure = bands_figure(found, kept, self.labels, self.wanted.width)
         left = any(len(o.values) > len(v) for o, v in zip(columns, shown, strict=True))
@@ -273,7 +273,7 @@ class _Drawing:
         elif not found.has_intervals:
             told = "one run a point: no intervals"
         else:
-            told = f"{found.summary.said}; {many} runs a point"
+            told = f"{found.said}; {many} runs a point"
         return self._line(f"{told}{extra}", found.without if of_runs else 0)
 
     def _line(self, told: str, without: int = 0) -> str:

@@ -16,7 +16,14 @@ import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from socialmind.errors import SocialmindError
-from socialmind.experiments.measures.intervals import LEVEL, Interval, interval_of
+from socialmind.experiments.measures.intervals import (
+    LEVEL,
+    Interval,
+    are_shares,
+    interval_of,
+    share_difference,
+    share_interval,
+)
 from socialmind.experiments.measures.split import checked_columns
 from socialmind.names import several
 
@@ -135,7 +142,9 @@ def compared(
     The interval of the difference of pairs is that of the mean of their differences, by the
     bias-corrected bootstrap; of samples without pairs it is made of the two intervals (Zou &
     Donner, 2008): each bound is as far from the difference as the distances of the two bounds that
-    it depends on, squared, summed, and the root taken.
+    it depends on, squared, summed, and the root taken. Shares, samples of 0 and 1, have the
+    intervals of shares, which have a width also where all of a sample are alike; so have the
+    differences of their pairs where these are alike.
 
     Args:
         first: (n,) numbers; infinite ones for what never came about.
@@ -154,9 +163,13 @@ def compared(
     """
     x, y = _pairs(first, second) if paired else (_sample(first), _sample(second))
     finite = bool(np.isfinite(x).all() and np.isfinite(y).all())
-    one, other = _interval(x, level), _interval(y, level)
+    shares = are_shares(x, y)
+    of = share_interval if shares else _interval
+    one, other = of(x, level), of(y, level)
     if not finite:
         difference = Interval(one.mean - other.mean, math.nan, math.nan)
+    elif shares and paired and len(set((x - y).tolist())) == 1:
+        difference = share_difference(x, y, level)
     elif paired:
         away = x - y
         least = 1e-12 * max(np.abs(x).max(), np.abs(y).max())  # what rounding may make

@@ -141,6 +141,16 @@ def interval_of(
     return Interval(mean, low, high)
 
 
+def are_shares(*samples: ArrayLike) -> bool:
+    """Return whether numbers tell of what something holds: each is 0 or 1, and both occur.
+
+    >>> are_shares([1, 1, 1], [0, 1]), are_shares([1, 1, 1]), are_shares([0, 1, 2])
+    (True, False, False)
+    """
+    values = np.unique(np.concatenate([np.asarray(sample, np.float64) for sample in samples]))
+    return np.array_equal(values, (0, 1))
+
+
 def share_interval(values: ArrayLike, level: float = LEVEL) -> Interval:
     """Return the share of a sample for which something holds, with its score interval.
 

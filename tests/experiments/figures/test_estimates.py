@@ -9,7 +9,7 @@ import pytest
 from socialmind.errors import SocialmindError
 from socialmind.experiments.figures.estimates import Summary, difference, effects, estimates
 from socialmind.experiments.measures.effects import compared
-from socialmind.experiments.measures.intervals import interval_of
+from socialmind.experiments.measures.intervals import interval_of, share_interval
 
 
 def runs(**columns):
@@ -25,7 +25,22 @@ def test_means_have_the_interval_of_the_bootstrap():
     assert (first["low"], first["high"]) == (expected.low, expected.high)
     assert second["middle"] == 7.0 and math.isnan(second["low"]) and math.isnan(second["high"])
     assert found.has_intervals
-    assert found.summary.said == "means, 95 % bootstrap intervals"
+    assert found.said == "means, 95 % intervals by Student's t"
+
+
+def test_shares_of_runs_have_score_intervals():
+    table = runs(price=[1.0] * 8 + [2.0] * 8, none_left=[1.0] * 8 + [0.0, 1.0] * 4)
+    found = estimates(table, ["price"], "none_left")
+    row = found.table.iloc[0]
+    assert (row["middle"], row["low"], row["high"]) == tuple(vars(share_interval([1] * 8)).values())
+    assert found.said == "shares of the runs, 95 % score intervals"
+
+
+def test_a_caption_says_which_interval_points_have():
+    table = runs(price=[1.0] * 8 + [2.0] * 3, sold=[float(n) for n in range(11)])
+    found = estimates(table, ["price"], "sold")
+    assert found.where(price=1.0).said == "means, 95 % bootstrap intervals"
+    assert found.said == "means, 95 % bootstrap intervals (Student's t of fewer than 6 runs)"
 
 
 def test_medians_have_the_quantiles_of_the_runs():
@@ -34,7 +49,7 @@ def test_medians_have_the_quantiles_of_the_runs():
     row = found.table.iloc[0]
     # The tenth and the ninetieth hundredth of 0 … 10 are 1 and 9.
     assert (row["middle"], row["low"], row["high"]) == pytest.approx((5.0, 1.0, 9.0))
-    assert found.summary.said == "medians, quantiles that hold 80 % of the runs"
+    assert found.said == "medians, quantiles that hold 80 % of the runs"
 
 
 def test_a_mean_of_nine_and_eleven_by_hand():

@@ -33,7 +33,9 @@ def test_one_number_calls_for_a_curve_effects_and_bands(swept):
     expected = estimates(sweep.runs, ["inflow"], "late").table
     assert axes.containers[0].lines[0].get_ydata().tolist() == expected["middle"].tolist()
     assert axes.get_xscale() == "log"
-    assert found.captions["response-late"] == "Means, 95 % bootstrap intervals; 3 runs a point."
+    assert (
+        found.captions["response-late"] == "Means, 95 % intervals by Student's t; 3 runs a point."
+    )
     # The default of the inflow is 1.
     apart = effects(sweep.runs, ["inflow"], "late", {"inflow": 1.0}).table
     (axes,) = found.figures["effects-late"].axes

@@ -18,7 +18,7 @@ from socialmind.experiments.measures.effects import (
     paired_delta,
     paired_g,
 )
-from socialmind.experiments.measures.intervals import interval_of
+from socialmind.experiments.measures.intervals import interval_of, share_difference, share_interval
 
 samples = st.lists(st.integers(-5, 5), min_size=2, max_size=20)
 
@@ -132,6 +132,23 @@ def test_the_interval_without_pairs_by_hand():
     above = math.sqrt((one.high - one.mean) ** 2 + (other.mean - other.low) ** 2)
     bounds = (found.difference.mean, found.difference.low, found.difference.high)
     assert bounds == pytest.approx((away, away - below, away + above))
+
+
+def test_shares_have_their_own_intervals():
+    all_of, none_of = [1.0, 1.0], [0.0, 0.0]
+    for paired in (True, False):
+        found = compared(all_of, none_of, paired)
+        assert (found.first, found.second) == (share_interval(all_of), share_interval(none_of))
+        # Twice two that are alike make nothing sure.
+        assert found.difference == share_difference(all_of, none_of)
+        assert found.difference.low < 1
+    # Those of both, squared and summed, are Newcombe's.
+    one, other = [1, 1, 0, 1, 1, 1], [0, 0, 1, 0]
+    bounds = compared(one, other, paired=False).difference
+    assert bounds.low == pytest.approx(share_difference(one, other).low)
+    assert bounds.high == pytest.approx(share_difference(one, other).high)
+    # Where one is never met it is an amount that happens to be nought.
+    assert compared(none_of, none_of).difference == interval_of(none_of)
 
 
 def test_all_intervals_are_of_the_level_asked_for():
