@@ -26,6 +26,7 @@ KEEPING = ("mean", "median", "min", "max", "sum", "std", "first", "last", "abs",
 """Functions of measures whose result has the unit of what they are given."""
 SAID = {"min": "least", "max": "greatest", "std": "standard deviation", "first": "first value"}
 """What they are called, if not by their names."""
+_GINI = re.compile(r"gini\((?:agents\.)?(\w+)\)")
 _LATE = re.compile(r"(\w+)\((\w+)(?:\[-(\d+):\])?\)")
 
 
@@ -103,11 +104,11 @@ def _of_measure(name: str, text: str, every: int, recorded: Mapping[str, str]) -
             span = ""
         unit = recorded.get(column, "") if function in KEEPING else ""
         return f"{column.replace('_', ' ')}, {said}{span}", unit
-    if text.startswith("gini(") and text.count("(") == 1:
-        return f"Gini coefficient of {text[5:-1].replace('agents.', '')}", "0 … 1"
+    if (of := _GINI.fullmatch(text)) is not None:
+        return f"Gini coefficient of {of[1]}", "0 … 1"
     columns = [one for one in Expression(name, text).columns if one != "tick"] if text else []
     known = {recorded.get(one, "") for one in columns}
-    keeps = not set("*/<>=") & set(text) and all(
+    keeps = not set("*/%<>=") & set(text) and all(
         one in KEEPING for one in re.findall(r"(\w+)\(", text)
     )
     return name.replace("_", " "), known.pop() if keeps and len(known) == 1 else ""

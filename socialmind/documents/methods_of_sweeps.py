@@ -143,6 +143,8 @@ def _sweep_command(content: Mapping[str, Any], points: pd.DataFrame | None) -> s
         command += ["--until", replicates["until"], "--at-most", str(replicates["most"])]
     every = content["every"] if content.get("keeps_series", True) else 0
     command += ["--ticks", str(content["ticks"]), "--every", str(every)]
+    if content.get("timeout"):
+        command += ["--timeout", f"{content['timeout']:g}"]
     for name, one in measures.items():
         command += ["--measure", f"{name}={one['expression']}"]
     return shlex.join(command)

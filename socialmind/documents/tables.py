@@ -165,11 +165,16 @@ def _write(path: Path, write: Callable[[BinaryIO], None]) -> None:
 
 
 def _workbook(file: BinaryIO, tables: Mapping[str, pd.DataFrame]) -> None:
-    """Write tables as sheets of one workbook; what is missing is an empty cell."""
+    """Write tables as sheets of one workbook; what is missing is an empty cell.
+
+    Excel has no control characters: a replacement character stands for each.
+    """
     import pandas as pd
+    from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 
     with pd.ExcelWriter(file, engine="openpyxl") as book:
         for name, table in tables.items():
+            table = table.replace(ILLEGAL_CHARACTERS_RE, "\N{REPLACEMENT CHARACTER}", regex=True)
             table.to_excel(book, sheet_name=name[:31], index=False, freeze_panes=(1, 0))
             sheet = book.sheets[name[:31]]
             texts = [place for place, kind in enumerate(table.dtypes, 1) if kind.kind == "O"]

@@ -80,7 +80,8 @@ def lhs(ranges: Ranges, points: int, seed: int = 0, whole: Collection[str] = ())
     >>> sorted(lhs({"x": (0.0, 4.0)}, 4)["x"].astype(int))
     [0, 1, 2, 3]
     """
-    unit = _qmc("LatinHypercube", len(ranges), seed).random(_count("lhs", points))
+    _check("lhs", ranges, points, seed, whole)
+    unit = _qmc("LatinHypercube", len(ranges), seed).random(points)
     return _made("lhs", unit, ranges, points, seed, whole)
 
 
@@ -93,14 +94,15 @@ def sobol(ranges: Ranges, points: int, seed: int = 0, whole: Collection[str] = (
         seed: of the scrambling.
         whole: columns of whole numbers.
     """
-    _power_of_two("sobol", points)
+    _check("sobol", ranges, points, seed, whole, even=True)
     unit = _qmc("Sobol", len(ranges), seed).random(points)
     return _made("sobol", unit, ranges, points, seed, whole)
 
 
 def halton(ranges: Ranges, points: int, seed: int = 0, whole: Collection[str] = ()) -> pd.DataFrame:
     """Return a scrambled Halton sequence, of any length; arguments as of `lhs`."""
-    unit = _qmc("Halton", len(ranges), seed).random(_count("halton", points))
+    _check("halton", ranges, points, seed, whole)
+    unit = _qmc("Halton", len(ranges), seed).random(points)
     return _made("halton", unit, ranges, points, seed, whole)
 
 
@@ -113,7 +115,7 @@ def saltelli(ranges: Ranges, base: int, seed: int = 0, whole: Collection[str] = 
         seed: of the scrambling.
         whole: columns of whole numbers.
     """
-    _power_of_two("saltelli", base)
+    _check("saltelli", ranges, base, seed, whole, even=True)
     unit = _salib("sobol").sample(_problem(ranges), base, calc_second_order=True, seed=seed)
     return _made("saltelli", unit, ranges, base, seed, whole, second_order=True)
 
@@ -129,7 +131,7 @@ def morris(
         seed: of the design.
         whole: columns of whole numbers.
     """
-    _count("morris", trajectories)
+    _check("morris", ranges, trajectories, seed, whole)
     sample = _salib("morris").sample
     unit = reseeding(sample, _problem(ranges), trajectories, num_levels=LEVELS, seed=seed)
     return _made("morris", unit, ranges, trajectories, seed, whole, levels=LEVELS)
@@ -144,7 +146,7 @@ def fast(ranges: Ranges, points: int, seed: int = 0, whole: Collection[str] = ()
         seed: of the design.
         whole: columns of whole numbers.
     """
-    whole_number(points, "fast", 4 * HARMONICS**2 + 1, None, SocialmindError)
+    _check("fast", ranges, points, seed, whole, least=4 * HARMONICS**2 + 1)
     sample = _salib("fast_sampler").sample
     unit = reseeding(sample, _problem(ranges), points, M=HARMONICS, seed=seed)
     return _made("fast", unit, ranges, points, seed, whole, harmonics=HARMONICS)
@@ -185,17 +187,42 @@ def sampler_called(name: str) -> Sampler:
     return SAMPLERS[name]
 
 
-def _count(name: str, points: Any) -> int:
-    return whole_number(points, name, 1, None, SocialmindError)
-
-
-def _power_of_two(name: str, points: Any) -> None:
-    count = _count(name, points)
-    if count & (count - 1):
+def _check(
+    name: str,
+    ranges: Ranges,
+    size: Any,
+    seed: Any,
+    whole: Collection[str],
+    least: int = 1,
+    even: bool = False,
+) -> None:
+    """Refuse what no design is made of: sizes below `least`, or no power of 2 where it is even."""
+    if not ranges:
+        raise SocialmindError(f"{name}: nothing varies; give the ranges of something")
+    count = whole_number(size, name, least, None, SocialmindError)
+    if even and count & (count - 1):
         near = 1 << (count.bit_length() - 1)
         raise SocialmindError(
             f"{name}: found {count}; expected a power of 2, as {near} or {2 * near}, else the "
             "sequence is not even"
+        )
+    whole_number(seed, f"seed of {name}", 0, None, SocialmindError)
+    for column, bounds in ranges.items():
+        _check_bounds(column, bounds, column in whole)
+
+
+def _check_bounds(column: str, bounds: Any, whole: bool) -> None:
+    try:
+        low, high = bounds
+    except (TypeError, ValueError):
+        low = high = None
+    if not is_number(low) or not is_number(high) or not low < high:
+        raise SocialmindError(
+            f"range of {column}: found {shown(bounds)}; expected two numbers, the lower first"
+        )
+    if whole and (int(low) != low or int(high) != high):
+        raise SocialmindError(
+            f"range of {column}: found {shown(bounds)}; expected whole numbers, as its values are"
         )
 
 
@@ -247,11 +274,8 @@ def _made(
     """Return points of the unit cube as a design."""
     import pandas as pd
 
-    if not ranges:
-        raise SocialmindError(f"{name}: nothing varies; give the ranges of something")
     columns: dict[str, NDArray[Any]] = {}
-    for number, (column, bounds) in enumerate(ranges.items()):
-        low, high = _bounds(column, bounds)
+    for number, (column, (low, high)) in enumerate(ranges.items()):
         u = unit[:, number]
         if column in whole:
             found = np.floor(low + u * (high - low + 1)).astype(np.int64)
@@ -263,15 +287,3 @@ def _made(
     said = {"name": name, "size": size, "seed": seed, "ranges": bounded, "whole": list(whole)}
     frame.attrs["design"] = said | further
     return frame
-
-
-def _bounds(column: str, bounds: Any) -> tuple[float, float]:
-    try:
-        low, high = bounds
-    except (TypeError, ValueError):
-        low = high = None
-    if not is_number(low) or not is_number(high) or not low < high:
-        raise SocialmindError(
-            f"range of {column}: found {shown(bounds)}; expected two numbers, the lower first"
-        )
-    return low, high

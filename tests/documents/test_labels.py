@@ -8,6 +8,9 @@ MEASURES = {
     "spread": {"expression": "std(wheat)"},
     "unequal": {"expression": "gini(agents.wheat)"},
     "share": {"expression": "last(artisans) / 25"},
+    "twice": {"expression": "gini(agents.wheat)*2"},
+    "is_equal": {"expression": "gini(wheat) < 0.4"},
+    "left_over": {"expression": "last(artisans) % 2"},
     "own": {"file": "mine.py:own", "sha256": "0"},
 }
 
@@ -27,6 +30,8 @@ def test_names_and_units_come_from_declarations_and_the_author_s_words():
     assert labels.axis("settled") == "artisans, mean of the last 10,000 ticks (agents)"
     assert labels.axis("spread") == "wheat, standard deviation of the run"
     assert labels.axis("unequal") == "Gini coefficient of wheat (0 … 1)"
+    for name in ("twice", "is_equal", "left_over"):
+        assert labels.axis(name) == name.replace("_", " ")
     assert labels.axis("share") == "share" and labels.axis("own") == "own"
     assert labels.axis("artisans") == "artisans (agents)"
     # What varies is called wheat; the end of the series of that name has its own column.

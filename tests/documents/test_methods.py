@@ -162,15 +162,17 @@ def test_a_sweep_s_own_folder_is_told_with_shocks_and_measures(walk, plague, tmp
 def test_a_sweep_without_programs_is_told_with_units_and_the_command_that_makes_it(walk, tmp_path):
     grid = designs.grid({"limit": [0.5, 2.0], "stride": [1, 3]})
     folder = sweep(walk, grid, 20, range(4, 7), common=True, every=5, compiled=False, workers=1,
-                   measures={"late": "mean(tick[-2:])"}, out=tmp_path / "s")  # fmt: skip
+                   measures={"late": "mean(tick[-2:])"}, timeout=60.0,
+                   out=tmp_path / "s")  # fmt: skip
     text = methods(folder)
     assert "limit (0.5, 2 km) and stride (1, 3 steps), by a full factorial design" in text
     assert (
-        "12 runs of 20 ticks were finished. All other parameters had their defaults: fast" in text
+        "12 runs of 20 ticks were finished. Each had 60 s at most. All other parameters had their "
+        "defaults: fast" in text
     )
     assert (
         f"`socialmind sweep {walk} --grid limit=0.5,2 --grid stride=1,3 --seeds 4:7 --common "
-        "--ticks 20 --every 5 --measure 'late=mean(tick[-2:])'`" in text
+        "--ticks 20 --every 5 --timeout 60 --measure 'late=mean(tick[-2:])'`" in text
     )
     sampled = sweep(walk, designs.halton({"limit": (0.5, 2.0)}, 3), 2, every=1, compiled=False,
                     workers=1, out=tmp_path / "h")  # fmt: skip

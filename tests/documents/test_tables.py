@@ -142,6 +142,15 @@ def test_what_begins_with_an_equals_sign_is_no_formula(folder):
     assert [one.value for one in cells[:3]] == ["=1+1", "n", '=HYPERLINK("x")']
 
 
+def test_control_characters_that_excel_lacks_are_replaced(folder):
+    texts = pd.DataFrame({"error": ["bad \x07 bell", "two\nlines"], "n": [1, 2]})
+    texts.to_parquet(folder / "series.parquet")
+    (path,) = export(folder, "xlsx", only=["series"]).files
+    read = pd.read_excel(path, sheet_name="series")
+    assert read["error"].tolist() == ["bad \N{REPLACEMENT CHARACTER} bell", "two\nlines"]
+    assert read["n"].tolist() == [1, 2]
+
+
 def test_names_for_stata_are_short_plain_and_each_once():
     long = "weight_TradeWheatForToolsInTheVillage"
     names = [long + "1", long + "2", "tick", "a b", "a_b", "str12", "", "é", "é!", *STATA_TAKEN]

@@ -50,5 +50,15 @@ def test_what_cannot_be_is_refused():
         designs.fast(RANGES, 20)
     with pytest.raises(SocialmindError, match=r"range of x: found \(2, 1\)"):
         designs.lhs({"x": (2, 1)}, 3)
+    for name, sampler in designs.SAMPLERS.items():
+        size = SIZES.get(name, 11)
+        with pytest.raises(SocialmindError, match=f"{name}: nothing varies"):
+            sampler.make({}, size, 0, ())
+        with pytest.raises(SocialmindError, match=f"seed of {name}: found -1"):
+            sampler.make(RANGES, size, -1, ())
+        with pytest.raises(SocialmindError, match="expected whole numbers, as its values are"):
+            sampler.make({"n": (0.5, 3.5)}, size, 0, ["n"])
+        with pytest.raises(SocialmindError, match="range of x: found"):
+            sampler.make({"x": (0.0, float("inf"))}, size, 0, ["x"])
     with pytest.raises(SocialmindError, match="did you mean 'sobol'"):
         designs.sampler_called("sobl")

@@ -19,6 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from coglogo_py.border.errors import nearest
+from coglogo_py.files.reading import text_in
 from socialmind.documents.markdown import tables_in
 from socialmind.errors import ModelError
 from socialmind.sources.folders import model_folder
@@ -133,14 +134,21 @@ def words_of(folder: Path, name: str) -> Words:
         name: the model's, the title unless the file has one.
 
     Raises:
-        ModelError: a heading that ODD does not have, or has twice.
+        ModelError: a heading that ODD does not have, or has twice; words of models that stand for
+            each other.
+        SchemeError: the file cannot be read as UTF-8.
     """
+    return _words_of(folder, name, ())
+
+
+def _words_of(folder: Path, name: str, readers: tuple[Path, ...]) -> Words:
+    """Return the words in a model's folder, which stand for some in those of `readers`."""
     file = folder / WORDS_FILE
     found = Words(file, name.replace("_", " ").capitalize())
     if not file.is_file():
         return found
     # Questions that were not answered are comments, as `skeleton` writes them.
-    text = re.sub(r"<!--.*?-->", _lines_alone, file.read_text("utf-8"), flags=re.DOTALL)
+    text = re.sub(r"<!--.*?-->", _lines_alone, text_in(file), flags=re.DOTALL)
     section, place = None, ""
     collected: dict[tuple[str, str], list[str]] = {("", ""): []}
     fenced = False
@@ -178,11 +186,11 @@ def words_of(folder: Path, name: str) -> Words:
         else:
             found.elements[section].text = said
     for element, said_there in found.elements.items():
-        _take_in(said_there, element, file)
+        _take_in(said_there, element, file, (*readers, folder))
     return found
 
 
-def _take_in(section: Section, element: str, file: Path) -> None:
+def _take_in(section: Section, element: str, file: Path, readers: tuple[Path, ...]) -> None:
     """Put the words of other models where lines `{{name}}` stand for them.
 
     Raises:
@@ -193,7 +201,10 @@ def _take_in(section: Section, element: str, file: Path) -> None:
         folder = model_folder(name)
         if folder == file.parent:
             raise ModelError(f"{{{{{name}}}}}, the model itself", "another model", None, file)
-        return words_of(folder, name).elements[element]
+        if folder in readers:
+            expected = f"words that are not made of those of {file.parent.name}"
+            raise ModelError(f"{{{{{name}}}}}, which goes round in a circle", expected, None, file)
+        return _words_of(folder, name, readers).elements[element]
 
     for heading, text in section.parts.items():
         section.parts[heading] = _AS_IN.sub(

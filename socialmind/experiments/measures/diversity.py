@@ -55,18 +55,19 @@ def policy_distances(
         deviations: the standard deviations, likewise; none for minds that draw nothing.
 
     Raises:
-        SocialmindError: arrays of other shapes, or numbers that are not finite.
+        SocialmindError: arrays of other shapes, numbers that are not finite, or negative
+            deviations.
 
     >>> policy_distances([[[0, 0], [0, 0]], [[3, 4], [0, 1]]]).tolist()  # of 5 and 1
     [[0.0, 3.0], [3.0, 0.0]]
     """
     means = np.asarray(actions, np.float64)
     spreads = np.zeros_like(means) if deviations is None else np.asarray(deviations, np.float64)
-    whole = np.isfinite(means).all() and np.isfinite(spreads).all()
+    whole = np.isfinite(means).all() and np.isfinite(spreads).all() and (spreads >= 0).all()
     if means.ndim != 3 or 0 in means.shape or spreads.shape != means.shape or not whole:
         raise SocialmindError(
             f"actions of the shape {means.shape}; expected finite numbers, agents by observations "
-            "by actions, and as many deviations"
+            "by actions, and as many deviations of 0 or more"
         )
     both = np.concatenate([means, spreads], axis=2)
     found: NDArray[np.float64] = np.linalg.norm(both[:, None] - both[None], axis=3).mean(axis=2)

@@ -190,6 +190,12 @@ def compared(
     return Comparison(one, other, difference, g, delta, paired)
 
 
+_COMPARED = (
+    "mean", "low", "high", "reference_mean", "difference", "difference_low", "difference_high",
+    "g", "delta",
+)  # fmt: skip
+
+
 def comparisons(
     results: pd.DataFrame,
     reference: str,
@@ -213,7 +219,8 @@ def comparisons(
         and `delta`.
 
     Raises:
-        SocialmindError: no such society, a column is missing, or a seed stands twice.
+        SocialmindError: no such society, one without a name, a column is missing, or a seed stands
+            twice.
 
     >>> table = pd.DataFrame({"society": ["a", "a", "b", "b"], "seed": [1, 2, 1, 2],
     ...                       "goods": [3.0, 4.0, 1.0, 2.0]})
@@ -223,6 +230,8 @@ def comparisons(
     """
     measures = None if measures is None else several(measures, "measures")
     checked_columns(results, (by, seed, *(measures or ())), "results")
+    if results[by].isna().any():
+        raise SocialmindError(f"results without a {by} in some rows; expected one in each")
     if results.duplicated([by, seed]).any():
         raise SocialmindError("results with a society's seed twice; expected one row for each")
     names = list(measures or results.columns.drop([by, seed]))
@@ -239,15 +248,13 @@ def comparisons(
             row: dict[str, object] = {"society": society, "measure": name, "pairs": len(pair)}
             if len(pair):
                 found = compared(*pair.to_numpy(float).T)
-                row |= {
-                    "mean": found.first.mean, "low": found.first.low, "high": found.first.high,
-                    "reference_mean": found.second.mean, "difference": found.difference.mean,
-                    "difference_low": found.difference.low,
-                    "difference_high": found.difference.high,
-                    "g": found.g, "delta": found.delta,
-                }  # fmt: skip
+                one, away = found.first, found.difference
+                numbers = (one.mean, one.low, one.high, found.second.mean, away.mean, away.low)
+                row |= dict(
+                    zip(_COMPARED, (*numbers, away.high, found.g, found.delta), strict=True)
+                )
             rows.append(row)
-    return pd.DataFrame(rows)
+    return pd.DataFrame(rows, columns=["society", "measure", "pairs", *_COMPARED])
 
 
 def _interval(values: NDArray[np.float64], level: float) -> Interval:

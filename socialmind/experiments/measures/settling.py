@@ -64,7 +64,8 @@ def settled_from(
     ticks = ticks[considered]
     if not len(ticks):
         return math.inf
-    away = distance.to_numpy(float)[considered] > within + _ROUNDING
+    # What is unknown is not known to be within.
+    away = ~(distance.to_numpy(float)[considered] <= within + _ROUNDING)
     # The first record from each on that is too far away; behind the last one if none is.
     places = np.where(away, np.arange(len(ticks)), len(ticks))
     left = np.minimum.accumulate(places[::-1])[::-1]
@@ -101,7 +102,7 @@ def settlings(
             f"shocks at {list(shocks)}; expected ticks that rise, after the first that is recorded "
             "and not behind the last"
         )
-    ends = [*starts[1:], math.inf]
+    ends = [*starts[1:], math.inf][: len(starts)]
     settled = [settled_from(distance, *one, within, hold) for one in zip(starts, ends, strict=True)]
     return pd.DataFrame(
         {

@@ -2,6 +2,7 @@
 
 import pytest
 
+from coglogo_py import SchemeError
 from socialmind.documents.odd.words import (
     CONCEPTS,
     ELEVEN,
@@ -80,6 +81,21 @@ def test_the_words_of_another_model_are_taken_over(tmp_path, monkeypatch):
     assert words.elements[SUBMODELS].parts == {}
     with pytest.raises(ModelError, match="the model itself"):
         written(tmp_path / "forest", "## Submodels\n\n{{forest}}\n")
+
+
+def test_models_that_speak_for_each_other_are_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr("socialmind.documents.odd.words.model_folder", lambda name: tmp_path / name)
+    for name, other in (("wood", "forest"), ("forest", "wood")):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "odd_words.md").write_text(f"## Submodels\n\n{{{{{other}}}}}\n")
+    with pytest.raises(ModelError, match=r"forest/odd_words.md.*\{\{wood\}\}.* in a circle"):
+        words_of(tmp_path / "wood", "wood")
+
+
+def test_a_file_that_is_not_utf_8_is_refused_with_its_line(tmp_path):
+    (tmp_path / "odd_words.md").write_bytes("## Submodels\n\nDécroît.\n".encode("latin-1"))
+    with pytest.raises(SchemeError, match=r"odd_words.md.*3.*0xe9.*expected text in UTF-8"):
+        words_of(tmp_path, "wood")
 
 
 def test_another_model_that_there_is_not_is_refused(tmp_path):

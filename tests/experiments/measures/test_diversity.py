@@ -94,3 +94,5 @@ def test_other_shapes_are_refused():
         work_distances([1, 2])
     with pytest.raises(SocialmindError, match="by observations"):
         policy_distances([[1.0, 2.0]])
+    with pytest.raises(SocialmindError, match="deviations of 0 or more"):
+        policy_distances([[[1.0]], [[2.0]]], [[[0.1]], [[-0.1]]])

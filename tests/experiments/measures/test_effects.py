@@ -220,6 +220,9 @@ def test_only_the_measures_asked_for_are_compared():
     )
     assert comparisons(results, "a", measures=["z", "x"])["measure"].tolist() == ["z", "x"]
     assert comparisons(results, "a")["measure"].tolist() == ["x", "y", "z"]
+    # Without a pair there is nothing to tell, in the same columns.
+    apart = comparisons(results.assign(seed=[1, 2]), "a")
+    assert (apart["pairs"] == 0).all() and apart["difference"].isna().all()
 
 
 @pytest.mark.parametrize(
@@ -239,6 +242,10 @@ def test_only_the_measures_asked_for_are_compared():
             "seed twice",
         ),
         (lambda: comparisons(pd.DataFrame({"society": ["a"]}), "a"), "column 'seed'"),
+        (
+            lambda: comparisons(pd.DataFrame({"society": ["a", None], "seed": [1, 1]}), "a"),
+            "without a society",
+        ),
     ],
 )
 def test_what_cannot_be_compared_is_refused(call, message):

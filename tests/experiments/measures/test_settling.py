@@ -78,6 +78,12 @@ def test_shocks_out_of_order_are_refused(shocks):
         settlings(away(1, 1, every=10), shocks)
 
 
+def test_what_is_unknown_has_not_settled():
+    assert settled_from(away(math.nan, math.nan, math.nan, every=10), hold=10) == math.inf
+    assert settled_from(away(math.nan, 1, 1, every=10), hold=10) == 10
+    assert settlings(pd.Series([], index=[], dtype=float)).empty
+
+
 def test_ticks_that_stand_twice_are_refused():
     with pytest.raises(SocialmindError, match="one for each tick"):
         settled_from(pd.Series([1.0, 1.0], index=[3, 3]))

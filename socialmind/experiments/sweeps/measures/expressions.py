@@ -29,6 +29,8 @@ from socialmind.experiments.measures.inequality import gini
 
 LONGEST = 1000
 """Characters of an expression."""
+DEEPEST = 100
+"""Operators and calls in each other."""
 
 
 class Source(Protocol):
@@ -164,12 +166,18 @@ class Expression:
                 "write a function in a file: NAME=FILE.py:FUNCTION"
             )
         try:
-            return _parsed(self.text.strip())
+            tree = _parsed(self.text.strip())
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
             place = getattr(error, "offset", None) or 1
             raise self._error(
                 f"not an expression ({getattr(error, 'msg', error)})", place
             ) from None
+        if _depth(tree) > DEEPEST:
+            raise SocialmindError(
+                f"measure {self.name}: {self.text!r}: operators or calls in more than {DEEPEST} "
+                "others; write a function in a file: NAME=FILE.py:FUNCTION"
+            )
+        return tree
 
     def _error(self, what: str, node: ast.AST | int, remedy: str | None = None) -> SocialmindError:
         at = node if isinstance(node, int) else getattr(node, "col_offset", 0) + 1
@@ -311,6 +319,15 @@ class Expression:
 @lru_cache(256)
 def _parsed(text: str) -> ast.expr:
     return ast.parse(text, mode="eval").body
+
+
+def _depth(tree: ast.AST) -> int:
+    """Return how many nodes of a tree are in each other at most."""
+    depth, level = 0, [tree]
+    while level:
+        depth += 1
+        level = [below for one in level for below in ast.iter_child_nodes(one)]
+    return depth
 
 
 def _column_of(node: ast.AST) -> str | None:

@@ -79,6 +79,8 @@ def test_the_mean_of_nothing_is_nan():
         ("mean(1, 2)", "mean of 2; expected 1"),
         ("mean(*farmers)", "a star"),
         ("a" * 2000, "2000 characters"),
+        ("-" * 300 + "1", "operators or calls in more than 100 others"),
+        ("-" * 995 + "1", "expected|more than 100"),
     ],
 )
 def test_what_is_refused_when_read(text, said):
