@@ -21,7 +21,7 @@ from socialmind.experiments.trainings.store import LESSONS, differences
 from socialmind.learning.lessons.keys import FINAL, JUDGED, seeds_for
 from socialmind.learning.lessons.lesson import Lesson
 from socialmind.learning.training import archive
-from socialmind.learning.training.attempt import load_result, result_file
+from socialmind.learning.training.attempt import result_file, results_of
 from socialmind.learning.training.continuing import as_json
 from socialmind.learning.training.finalists import Individual, individual_of
 from socialmind.learning.training.result import Training
@@ -124,7 +124,7 @@ def _rescored(training: Training, plan: TrainingPlan) -> Iterator[Rescored]:
                 f"{training.folder}: of other lessons than the plan has; train anew"
             )
     for one in winners(training, lessons):
-        key = training.manifest.seed, one.attempt, one.lesson.name, 1
+        key = training.manifest.seed, one.attempt, one.lesson.name, one.record["cycle"]
         scores = one.scores(seeds_for(one.lesson.finals, FINAL, *key))
         file = result_file(training.folder / "attempts" / str(one.attempt), one.number)
         now, deviation = float(scores.mean()), float(scores.std())
@@ -165,14 +165,15 @@ def winners(training: Training, lessons: Sequence[Lesson]) -> Iterator[Winner]:
 
     Args:
         training: that is kept.
-        lessons: of its curriculum, in order.
+        lessons: of its curriculum; one in a cycle has a winner for each time around.
     """
+    called = {one.name: one for one in lessons}
     for attempt in training.attempts:
         mind = MindDescription.load(training.folder / "mind")
         done = len(training.lessons[training.lessons["attempt"] == attempt])
         folder = training.folder / "attempts" / str(attempt)
-        for number, lesson in enumerate(lessons[:done], 1):
-            record, arrays = load_result(folder, number)
+        for number, (_, record, arrays) in enumerate(results_of(folder, done), 1):
+            lesson = called[record["lesson"]]
             winner = individual_of(archive.part(arrays, "winner/"))
             yield Winner(attempt, number, lesson, winner, mind, training.manifest.engine, record)
             learned = winner.given_to([mind.skill(one) for one in lesson.skills])
@@ -189,8 +190,8 @@ def in_common_worlds(
 
     Args:
         training: that is kept.
-        lessons: of its curriculum, in order.
-        names: of the lessons whose winners are judged.
+        lessons: of its curriculum.
+        names: of the lessons whose winners are judged; of one in a cycle the last winner.
         worlds: how many.
 
     Returns:

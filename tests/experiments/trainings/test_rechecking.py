@@ -80,3 +80,17 @@ def test_a_winner_comes_to_the_same_in_the_same_worlds(whole, tiny_plans):
     assert found == in_common_worlds(training, lessons, ["GoToObject", "GoToDropZone"], 4)
     one = next(winners(training, lessons))
     assert one.scores([1, 2, 1]).tolist()[::2] == one.scores([1, 1]).tolist()
+
+
+def test_winners_of_a_cycle_are_those_of_each_time_around(tiny_plans, tmp_path):
+    plan = tiny_plans.turned(cycles=2)
+    training = Training(plan.train(tmp_path / "turned", workers=1).folder)
+    lessons = plan.curriculum().lessons
+    found = list(winners(training, lessons))
+    assert [(one.lesson.name, one.record["cycle"]) for one in found] == [
+        (lesson, cycle) for cycle in (1, 2) for lesson in ("GoToObject", "GoToDropZone")
+    ]
+    keep(tmp_path / "turned", tmp_path / "kept")
+    assert recheck(tmp_path / "kept" / "turned", plan) == 4
+    last = found[2].scores(seeds_for(2, "judged", plan.seed, "GoToObject")).mean()
+    assert in_common_worlds(training, lessons, ["GoToObject"], 2) == {(1, "GoToObject"): last}

@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from socialmind.experiments.trainings.plans import TrainingPlan
-from socialmind.learning import Curriculum
+from socialmind.learning import Curriculum, Cycle
 from socialmind.sources.folders import model_folder
 from socialmind.sources.loading import load_file
 
@@ -37,3 +37,9 @@ def tiny(*names, generations=4):
 
 
 PLAN = tiny("GoToObject", "GoToDropZone")
+
+
+def turned(cycles):
+    """Return a plan of one attempt at its lessons in turn."""
+    cycle = Cycle(PLAN.curriculum().lessons, cycles=cycles)
+    return replace(PLAN, attempts=1, curriculum=lambda: Curriculum([cycle]))
