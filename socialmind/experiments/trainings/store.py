@@ -105,7 +105,7 @@ def _manifest(
 ) -> TrainingManifest:
     """Return the manifest of what is kept: without paths of the machine that it was made on."""
     records = [archive.load(one)[0] for one in sorted(target.glob(f"attempts/*/{CHECKPOINT}"))]
-    finished = sum(is_through(record, len(manifest.lessons)) for record in records)
+    finished = sum(is_through(record, manifest.lessons) for record in records)
     attempts = max(manifest.attempts, known.attempts if known else 0)
     platforms = list(known.platforms) if known else []
     platforms += [one for one in manifest.platforms if one not in platforms]

@@ -12,7 +12,7 @@ A file of a lesson counts once the checkpoint says so.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -268,16 +268,21 @@ def load_checkpoint(folder: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     return archive.load(folder / CHECKPOINT, _CHECKPOINT)
 
 
-def is_through(record: Mapping[str, Any], lessons: int) -> bool:
+def is_through(record: Mapping[str, Any], lessons: Sequence[Mapping[str, Any]]) -> bool:
     """Return whether the attempt of a checkpoint's record is behind the last of its lessons.
 
     Args:
         record: of `load_checkpoint`.
-        lessons: how many its training has, to which some may have been added since; a cycle counts
-            as one.
+        lessons: those that its manifest tells of its training, a cycle as one; some, or rounds of a
+            cycle at the end, may have been added since.
     """
     last = record.get("last")
-    return record["position"] is None and (last is None or last[0] + 1 >= lessons)
+    if record["position"] is not None or last is None:
+        return record["position"] is None
+    item, cycle, _ = last
+    rounds, budget = (lessons[item].get(what) for what in ("cycles", "budget"))
+    over = budget is not None and record["item_ticks"] >= budget
+    return item + 1 >= len(lessons) and (rounds is None or cycle >= rounds or over)
 
 
 def load_result(folder: Path, number: int) -> tuple[dict[str, Any], dict[str, Any]]:

@@ -245,13 +245,15 @@ def resume(
             changes["cycles"] = cycles
             curriculum = curriculum.with_cycles(cycles)
         continuing.check_folder(capsule, curriculum)
-        added = len(curriculum.items) > len(manifest.lessons)
+        longer = len(curriculum.items) > len(manifest.lessons)
+        asked_for = continuing.as_json(curriculum.record())
+        added = asked_for != manifest.lessons  # lessons, or rounds of a cycle
         capsule.update(
-            chosen=_chosen(lessons) if added else manifest.chosen,
+            chosen=_chosen(lessons) if longer else manifest.chosen,
             finished=0 if added else manifest.finished,
             status=folders.INTERRUPTED if added else manifest.status,
             attempts=attempts or manifest.attempts,
-            lessons=continuing.as_json(curriculum.record()),
+            lessons=asked_for,
             changes=changes,
             plan=manifest.plan if plan is None else dict(plan),
             versions=continuing.with_added_lessons(capsule, curriculum),

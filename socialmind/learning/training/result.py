@@ -60,7 +60,7 @@ class Training:
     @property
     def finished(self) -> list[int]:
         """The numbers of the attempts that have been through all their lessons."""
-        lessons = len(self.manifest.lessons)
+        lessons = self.manifest.lessons
         records = {one: load_checkpoint(self._capsule.attempt(one))[0] for one in self.attempts}
         return [one for one, record in records.items() if is_through(record, lessons)]
 

@@ -208,6 +208,23 @@ def test_lessons_are_added_to_attempts_that_were_through(lesson, robot, tmp_path
     assert training.manifest.versions["commit from lesson 3 to attempt 2"] == "8e6425c"
 
 
+def test_with_added_rounds_attempts_are_through_when_they_have_been_round(lesson, robot, tmp_path):
+    turns = Curriculum([Cycle([lesson("Go"), lesson("Turn")], cycles=1)], mind=robot)
+    folder = learn(None, turns, attempts=2, out=tmp_path / "out")
+    assert Training(folder).finished == [1, 2]
+
+    def stop(news, left):
+        if news.attempt == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        resume(folder, lessons=turns, cycles=2, on_generation=stop)
+    assert Training(folder).finished == [1]
+    resume(folder, lessons=turns)
+    assert Training(folder).finished == [1, 2]
+    assert Training(folder).manifest.finished == 2
+
+
 def test_with_added_lessons_a_training_goes_on_by_itself(model, tmp_path, monkeypatch):
     folder = learn(model, lessons=["Go"], attempts=1, out=tmp_path / "out")
 
