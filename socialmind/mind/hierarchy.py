@@ -43,6 +43,7 @@ class Hierarchy(Closed, Readings):
         seed: the key of the draws of cogniton schemes, 0 … 2⁶⁴ − 1.
         drive: the drive module (thesis, 5.1.3): a function of one parameter, the mind, called in
             every evaluation before the skills; see `socialmind.mind.code.drive`.
+        population: that of a model whose agents' schemes draw alike; none for a mind by itself.
 
     Raises:
         ModelError: there is no such master, or it is unclear which.
@@ -66,6 +67,7 @@ class Hierarchy(Closed, Readings):
         master: str | None = None,
         seed: int = 0,
         drive: Callable[..., None] | None = None,
+        population: str = "",
     ) -> None:
         if drive is not None and not callable(drive):
             raise ModelError(f"{drive!r} as a drive", "a function of one parameter, the mind")
@@ -73,6 +75,7 @@ class Hierarchy(Closed, Readings):
         self.master = master_of(description, master)
         self.seed = seed
         self.drive = drive
+        self._population = population
         self.assembly = assemble(description, self.master, drive is not None, observed=True)
         self._genomes = {name: description.skills[name].genome for name in self.assembly.skills}
         self._record = states.Record(self.assembly, np.zeros(0, np.int64))
@@ -141,7 +144,7 @@ class Hierarchy(Closed, Readings):
         """Put the mind back to before its first evaluation; genomes stay."""
         self._tick = 0
         self._state = states.new_state(self.assembly, 1, 1, False, 0)
-        self._societies = states.societies_of(self.assembly, self.seed, 1)
+        self._societies = states.societies_of(self.assembly, self.seed, 1, self._population)
         self._record.connect(1, self._state, self._societies)
         self._steps.connect(self._state, self._societies)
         self._sensor_places = {name: place for place, name in enumerate(self.description.sensors)}

@@ -12,19 +12,21 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.border.errors import shown
 from socialmind.errors import ModelError
 from socialmind.mind import Hierarchy, MindDescription, Skill
 
 Source = Skill | Hierarchy | Callable[[NDArray[np.float64]], Any]
-"""What a target learns from: a skill with its function and genome, a hierarchy, or a function that
-is called with an array of the inputs; where it has a method `reset`, an episode begins with it."""
+"""What a target learns from: a skill with its function and genome, a hierarchy, which draws by the
+seed of each episode, or a function that is called with an array of the inputs; where it has a
+method `reset`, an episode begins with it."""
 
 
 class Controller(Protocol):
     """What steers an agent."""
 
-    def reset(self) -> None:
-        """Begin an episode: nothing is remembered."""
+    def reset(self, seed: int = 0) -> None:
+        """Begin an episode: nothing is remembered, and what is drawn follows from its seed."""
 
     def __call__(self, inputs: Sequence[float] | NDArray[Any]) -> NDArray[np.float64]:
         """Return the outputs, 0 … 1, for inputs, 0 … 1."""
@@ -76,11 +78,15 @@ class _HierarchyController:
                     output.line,
                 )
         self._actuators = [output.name for output in skill.outputs]
+        self._inputs = len(skill.inputs)
 
-    def reset(self) -> None:
+    def reset(self, seed: int = 0) -> None:
+        self._hierarchy.seed = seed
         self._hierarchy.reset()
 
     def __call__(self, inputs: Sequence[float] | NDArray[Any]) -> NDArray[np.float64]:
+        if len(inputs) != self._inputs:
+            raise ModelError(f"{len(inputs)} inputs for the source", f"{self._inputs}, as it has")
         given = self._hierarchy.evaluate({name: inputs[place] for place, name in self._sensors})
         return np.array([given[name] for name in self._actuators])
 
@@ -105,15 +111,21 @@ class _FunctionController:
         self._function = function
         self._outputs = len(skill.outputs)
 
-    def reset(self) -> None:
+    def reset(self, seed: int = 0) -> None:
         begin = getattr(self._function, "reset", None)
         if begin is not None:
             begin()
 
     def __call__(self, inputs: Sequence[float] | NDArray[Any]) -> NDArray[np.float64]:
-        given = np.atleast_1d(np.asarray(self._function(np.asarray(inputs)), dtype=np.float64))
+        answered = self._function(np.asarray(inputs))
+        try:
+            given = np.atleast_1d(np.asarray(answered, dtype=np.float64))
+        except (TypeError, ValueError):
+            given = np.zeros(0)
         if given.shape != (self._outputs,) or not np.isfinite(given).all():
-            raise ModelError(f"{given.tolist()} from the source", f"{self._outputs} finite numbers")
+            raise ModelError(
+                f"{shown(answered)} from the source", f"{self._outputs} finite numbers"
+            )
         return given.clip(0.0, 1.0)
 
 
@@ -130,11 +142,11 @@ class AnswerRecorder:
         self._actor = actor
         self.episodes: list[tuple[list[Any], list[Any]]] = []
 
-    def reset(self) -> None:
+    def reset(self, seed: int = 0) -> None:
         """Begin an episode."""
-        self._teacher.reset()
+        self._teacher.reset(seed)
         if self._actor is not None:
-            self._actor.reset()
+            self._actor.reset(seed)
         self.episodes.append(([], []))
 
     def __call__(self, inputs: Sequence[float] | NDArray[Any]) -> NDArray[np.float64]:

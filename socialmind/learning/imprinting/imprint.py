@@ -8,14 +8,15 @@ What comes out is used as it is, or as the first population of an optimiser.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from coglogo_py.border.numbers import whole_number
+from coglogo_py.border.errors import shown
+from coglogo_py.border.numbers import is_number, whole_number
 from socialmind.errors import ModelError
 from socialmind.learning.imprinting.controllers import (
     AnswerRecorder,
@@ -44,7 +45,7 @@ class Round:
     Attributes:
         source, target: mean scores.
         records: how many records the target was trained on.
-        loss: the mean squared error in the last epoch.
+        loss: the mean squared error in the last epoch, of outputs before they are held to [0, 1].
     """
 
     source: float
@@ -59,7 +60,8 @@ class Imprint:
 
     Attributes:
         skill: the skill with its genome.
-        losses: the mean squared error over each epoch of the training that gave this genome.
+        losses: the mean squared error over each epoch of the training that gave this genome, of
+            outputs before they are held to [0, 1] (beyond the wanted 0 or 1 none).
         recording: what it was trained on.
         rounds: the rounds in the environment, if there were any.
         reached: whether it does as well as the source; None where that was not tried.
@@ -82,8 +84,11 @@ def record(episode: Episode, source: Source, skill: Skill, seeds: Sequence[int])
         seeds: one for each episode.
 
     Raises:
-        ModelError: the source does not fit the skill.
+        ModelError: the source does not fit the skill, or an episode has no score.
+        SocialmindError: seeds that are none.
     """
+    if isinstance(seeds, str) or not isinstance(seeds, Iterable):
+        raise ModelError(f"seeds={shown(seeds)}", "several whole numbers, one for each episode")
     recorder = AnswerRecorder(controller_of(source, skill))
     _scores(episode, recorder, seeds)
     return of_episodes(recorder.episodes, skill)
@@ -110,7 +115,8 @@ def imprint(
         skill: the target; its internal function is a network.
         recording: what its source answered.
         seed: decides the first genome and the order of the records.
-        epochs: how many times each record is seen.
+        epochs: how many times each record is seen by the genome that is trained in full; where
+            several are drawn, a tenth more, once at least.
         rate: the learning rate of Adam at the start; it falls to 0.
         batch: how many records make a step, for networks without memory.
         window: through how many ticks the gradient goes back, for networks with memory.
@@ -133,8 +139,9 @@ def imprint(
     numbers = {"epochs": epochs, "batch": batch, "window": window, "starts": starts}
     for name, value in numbers.items():
         whole_number(value, name, 1, error=ModelError)
-    if not rate > 0.0:
-        raise ModelError(f"rate={rate!r} of training", "a number above 0")
+    if not is_number(rate) or not rate > 0.0:
+        raise ModelError(f"rate={shown(rate)} of training", "a number above 0")
+    whole_number(seed, "seed", 0, 2**64 - 1, ModelError)
     counts = len(skill.inputs), len(skill.outputs)
     if skill.genome is not None or starts == 1:
         twin = Twin(skill.function, *counts, skill.genome, seed)
@@ -190,8 +197,9 @@ def imprint_in(
     """
     for name, value in (("rounds", rounds), ("episodes", episodes), ("scored", scored)):
         whole_number(value, name, 1, error=ModelError)
-    if not tolerance >= 0.0:
-        raise ModelError(f"tolerance={tolerance!r} of imprinting", "a number, 0 or more")
+    if not is_number(tolerance) or tolerance < 0.0:
+        raise ModelError(f"tolerance={shown(tolerance)} of imprinting", "a number, 0 or more")
+    whole_number(seed, "seed", 0, 2**64 - 1, ModelError)
     teacher = controller_of(source, skill)
     recording = record(episode, source, skill, _seeds(seed, RECORDING, 0, episodes))
     done: list[Round] = []
@@ -232,8 +240,9 @@ def first_population(imprint: Imprint, size: int, spread: float, seed: int) -> N
         Shape (size, genome size); the first is the imprinted genome.
     """
     whole_number(size, "size", 1, error=ModelError)
-    if not spread >= 0.0:
-        raise ModelError(f"spread={spread!r} of a first population", "a number, 0 or more")
+    if not is_number(spread) or spread < 0.0:
+        raise ModelError(f"spread={shown(spread)} of a first population", "a number, 0 or more")
+    whole_number(seed, "seed", 0, 2**64 - 1, ModelError)
     genome = imprint.skill.genome
     if genome is None:
         raise imprint.skill.refused("without a genome", "an imprinted one")
@@ -248,11 +257,12 @@ def _scores(
     """Return the scores of episodes that a controller steers through."""
     scores = []
     for seed in seeds:
-        controller.reset()
-        score = float(episode(controller, seed))
-        if not math.isfinite(score):
-            raise ModelError(f"the score {score} of the episode of seed {seed}", "a finite number")
-        scores.append(score)
+        controller.reset(seed)
+        score = episode(controller, seed)
+        if not is_number(score):
+            found = f"the score {shown(score)} of the episode of seed {seed}"
+            raise ModelError(found, "a finite number")
+        scores.append(float(score))
     return scores
 
 

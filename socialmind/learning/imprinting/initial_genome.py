@@ -5,7 +5,17 @@ from __future__ import annotations
 import math
 
 from socialmind.learning.imprinting.pytorch import torch
-from socialmind.mind.functions.network import CLAMP, RELU, Dense, Network, Neurons
+from socialmind.mind.functions.network import (
+    CLAMP,
+    LINEAR,
+    NEAT_ACTIVATIONS,
+    RELU,
+    Dense,
+    Gather,
+    Network,
+    Neuron,
+    Neurons,
+)
 
 
 def initial_genome(network: Network, seed: int) -> torch.Tensor:
@@ -29,19 +39,36 @@ def initial_genome(network: Network, seed: int) -> torch.Tensor:
     """
     genome = torch.zeros(network.genome_size, dtype=torch.float64)
     generator = torch.Generator().manual_seed(seed)
+    held = _held(network)
     for step in network.steps:
         if isinstance(step, Dense):
             width = step.sources + 1
             places = slice(step.weights, step.weights + step.neurons * width)
             genome[places] = _layer(step.neurons, step.sources, step.activation, generator).view(-1)
         elif isinstance(step, Neurons):
-            for neuron in step.neurons:
+            for node, neuron in enumerate(step.neurons, step.target):
                 # Neurons of a kernel share their weights: those drawn last stay.
-                drawn = _layer(1, len(neuron.sources), neuron.activation, generator)[0]
+                drawn = _layer(1, len(neuron.sources), _kind(neuron, node in held), generator)[0]
                 genome[list(neuron.weights)] = drawn[:-1]
                 if neuron.bias >= 0:
                     genome[neuron.bias] = drawn[-1]
     return genome
+
+
+def _held(network: Network) -> set[int]:
+    """Return the nodes whose values are outputs, which are held to [0, 1]."""
+    held = set(range(network.output, network.output + network.outputs))
+    for step in reversed(network.steps):
+        if isinstance(step, Gather):
+            held |= {one for node, one in enumerate(step.sources, step.target) if node in held}
+    return held
+
+
+def _kind(neuron: Neuron, held: bool) -> int:
+    """Return the activation that a neuron's weights are drawn for."""
+    if held and neuron.activation in (LINEAR, NEAT_ACTIVATIONS["identity"]):
+        return CLAMP
+    return RELU if neuron.activation == NEAT_ACTIVATIONS["relu"] else neuron.activation
 
 
 def _layer(neurons: int, sources: int, activation: int, generator: torch.Generator) -> torch.Tensor:

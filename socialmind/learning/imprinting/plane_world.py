@@ -86,8 +86,9 @@ class PlaneWorld:
         self._given = 0  # which of the commands that are played is given
         stand_in = self.skill.changed(function=Programmed(self._answer))
         description = self._episodes.description.with_modules(skills=[stand_in])
-        self._hierarchy = Hierarchy(description, led.master, drive=led.drive)
-        robots = model_class.shape.world.robots[self._episodes.population]
+        population = self._episodes.population
+        self._hierarchy = Hierarchy(description, led.master, drive=led.drive, population=population)
+        robots = model_class.shape.world.robots[population]
         self._read = [
             (place, name)
             for place, name in enumerate(robots.sensors)
@@ -124,11 +125,12 @@ class PlaneWorld:
             raise found.refused(f"with the skills {', '.join(found.skills)}", "one, which is shown")
         if not issubclass(found.environment, Model):
             raise found.refused(f"in {found.environment.__name__}", "a model on a plane")
+        begun = mind_of(model, curriculum, folder, mind)
         return cls(
             found.environment,
             found.skills[0],
             found.master,
-            mind_of(model, curriculum, folder, mind),
+            begun.on_stand_ins(found.master, found.stand_ins) if found.stand_ins else begun,
             found.ticks,
             found.parameters,
             found.drive,
@@ -169,7 +171,10 @@ class PlaneWorld:
         >>> PlaneWorld(GoToObject, "GoToObject").played(actions, seed=7)      # doctest: +SKIP
         <recording of 412 records in 1 episode: 1 input, 2 outputs>
         """
-        rows = np.asarray(commands, np.float64)
+        try:
+            rows = np.asarray(commands, np.float64)
+        except (TypeError, ValueError):
+            raise ModelError("commands that are no table", "rows of numbers, 0 … 1") from None
         names = [output.name for output in self.skill.outputs if output.module == "actuator"]
         if len(names) != len(self.skill.outputs):
             raise self.skill.refused("to be shown by commands", "outputs that are actuators alone")
@@ -184,7 +189,7 @@ class PlaneWorld:
         recorder = AnswerRecorder(
             controller_of(lambda inputs: rows[self._given, columns], self.skill)
         )
-        recorder.reset()
+        recorder.reset(seed)
         self._run(recorder, seed, rows)
         return of_episodes(recorder.episodes, self.skill)
 

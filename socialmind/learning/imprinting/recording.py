@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from coglogo_py.border.numbers import whole_number
 from socialmind.errors import ModelError
 from socialmind.mind import Skill
 
@@ -46,8 +47,11 @@ class Recording:
                 f"a recording of {len(self.inputs)} inputs and {len(self.outputs)} outputs",
                 "as many of one as of the other",
             )
-        lengths = (len(self),) if self.lengths is None else tuple(int(one) for one in self.lengths)
-        if sum(lengths) != len(self) or any(one < 0 for one in lengths):
+        given = (len(self),) if self.lengths is None else self.lengths
+        lengths = tuple(
+            whole_number(one, "records of an episode", 0, None, ModelError) for one in given
+        )
+        if sum(lengths) != len(self):
             raise ModelError(f"episodes of {lengths} records", f"{len(self)} records in all")
         object.__setattr__(self, "lengths", tuple(one for one in lengths if one))
 
@@ -82,46 +86,44 @@ class Recording:
         Args:
             file: a CSV file. Its columns are named as in the skill's description, `SE:S1` or
                 `MO:MotL`, in any order; a column `episode` says with which line another episode
-                begins: there its value changes. Further columns count for nothing.
+                begins: there its value changes. Further columns count for nothing. What the skill
+                has twice, such as a variable that it reads and writes, has two columns, the inputs'
+                first.
             skill: the skill whose inputs and outputs they are.
 
         Raises:
-            ModelError: a column is missing or there twice, a line has more cells than there are
+            ModelError: a column is missing or there too often, a line has more cells than there are
                 columns, or a value is no number in [0, 1], with file and line.
         """
         path = Path(file)
         try:
-            with path.open(encoding="utf-8", newline="") as table:
-                lines = csv.DictReader(table)
-                found = lines.fieldnames or ()
-                rows = [(lines.line_num, row) for row in lines]
+            # Excel begins a table in UTF-8 with a mark, which is no part of the first name.
+            with path.open(encoding="utf-8-sig", newline="") as table:
+                lines = csv.reader(table)
+                found = next(lines, [])
+                rows = [(lines.line_num, row) for row in lines if row]
         except (OSError, UnicodeDecodeError, csv.Error) as error:
             raise ModelError(f"the table cannot be read: {error}", file=path) from None
         columns = [str(one) for one in (*skill.inputs, *skill.outputs)]
-        for column in columns:
-            if column not in found:
-                raise ModelError(
-                    f"a table without the column {column!r}",
-                    f"the columns {', '.join(columns)}",
-                    file=path,
-                    line=1,
-                )
-            if found.count(column) > 1:
-                raise ModelError(f"two columns {column!r}", "each once", file=path, line=1)
+        places = _places(columns, found, path)
         values = np.zeros((len(rows), len(columns)))
         lengths: list[int] = []
         last: Any = None
         for place, (line, row) in enumerate(rows):
-            if None in row:  # where csv puts the cells beyond the last name
-                cells = len(found) + len(row[None])
+            if len(row) > len(found):
                 raise ModelError(
-                    f"{cells} cells", f"{len(found)}, one for each column", file=path, line=line
+                    f"{len(row)} cells", f"{len(found)}, one for each column", file=path, line=line
                 )
-            values[place] = [_share(row[column], column, path, line) for column in columns]
-            if not lengths or row.get(EPISODE) != last:
+            cells = [*row, *[""] * (len(found) - len(row))]
+            values[place] = [
+                _share(cells[at], column, path, line)
+                for at, column in zip(places, columns, strict=True)
+            ]
+            now = cells[found.index(EPISODE)] if EPISODE in found else None
+            if not lengths or now != last:
                 lengths.append(0)
             lengths[-1] += 1
-            last = row.get(EPISODE)
+            last = now
         count = len(skill.inputs)
         return cls(values[:, :count], values[:, count:], tuple(lengths))
 
@@ -131,15 +133,21 @@ class Recording:
         Args:
             file: the CSV file.
             skill: the skill whose inputs and outputs they are.
+
+        Raises:
+            ModelError: it cannot be written there.
         """
         check_fits(self, skill)
         columns = [str(one) for one in (*skill.inputs, *skill.outputs)]
-        with Path(file).open("w", encoding="utf-8", newline="") as table:
-            lines = csv.writer(table)
-            lines.writerow([EPISODE, *columns])
-            for number, places in enumerate(self.episodes):
-                for row in np.hstack([self.inputs[places], self.outputs[places]]).tolist():
-                    lines.writerow([number, *row])
+        try:
+            with Path(file).open("w", encoding="utf-8", newline="") as table:
+                lines = csv.writer(table)
+                lines.writerow([EPISODE, *columns])
+                for number, places in enumerate(self.episodes):
+                    for row in np.hstack([self.inputs[places], self.outputs[places]]).tolist():
+                        lines.writerow([number, *row])
+        except OSError as error:
+            raise ModelError(f"the table cannot be written: {error}", file=Path(file)) from None
 
     def __repr__(self) -> str:
         counts = (
@@ -165,6 +173,27 @@ def check_fits(recording: Recording, skill: Skill) -> None:
             f"to be trained on {found[0]} inputs and {found[1]} outputs",
             f"{expected[0]} and {expected[1]}, as it has",
         )
+
+
+def _places(columns: Sequence[str], found: Sequence[str], file: Path) -> list[int]:
+    """Return where the columns of a skill stand in a table's first line."""
+    for column in columns:
+        if column not in found:
+            raise ModelError(
+                f"a table without the column {column!r}",
+                f"the columns {', '.join(columns)}",
+                file=file,
+                line=1,
+            )
+    for column in (EPISODE, *columns):
+        expected = max(columns.count(column), 1)
+        if found.count(column) not in (0, expected):
+            times = "once" if expected == 1 else f"{expected} times, as the skill has it"
+            raise ModelError(
+                f"{found.count(column)} columns {column!r}", f"each {times}", file=file, line=1
+            )
+    left = {column: [at for at, name in enumerate(found) if name == column] for column in columns}
+    return [left[column].pop(0) for column in columns]
 
 
 def _shares(values: Sequence[Any] | NDArray[Any], what: str) -> NDArray[np.float64]:

@@ -29,7 +29,7 @@ def recording_of_run(
     Args:
         folder: the run's.
         skill: the name of a skill of the robots' mind that commands nothing but actuators.
-        population: the robots'; by default those that were steered.
+        population: the robots'; by default those that were steered first.
         trust: run programs that this user has neither named nor run before.
 
     Raises:
@@ -78,17 +78,24 @@ def recording_of(
     while society.tick < end and not society.stopped:
         society = after_those_at(society, ordered)
         robot, table = society.ground.steered(name), society.tables[name]
+        shows = None
         if robot is not None and table.contains(robot) and table.minds is not None:
             slot = table[robot]._slot
             state = AgentState(table.minds, slot)
-            if state.tick > 0:
-                if robot != before:
+            if state.tick > 0:  # before that it has read nothing
+                shows = robot
+                if shows != before:
                     episodes.append(([], []))
                 read = state.inputs(skill)
                 episodes[-1][0].append([read[str(one)] for one in shown.inputs])
                 episodes[-1][1].append(table.rows["commands"][slot][places].tolist())
-        before = robot
+        before = shows
         society.advance(1)
+    if not episodes:
+        raise SocialmindError(
+            f"nobody of {name!r} was steered by hand in these {ticks} ticks, so there is nothing "
+            "to learn from"
+        )
     return of_episodes(episodes, shown), shown
 
 

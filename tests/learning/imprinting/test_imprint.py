@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
+from coglogo_py import CognitiveScheme, Cogniton, WeightedStochastic
 from socialmind.errors import ModelError
 from socialmind.mind import (
+    CognitonScheme,
     Elman,
     Hierarchy,
     MindDescription,
@@ -233,6 +235,35 @@ def test_a_hierarchy_is_reset_with_each_episode(light):
     assert twice.outputs[0].tolist() != twice.outputs[1].tolist()
 
 
+def test_what_a_source_draws_follows_from_the_episode(light):
+    scheme = CognitiveScheme(
+        "moods",
+        (
+            Cogniton("Glad", start_value=1.0, influence={"Left": 1.0}, conditional=("Left",)),
+            Cogniton("Sad", start_value=1.0, influence={"Right": 1.0}, conditional=("Right",)),
+            Cogniton("Light", start_value=0.0, influence={"Left": 0.0}),
+        ),
+        decision_maker=WeightedStochastic(),
+    )
+    skills = [
+        Skill("Top", ["SE:EyeL"], ["SK:Left", "SK:Right"],
+              CognitonScheme(scheme, {"SE:EyeL": "Light"})),
+        Skill("Left", ["SE:EyeL"], MOTORS, Programmed(lambda eye: (0.0, 1.0))),
+        Skill("Right", ["SE:EyeL"], MOTORS, Programmed(lambda eye: (1.0, 0.0))),
+    ]  # fmt: skip
+    mind = Hierarchy(MindDescription("moody", ["EyeL", "EyeR"], ["MotL", "MotR"], skills=skills))
+    target = seeker(Perceptron())
+    found = record(light.episode, mind, target, [4, 5, 4])
+    first, other, again = (found.outputs[one].tolist() for one in found.episodes)
+    assert first == again != other
+    drawn = [
+        imprint_in(light.episode, mind, target, seed, 0.0, rounds=1, episodes=1, scored=1, epochs=1)
+        for seed in (1, 2, 1)
+    ]
+    first, other, again = (one.recording.outputs.tolist() for one in drawn)
+    assert first == again != other
+
+
 def test_what_a_function_gives_is_held():
     controller = controller_of(lambda eyes: (2.0, -1.0), seeker(Perceptron()))
     assert controller([0.5, 0.5]).tolist() == [1.0, 0.0]
@@ -270,7 +301,30 @@ ONE = Recording([[0.5, 0.5]], [[0.5, 0.5]])
         ),
         (
             lambda: imprint(seeker(Perceptron(layers=0), np.zeros(6)), ONE, 1, rate=float("inf")),
-            "training at the rate inf made weights that are no finite numbers; lower the rate",
+            "found rate=inf of training; expected a number above 0",
+        ),
+        (
+            lambda: imprint(seeker(Perceptron(layers=0), np.zeros(6)), ONE, 1, rate="fast"),
+            "found rate='fast' of training; expected a number above 0",
+        ),
+        (
+            lambda: imprint(seeker(Perceptron()), ONE, -1),
+            "seed: found -1; expected a whole number, 0 … 2**64 - 1",
+        ),
+        (
+            lambda: record(lambda steer, seed: 0.0, lambda eyes: eyes, seeker(Perceptron()), 8),
+            "found seeds=8; expected several whole numbers, one for each episode",
+        ),
+        (
+            lambda: controller_of(
+                Skill("Seek", EYES, MOTORS, Programmed(lambda left, right: (left, right))),
+                seeker(Perceptron()),
+            )([0.1]),
+            "found 1 inputs for the source; expected 2, as it has",
+        ),
+        (
+            lambda: imprint(seeker(Perceptron(layers=0), np.zeros(6)), ONE, 1, rate=1e308),
+            "training at the rate 1e+308 made weights that are no finite numbers; lower the rate",
         ),
         (
             lambda: imprint_in(lambda steer, seed: 0.0, lambda eyes: eyes, seeker(Perceptron()),
@@ -284,7 +338,7 @@ ONE = Recording([[0.5, 0.5]], [[0.5, 0.5]])
         ),
         (
             lambda: controller_of(lambda eyes: 0.5, seeker(Perceptron()))([0.1, 0.2]),
-            "found [0.5] from the source; expected 2 finite numbers",
+            "found 0.5 from the source; expected 2 finite numbers",
         ),
         (
             lambda: controller_of(

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from coglogo_py import CognitiveScheme, Cogniton, WeightedStochastic
 from socialmind import Model, Population
 from socialmind.errors import ModelError, SocialmindError
 from socialmind.learning import Lesson, Training, learn
@@ -14,7 +17,15 @@ from socialmind.learning.imprinting.imprint import first_population, imprint, im
 from socialmind.learning.imprinting.plane_world import PlaneWorld
 from socialmind.learning.imprinting.recording import Recording
 from socialmind.learning.training.course import lessons_module
-from socialmind.mind import Hierarchy, MindDescription, Perceptron
+from socialmind.learning.training.teaching import evaluation_of
+from socialmind.mind import (
+    CognitonScheme,
+    Hierarchy,
+    MindDescription,
+    Perceptron,
+    Programmed,
+    Skill,
+)
 from socialmind.sources.folders import model_folder
 from socialmind.worlds.plane import Disc, Plane, Robot, constant, wheel
 
@@ -33,6 +44,11 @@ def keep_clear(inputs):
     """Let Avoid steer where something is near ahead, else go on: S1 … S3 and S10 look ahead."""
     near = min(inputs[0], inputs[1], inputs[2], inputs[9]) < 0.25
     return (0.1, 1.0) if near else (1.0, 0.0)
+
+
+def crawl(inputs):
+    """Go ahead slowly, whatever is read."""
+    return 0.2, 0.2
 
 
 @pytest.fixture(scope="module")
@@ -69,6 +85,41 @@ def test_who_answers_as_the_skill_does_gets_its_score(lesson, environment):
     # Not the skill by itself: its function among the others of the mind, where it reads a wave.
     assert scored(world, skill, [3, 2**64 - 1]) == expected
     assert world.skill.genome is None
+
+
+def test_so_it_is_with_skills_that_stand_in_for_others():
+    avoid = MIND.skills["Avoid"]
+    slow = avoid.changed(function=Programmed(crawl), genome=None)
+    name = "GoToObject+Avoid"
+    lesson = Lesson(name, LESSONS.GoToObjectAvoid, ticks=600, stand_ins=(slow,))
+    genome = MIND.skills[name].genome[None]
+    expected = evaluation_of(lesson, MIND, "compiled").episodes().run(genome, [3, 4]).score[0]
+    assert scored(PlaneWorld.of("collect", lesson), MIND.skills[name], [3, 4]) == expected.tolist()
+    alone = PlaneWorld.of("collect", replace(lesson, stand_ins=()))
+    assert scored(alone, MIND.skills[name], [3, 4]) != expected.tolist()
+
+
+def test_so_it_is_below_a_scheme_that_draws():
+    scheme = CognitiveScheme(
+        "chooses",
+        (
+            Cogniton("Seeks", start_value=1.0, influence={"GoToObject": 1.0},
+                     conditional=("GoToObject",)),
+            Cogniton("Shuns", start_value=1.0, influence={"Avoid": 0.5}, conditional=("Avoid",)),
+            Cogniton("Near", start_value=0.0, influence={"Avoid": 0.0}),
+        ),
+        decision_maker=WeightedStochastic(),
+    )  # fmt: skip
+    chooser = Skill(
+        "Chooser", ["SE:S1"], ["SK:GoToObject", "SK:Avoid"],
+        CognitonScheme(scheme, {"SE:S1": "Near"}),
+    )  # fmt: skip
+    mind = MIND.with_modules(skills=[chooser])
+    world = PlaneWorld(LESSONS.GoToObject, "GoToObject", "Chooser", mind, ticks=600)
+    shown = mind.skills["GoToObject"]
+    episodes = Episodes(LESSONS.GoToObject, None, mind, "Chooser", "GoToObject", None, 600)
+    expected = episodes.run(shown.genome[None], [3, 4, 5]).score[0].tolist()
+    assert scored(world, shown, [3, 4, 5]) == expected
 
 
 def test_so_it_is_with_the_reference_engine():

@@ -48,6 +48,28 @@ def test_its_table_reads_back(tmp_path):
     assert again.lengths == (1, 4, 1)
 
 
+def test_a_table_saved_by_excel_keeps_its_episodes(tmp_path):
+    lines = "episode,SE:Left,SH:Left:5,MO:Motor\r\n1,0.5,0.5,1\r\n2,0.5,0.5,1\r\n"
+    (tmp_path / "driven.csv").write_text(lines, "utf-8-sig", newline="")
+    assert Recording.read(tmp_path / "driven.csv", SKILL).lengths == (1, 1)
+
+
+def test_what_a_skill_has_twice_has_two_columns(tmp_path):
+    counts = Skill("Count", ["VA:M", "SE:Left"], ["VA:M"], Perceptron(layers=0))
+    recording = Recording([[0.25, 0.5]], [[0.75]])
+    recording.write(tmp_path / "counted.csv", counts)
+    again = Recording.read(tmp_path / "counted.csv", counts)
+    assert (again.inputs.tolist(), again.outputs.tolist()) == ([[0.25, 0.5]], [[0.75]])
+    (tmp_path / "counted.csv").write_text("SE:Left,VA:M\n0.5,0.5\n", "utf-8")
+    with pytest.raises(ModelError, match="1 columns 'VA:M'; expected each 2 times, as the skill"):
+        Recording.read(tmp_path / "counted.csv", counts)
+
+
+def test_a_table_cannot_be_a_folder(tmp_path):
+    with pytest.raises(ModelError, match="cannot be written"):
+        Recording([[0.5, 0.5]], [[0.5]]).write(tmp_path, SKILL)
+
+
 def test_a_table_in_another_order_without_episodes(tmp_path):
     table = tmp_path / "driven.csv"
     table.write_text("MO:Motor,note,SH:Left:5,SE:Left\n1,go,0.5,0.25\n0,stop,0.75,1\n", "utf-8")
@@ -75,7 +97,7 @@ def test_a_table_in_another_order_without_episodes(tmp_path):
         ),
         (
             "SE:Left,SH:Left:5,MO:Motor\n0.5,0.5\n",
-            "driven.csv:2: found None for MO:Motor; expected a number, 0 … 1",
+            "driven.csv:2: found '' for MO:Motor; expected a number, 0 … 1",
         ),
         (
             "SE:Left,SH:Left:5,MO:Motor\n0.5,0.5,1\n0.5,0.5,1,0.25\n",
@@ -83,7 +105,11 @@ def test_a_table_in_another_order_without_episodes(tmp_path):
         ),
         (
             "SE:Left,SH:Left:5,MO:Motor,SE:Left\n0.5,0.5,1,0.5\n",
-            "driven.csv:1: found two columns 'SE:Left'; expected each once",
+            "driven.csv:1: found 2 columns 'SE:Left'; expected each once",
+        ),
+        (
+            "episode,SE:Left,SH:Left:5,MO:Motor,episode\n1,0.5,0.5,1,2\n",
+            "driven.csv:1: found 2 columns 'episode'; expected each once",
         ),
     ],
 )
@@ -121,6 +147,10 @@ def test_broken_tables_name_their_line(text, expected, tmp_path, monkeypatch):
         (
             lambda: Recording([[0.5]], [[0.5]], (2,)),
             "found episodes of (2,) records; expected 1 records in all",
+        ),
+        (
+            lambda: Recording([[0.5]], [[0.5]], (1.7,)),
+            "records of an episode: found 1.7; expected a whole number, 0 or more",
         ),
         (
             lambda: Recording([[0.5]], [[0.5]]).joined(Recording([[0.5, 0.5]], [[0.5]])),

@@ -1,5 +1,6 @@
 """What somebody who steered a robot has shown: what the skill read, and what was done then."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,7 @@ from socialmind.errors import SocialmindError
 from socialmind.experiments import Steer, run
 from socialmind.interventions.following import advanced
 from socialmind.learning.imprinting.recording import Recording
-from socialmind.learning.imprinting.steered import recording_of_run, shown_skills
+from socialmind.learning.imprinting.steered import recording_of, recording_of_run, shown_skills
 
 ROVERS = Path(__file__).parents[2] / "interventions" / "rovers"
 TICKS = 70
@@ -51,6 +52,23 @@ def test_it_is_a_table_for_imprinting(steered, tmp_path):
     again = Recording.read(tmp_path / "steered.csv", skill)
     assert again.lengths == found.lengths
     assert np.array_equal(again.inputs, found.inputs)
+
+
+def test_who_is_steered_from_the_beginning_shows_from_the_first_reading_on():
+    kind = load_model(ROVERS)
+    ways = [Steer(0, "rovers", 1, (0.25, 1.0)), Steer(4, "rovers", 0, (0.0, 0.5))]
+    found, _ = recording_of(kind(seed=2), ways, 7, "Drive")
+    later, _ = recording_of(kind(seed=2), [replace(ways[0], tick=1), ways[1]], 7, "Drive")
+    assert found.outputs.tolist() == later.outputs.tolist()
+    # A stretch of each robot, of which each record is the robot's own.
+    assert found.lengths == (3, 3)
+    assert found.outputs.tolist() == [[0.25, 1.0]] * 3 + [[0.0, 0.5]] * 3
+
+
+@pytest.mark.parametrize("ways", [[Steer(1, "rovers", 1, None)], [Steer(90, "rovers", 1, (1, 1))]])
+def test_without_a_tick_in_hand_there_is_nothing_to_learn_from(ways):
+    with pytest.raises(SocialmindError, match="nobody of 'rovers' was steered by hand"):
+        recording_of(load_model(ROVERS)(seed=2), ways, 7, "Drive")
 
 
 def test_skills_that_command_more_than_actuators_are_not_shown(steered):

@@ -156,6 +156,20 @@ def test_drawn_weights_keep_to_the_size_of_their_layer():
     assert ((there.min(1) < 0) & (there.max(1) > 0)).all()
 
 
+def test_neurons_of_neat_are_drawn_as_their_like():
+    count = 200
+    hidden = (GraphNeuron(one, (-1, -2), "relu") for one in range(1, count + 1))
+    output = GraphNeuron(0, tuple(range(1, count + 1)), "identity")
+    graph = NeatGraph(2, 1, (*hidden, output))
+    genome = initial_genome(graph.network(2, 1), seed=3).numpy()
+    first = genome[: 3 * count].reshape(count, 3)
+    assert np.sqrt(6 / 3) < np.abs(first[:, :-1]).max() <= np.sqrt(6 / 2)
+    corners = np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
+    there = first[:, :-1] @ corners.T + first[:, -1:]
+    assert ((there.min(1) < 0) & (there.max(1) > 0)).all()
+    assert genome[-1] == 0.5  # the output's bias
+
+
 def test_drawn_weights_are_the_seed_s():
     torch.manual_seed(1)
     before = torch.get_rng_state()
