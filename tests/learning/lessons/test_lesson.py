@@ -63,3 +63,12 @@ def test_the_record_holds_all_settings_and_goes_through_json():
     assert record["settings"]["population"] == 200
     assert (record["environment"], record["ticks"]) == ("Field", 9)
     assert record["drive"].endswith("bold")
+
+
+def test_given_individuals_are_part_of_what_decides_its_result():
+    records = [
+        Lesson("A", Field, first=np.full((2, 3), value)).record()["first"] for value in (0.0, 1.0)
+    ]
+    assert all(one.startswith("2 given, SHA-256 ") for one in records)
+    assert records[0] != records[1]
+    assert records[0] == Lesson("A", Field, first=np.zeros((2, 3))).record()["first"]
