@@ -319,8 +319,9 @@ def refuse_unless_free(folder: Path, holding: Collection[str] = ()) -> None:
     """
     if folder.is_dir():
         if (folder / MANIFEST).is_file():
+            kind = kind_of(folder)
             raise SocialmindError(
-                f"{folder}: holds a run; go on with it by --resume, or give another folder"
+                f"{folder}: holds a {kind}; go on with it by --resume, or give another folder"
             )
         if any(one.name not in holding for one in folder.iterdir()):
             raise SocialmindError(f"{folder}: is not empty; give a fresh folder")

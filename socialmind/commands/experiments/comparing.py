@@ -62,7 +62,7 @@ def compare(
         if len(kinds) > 1 or against:
             raise SocialmindError(
                 "sweeps are compared with sweeps, the first the reference; leave out "
-                f"{'--against' if against else 'runs'}"
+                f"{'--against' if against else 'what is none'}"
             )
         _compare_sweeps(folders, column or (), dict(pair(one) for one in unit or ()), out, quiet,
                         trust)  # fmt: skip
